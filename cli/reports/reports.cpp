@@ -60,7 +60,7 @@ void print_results(const std::string& title, const std::vector<Quantities>& reco
 
 void print_preparation(const PreparationReport& r) {
   if (!r.properties) return;
-  fmt::print("{}", preparation_text(r));
+  print_results(quantities(r), false);
   print_files(r.files);
   fmt::print("next                  polhode run {}\n", r.run_file);
   print_warnings(r.properties->warnings);

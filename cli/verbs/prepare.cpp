@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // polhode prepare [FILE]: an equilibrated start from composition, temperature and pressure or
 // density.
-#include <fmt/core.h>
-
 #include <memory>
 #include <string>
 
@@ -54,7 +52,7 @@ int prepare(const Options& o) {
                        console(), workers);
   if (!report.properties) note_interrupted(report);
   if (o.json)
-    fmt::print("{}\n", preparation_json(report));
+    print_results(quantities(report), true);
   else
     print_preparation(report);
   return report.properties ? 0 : 130;

@@ -19,40 +19,28 @@ def number(x):
     return str(x)
 
 
-def table(rows, head=None, caption=""):
-    """An HTML table; all texts are escaped."""
-    def line(cells, tag):
-        return "<tr>" + "".join(f"<{tag} {_STYLE}>{escape(number(c))}</{tag}>" for c in cells) + "</tr>"
+def table(rows, head=None, caption="", meanings=None):
+    """An HTML table; all texts are escaped. Meanings of rows are shown where the mouse is."""
+    def line(cells, tag, meaning=""):
+        title = f" title='{escape(meaning)}'" if meaning else ""
+        return "<tr>" + "".join(f"<{tag} {_STYLE}{title}>{escape(number(c))}</{tag}>" for c in cells) + "</tr>"
 
     top = f"<caption style='text-align:left;font-weight:bold'>{escape(caption)}</caption>" \
         if caption else ""
     heading = f"<thead>{line(head, 'th')}</thead>" if head else ""
-    return f"<table style='margin:0 0 0.6em'>{top}{heading}<tbody>{''.join(line(r, 'td') for r in rows)}</tbody></table>"
-
-
-def _flat(data, prefix=""):
-    """(key, value) of all numbers and texts, nested keys with a dot; no lists."""
-    for key, value in data.items():
-        if isinstance(value, dict):
-            yield from _flat(value, f"{prefix}{key}.")
-        elif not isinstance(value, list):
-            yield f"{prefix}{key}", value
+    body = "".join(line(r, "td", m) for r, m in zip(rows, meanings or [""] * len(rows)))
+    return f"<table style='margin:0 0 0.6em'>{top}{heading}<tbody>{body}</tbody></table>"
 
 
 def report_html(report):
-    """A report: its numbers, its lists of records as tables, its warnings first."""
-    data, parts = report.data, []
-    if not isinstance(data, dict):
-        return f"<pre>{escape(repr(report))}</pre>"
-    for warning in data.get("warnings") or []:
-        parts.append(f"<p><b>{escape(warning['kind'])}</b>: {escape(warning['text'])}; "
-                     f"{escape(warning['remedy'])}</p>")
-    parts.append(table(list(_flat(data)), caption=report.job))
-    for key, value in data.items():
-        if isinstance(value, list) and value and all(isinstance(v, dict) for v in value) \
-                and key != "warnings":
-            columns = [k for k, v in value[0].items() if not isinstance(v, (dict, list))]
-            parts.append(table([[row.get(c) for c in columns] for row in value], columns, key))
+    """A report: its warnings, then what the command line prints, the meaning of a row as a tooltip."""
+    parts = [f"<p><b>{escape(w['kind'])}</b>: {escape(w['text'])}; {escape(w['remedy'])}</p>"
+             for w in report.data.get("warnings") or []]
+    plain = [row for row in report.rows if not row["table"]]
+    parts.append(table([("\u2003" * row["level"] + row["label"], row["text"]) for row in plain],
+                       caption=report.job, meanings=[row["meaning"] for row in plain]))
+    parts += [table(row["table"][1:], row["table"][0], row["label"])
+              for row in report.rows if row["table"]]
     return "".join(parts)
 
 

@@ -202,7 +202,7 @@ def minimise(source: Source = None, *, max_force: Quantity | None = None,
             config, optional_text(max_force, "force", "max_force"),
             optional_text(max_torque, "energy", "max_torque"),
             _number(max_steps, "max_steps", 1, 100_000_000), options))
-    return Report("minimise", data, [data["file"]] if data.get("file") else [])
+    return Report("minimise", data, data["files"])
 
 
 def analyze(trajectory: Path, *, run: Source = None, molecules: Mapping[str, int] | None = None,

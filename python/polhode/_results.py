@@ -87,12 +87,13 @@ class Report(Record, Mapping):
     """The report of a job: the keys of its JSON, ``report["R"]`` or ``report.R``; names contain units, as
     in "length_ps"."""
 
-    __slots__ = ("_job", "_files", "_complete")
+    __slots__ = ("_job", "_files", "_complete", "_rows")
 
     def __init__(self, job, data, files, complete=True):
+        self._rows = data.pop("rows", [])
         self._job, self._data, self._complete = job, data, complete
         self._files = list(files)
-        if isinstance(data, dict) and not files:
+        if not files:
             self._data = {k: v for k, v in data.items() if k not in ("files", "energies_file")}
 
     @property
@@ -104,6 +105,12 @@ class Report(Record, Mapping):
     def files(self) -> list[str]:
         """list of str: that were written."""
         return self._files
+
+    @property
+    def rows(self) -> list[dict]:
+        """list of dict: what the command line prints: "label", "text", "meaning", "level" of indentation
+        and "table", whose first row is the head."""
+        return self._rows
 
     @property
     def complete(self) -> bool:

@@ -14,6 +14,7 @@
 #include "polhode/io/settings/config.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/outputs.hpp"
+#include "polhode/run/quantities.hpp"
 
 namespace polhode::python {
 
@@ -35,6 +36,11 @@ struct JobOptions {
     });
   }
 };
+
+/// The report of a job: its JSON, and the rows that notebooks show.
+inline std::string report_text(const Quantities& results) {
+  return json_text(results, text_rows(results));
+}
 
 template <NamedEnum Enum>
 Enum named(const std::string& text, const std::string& name) {

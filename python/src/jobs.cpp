@@ -38,14 +38,15 @@ nb::tuple run(const Config& config, const JobOptions& options) {
     return Simulation(config, workers).run(options.output, callbacks);
   });
   const auto& report = result.report;
-  return nb::make_tuple(report ? run_json(*report) : "null",
-                        report ? report->files.all() : std::vector<std::string>{},
-                        result.end == RunEnd::complete);
+  return nb::make_tuple(
+      report ? json_text(flattened(run_quantities(*report)), text_rows(run_quantities(*report)))
+             : "null",
+      report ? report->files.all() : std::vector<std::string>{}, result.end == RunEnd::complete);
 }
 
 std::string energy(const Config& config, bool derivative, nb::object message) {
   return Job({nb::none(), std::move(message)}).run([&](const Callbacks& callbacks) {
-    return json_text(quantities(single_point(config, derivative, callbacks)));
+    return report_text(quantities(single_point(config, derivative, callbacks)));
   });
 }
 
@@ -66,7 +67,7 @@ std::string prepare_start(Config config, const Text& pressure, const Text& nvt, 
   set_stage(config.prepare.nvt, nvt, "nvt");
   set_stage(config.prepare.npt, npt, "npt");
   return options.run([&](const Callbacks& callbacks, Workers& workers) {
-    return preparation_json(prepare(config, options.output, callbacks, workers));
+    return report_text(quantities(prepare(config, options.output, callbacks, workers)));
   });
 }
 
@@ -77,7 +78,7 @@ std::string minimise_start(const Config& config, const Text& force, const Text& 
   set_positive(settings.torque, torque, Dimension::energy, "max_torque");
   settings.max_steps = max_steps;
   return options.run([&](const Callbacks& callbacks, Workers& workers) {
-    return json_text(
+    return report_text(
         quantities(minimise_configuration(config, settings, options.output, callbacks, workers)));
   });
 }
@@ -168,7 +169,7 @@ nb::tuple analyze_trajectory(const std::string& trajectory, const Config* config
   const AnalysisReport report = options.run([&](const Callbacks& callbacks, Workers& workers) {
     return run_analysis(input, options.output, callbacks, workers);
   });
-  return nb::make_tuple(analysis_json(report), report.files);
+  return nb::make_tuple(report_text(analysis_quantities(report)), report.files);
 }
 
 std::size_t convert_file(const std::string& from, const std::string& to, const std::string& names,
@@ -229,7 +230,7 @@ nb::tuple advise(Config config, const Text& accuracy, const Text& drift,
   });
   if (!report.advice.stopped && !report.advice.best)
     throw RunError(unreachable(report.advice, settings.criterion));
-  return nb::make_tuple(json_text(quantities(report)), report.files.all(),
+  return nb::make_tuple(report_text(quantities(report)), report.files.all(),
                         report.advice.stopped ? "" : answer(report.advice));
 }
 
@@ -242,7 +243,7 @@ nb::tuple advise_nvt(const Config& config, const Text& scheme, std::size_t evalu
     return advise_hybrid(config, settings, callbacks, workers);
   });
   if (!advice.stopped && advice.finalists.empty()) throw RunError(answer(advice));
-  return nb::make_tuple(json_text(quantities(advice)), answer(advice));
+  return nb::make_tuple(report_text(quantities(advice)), answer(advice));
 }
 
 std::string tune_scheme(const Config& config, const Text& scheme, const Text& step, int runs,
@@ -255,7 +256,7 @@ std::string tune_scheme(const Config& config, const Text& scheme, const Text& st
   set_positive(settings.decorrelate, decorrelate, Dimension::time, "decorrelate");
   set_positive(settings.sample, sample, Dimension::time, "sample");
   settings.runs = runs;
-  return json_text(quantities(options.run([&](const Callbacks& callbacks, Workers& workers) {
+  return report_text(quantities(options.run([&](const Callbacks& callbacks, Workers& workers) {
     return tune(config, settings, callbacks, workers);
   })));
 }
@@ -270,7 +271,7 @@ std::string bench(bool is_quick, const std::optional<std::vector<std::size_t>>& 
   if (options.threads > 1) settings.threads.push_back(options.threads);
   const Benchmark result = options.run(
       [&](const Callbacks& callbacks, Workers&) { return run_benchmark(settings, callbacks); });
-  return json_text(
+  return report_text(
       quantities(result, {processor, name(current_instruction_set()), settings.threads}));
 }
 

@@ -10,6 +10,7 @@
 #include "base/suggest.hpp"
 #include "bind.hpp"
 #include "io/settings/quantity.hpp"
+#include "job_options.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
@@ -72,7 +73,7 @@ void bind_lookup(nb::module_& m) {
   m.def("scheme_json",
         [](const std::string& text) { return json_text(quantities(scheme_of(text))); });
   m.def("verify", [](const std::string& scheme, int order, std::optional<double> lambda) {
-    return json_text(quantities(measured(scheme, order, lambda)));
+    return report_text(quantities(measured(scheme, order, lambda)));
   });
   m.def("molecules_json",
         [](const std::string& name) { return json_text(records(find_molecules(name))); });

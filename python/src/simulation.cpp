@@ -277,7 +277,8 @@ void bind_simulation(nb::module_& m) {
            [](OwnedSimulation& s) {
              const InUse use(s.in_use);
              const nb::gil_scoped_release released;
-             return run_json(s.simulation.report());
+             const Quantities results = run_quantities(s.simulation.report());
+             return json_text(flattened(results), text_rows(results));
            })
       .def("forces", &forces)
       .def("save", exclusively([](OwnedSimulation& s, const std::string& path) {

@@ -18,7 +18,7 @@ namespace nb = nanobind;
 
 template <class Report>
 nb::tuple study_result(const Report& report) {
-  return nb::make_tuple(json_text(quantities(report)), report.files, !report.interrupted);
+  return nb::make_tuple(report_text(quantities(report)), report.files, !report.interrupted);
 }
 
 nb::tuple study(Config config, const Texts& schemes, const Texts& steps, bool is_quick,

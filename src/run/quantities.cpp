@@ -362,6 +362,17 @@ std::string json_text(const Quantities& list) { return AsJson()(list).dump(2); }
 
 std::string json_text(const std::vector<Quantities>& lists) { return AsJson()(lists).dump(2); }
 
+std::string json_text(const Quantities& list, const std::vector<TextRow>& rows) {
+  json all = AsJson()(list);
+  for (const TextRow& row : rows)
+    all["rows"].push_back({{"label", row.label},
+                           {"text", row.text},
+                           {"meaning", row.doc},
+                           {"level", row.level},
+                           {"table", row.table}});
+  return all.dump(2);
+}
+
 std::string documentation(const Quantities& list) {
   return "| key | unit | meaning |\n| --- | --- | --- |\n" + documented(list, "");
 }

@@ -125,6 +125,10 @@ std::string json_text(const Quantities& list);
 /// Several lists as a JSON array.
 std::string json_text(const std::vector<Quantities>& lists);
 
+/// The same, with rows of the text as its key "rows": objects with "label", "text", "meaning",
+/// "level" and "table", whose first row is the head.
+std::string json_text(const Quantities& list, const std::vector<TextRow>& rows);
+
 /// A table of Markdown with the keys, their units and meanings.
 std::string documentation(const Quantities& list);
 

@@ -68,31 +68,31 @@ std::string compressibility_text(const SeriesEstimate& measured, double in_use) 
                      in_use / scale);
 }
 
-std::string preparation_text(const PreparationReport& r) {
-  return fmt::format("{} molecules, averages of the last {:g} ps\n\n", r.molecules,
-                     r.properties->summary.length) +
-         text_of(of_properties(r));
-}
-
-std::string preparation_json(const PreparationReport& r) {
+Quantities quantities(const PreparationReport& r) {
   const bool lattice = r.lattice_density > 0;
-  return json_text(
-      {{"molecules", "", r.molecules},
-       {"lattice_density", "g/cm3",
-        value_of(lattice, "g/cm3", Dimension::density, r.lattice_density)},
-       {"lattice_density", "kg/m3",
-        value_of(lattice, "kg/m3", Dimension::density, r.lattice_density)},
-       {"density_estimated", "", r.estimated},
-       {"minimisation", "",
-        Quantities{{"steps", "", r.minimisation.steps},
-                   {"end", "", reason(r.minimisation.end)},
-                   {"force", "kJ/mol/nm", r.minimisation.after.force},
-                   {"torque", "kJ/mol", r.minimisation.after.torque}}},
-       {"compressibility", "1/bar",
-        value_of(r.compressibility > 0, "1/bar", Dimension::compressibility, r.compressibility)},
-       {"interrupted", "", !r.properties},
-       {"properties", "", r.properties ? Value(flattened(of_properties(r))) : Value()},
-       {"files", "", r.files}});
+  Quantities list = {
+      {"molecules", "", r.molecules},
+      {"lattice_density", "g/cm3",
+       value_of(lattice, "g/cm3", Dimension::density, r.lattice_density)},
+      {"lattice_density", "kg/m3",
+       value_of(lattice, "kg/m3", Dimension::density, r.lattice_density)},
+      {"density_estimated", "", r.estimated},
+      {"minimisation", "",
+       Quantities{{"steps", "", r.minimisation.steps},
+                  {"end", "", reason(r.minimisation.end)},
+                  {"force", "kJ/mol/nm", r.minimisation.after.force},
+                  {"torque", "kJ/mol", r.minimisation.after.torque}}},
+      {"compressibility", "1/bar",
+       value_of(r.compressibility > 0, "1/bar", Dimension::compressibility, r.compressibility)},
+      {"interrupted", "", !r.properties},
+      {"properties", "", r.properties ? Value(flattened(of_properties(r))) : Value()},
+      {"files", "", r.files}};
+  if (r.properties)
+    append(list, {row("", fmt::format("{} molecules, averages of the last {:g} ps", r.molecules,
+                                      r.properties->summary.length)),
+                  row("", ""),
+                  {"", "", of_properties(r)}});
+  return list;
 }
 
 }  // namespace polhode

@@ -53,7 +53,7 @@ std::string bytes(const std::string& path) {
 
 /// What a preparation writes for other programs, and its report.
 std::string results(const Folder& folder, const PreparationReport& report) {
-  const std::string json = preparation_json(report);
+  const std::string json = json_text(quantities(report));
   return bytes(folder / "out-prepared.gro") +
          replaced(bytes(folder / "out-prepared.toml"), folder / "out", "out") +
          json.substr(0, json.find("\"files\"")) + json.substr(json.find("\"interrupted\""));
@@ -101,7 +101,7 @@ TEST_CASE("a preparation that has ended prints its summary again and leaves its 
   std::ofstream(folder / "out-prepared.toml", std::ios::app) << "# edited\n";
   const std::string edited = bytes(folder / "out-prepared.toml");
   const PreparationReport again = prepare(config_in(folder), {.existing = ExistingFiles::resume});
-  CHECK(preparation_json(again) == preparation_json(first));
+  CHECK(json_text(quantities(again)) == json_text(quantities(first)));
   CHECK(bytes(folder / "out-prepared.toml") == edited);
   check_error(
       [&] {

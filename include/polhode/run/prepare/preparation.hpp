@@ -10,6 +10,7 @@
 #include "polhode/io/settings/config.hpp"
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/outputs.hpp"
+#include "polhode/run/quantities.hpp"
 #include "polhode/run/simulation/report/warnings.hpp"
 
 namespace polhode {
@@ -69,10 +70,7 @@ PreparationReport prepare(const Config& config, const OutputOptions& options = {
 /// @param in_use  the compressibility that sets the size of the moves [nm³ mol/kJ]
 std::string compressibility_text(const SeriesEstimate& measured, double in_use);
 
-/// The properties as lines of text, without files and warnings.
-std::string preparation_text(const PreparationReport& report);
-
-/// The report as JSON. Names contain units, as in "density_g_per_cm3".
-std::string preparation_json(const PreparationReport& report);
+/// The results as a list, from which text and JSON follow.
+Quantities quantities(const PreparationReport& report);
 
 }  // namespace polhode
