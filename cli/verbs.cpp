@@ -26,6 +26,7 @@ const std::vector<VerbGroup>& verb_groups() {
       {"look up and try out",
        {{"molecules", "list the molecule models, or show one", molecules_verb},
         {"schemes", "list the splitting schemes, or show one", schemes_verb},
+        {"settings", "list the settings of run files, with their values in one", settings_verb},
         {"top", "rotate a free top, exactly and by NO_SQUISH, or a table of tops", top_verb},
         {"bench", "measure the speed for water on this computer, and what limits it",
          bench_verb}}}};

@@ -25,6 +25,7 @@ Action new_verb(Command& command);
 Action prepare_verb(Command& command);
 Action run_verb(Command& command);
 Action schemes_verb(Command& command);
+Action settings_verb(Command& command);
 Action study_verb(Command& command);
 Action top_verb(Command& command);
 Action tune_scheme_verb(Command& command);

@@ -3,19 +3,31 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
+#include "base/suggest.hpp"
 #include "io/settings/ensemble_names.hpp"
 #include "option_values.hpp"
+#include "polhode/base/error.hpp"
 
 namespace polhode::cli {
 namespace {
 
 constexpr auto none = "none";
 
+template <class Variant>
+void set_named(Variant& type, const std::string& name, const char* option) {
+  const auto& names = type_names<Variant>;
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw Error(fmt::format("{} = \"{}\" {}", option, name, must_be_one_of(names, name)));
+  set_type(type, name);
+}
+
 void set_thermostat(EnsembleSettings& ensemble, const std::string& kind) {
   if (kind.empty()) return;
   if (kind == none) return ensemble.thermostat.reset();
   if (!ensemble.thermostat) ensemble.thermostat.emplace();
-  ensemble.thermostat->kind = named_option<ThermostatKind>(kind, "--thermostat");
+  set_named(*ensemble.thermostat, kind, "--thermostat");
 }
 
 /// The thermostat that an option belongs to.
@@ -24,11 +36,11 @@ ThermostatSettings& thermostat_of(EnsembleSettings& ensemble, bool langevin, con
     throw Error(
         fmt::format("{} belongs to a thermostat, and this run has none; add --thermostat {}",
                     option, langevin ? "langevin" : "rescaling"));
-  if ((ensemble.thermostat->kind == ThermostatKind::langevin) != langevin)
-    throw Error(fmt::format(
-        "{} has no meaning for the thermostat {}; leave it out, or add "
-        "--thermostat {}",
-        option, name_of(ensemble.thermostat->kind), langevin ? "langevin" : "rescaling"));
+  if (std::holds_alternative<Langevin>(*ensemble.thermostat) != langevin)
+    throw Error(
+        fmt::format("{} has no meaning for the thermostat {}; leave it out, or add "
+                    "--thermostat {}",
+                    option, type_name(*ensemble.thermostat), langevin ? "langevin" : "rescaling"));
   return *ensemble.thermostat;
 }
 
@@ -38,7 +50,7 @@ void set_friction(EnsembleSettings& ensemble, const std::string& text) {
   const double rate = quantity(text, Dimension::rate, "--friction", "1 1/ps");
   if (const std::string wrong = wrong_friction(rate); !wrong.empty())
     throw Error(fmt::format("--friction = \"{}\" {}", text, wrong));
-  thermostat.friction = thermostat.rotational_friction = rate;
+  thermostat = Langevin{rate, rate};
 }
 
 void set_barostat(EnsembleSettings& ensemble, const std::string& kind,
@@ -52,7 +64,7 @@ void set_barostat(EnsembleSettings& ensemble, const std::string& kind,
     throw Error(
         fmt::format("--barostat {} has no pressure to keep; add --pressure \"1 bar\"", kind));
   if (!ensemble.barostat) ensemble.barostat = default_barostat();
-  if (!kind.empty()) ensemble.barostat->kind = named_option<BarostatKind>(kind, "--barostat");
+  if (!kind.empty()) set_named(ensemble.barostat->type, kind, "--barostat");
   if (!pressure.empty())
     ensemble.barostat->pressure = quantity(pressure, Dimension::pressure, "--pressure", "1 bar");
 }
@@ -101,8 +113,12 @@ std::vector<std::string> EnsembleOptions::apply(Config& config) const {
   }
   set_friction(ensemble, friction);
   if (!time_constant.empty())
-    thermostat_of(ensemble, false, "--time-constant").time_constant =
-        positive_time(time_constant, "--time-constant");
+    std::visit(
+        [&](auto& type) {
+          if constexpr (requires { type.time_constant; })
+            type.time_constant = positive_time(time_constant, "--time-constant");
+        },
+        thermostat_of(ensemble, false, "--time-constant"));
   if (thermostat == none)
     if (const std::string wrong = wrong_temperature(config); !wrong.empty())
       throw Error(fmt::format("--thermostat none: the temperature {}", wrong));

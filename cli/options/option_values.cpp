@@ -89,7 +89,7 @@ std::uint64_t whole_number(const std::string& text, const std::string& option, s
 void set_initial_motion(Config& config, const std::string& temperature, const std::string& seed) {
   if (!temperature.empty()) {
     config.system.temperature = quantity(temperature, Dimension::temperature, "--temperature");
-    config.system.temperature_given = true;
+    config.given["system.temperature"] = {temperature, "--temperature"};
     if (!(config.system.temperature >= 0))
       throw Error(fmt::format("--temperature = \"{}\" must be above 0 K", temperature));
     if (const std::string wrong = wrong_temperature(config); !wrong.empty())
@@ -97,7 +97,7 @@ void set_initial_motion(Config& config, const std::string& temperature, const st
     config.ensemble.temperature = config.system.temperature;
   }
   if (seed.empty()) return;
-  config.system.seed_given = true;
+  config.given["system.seed"] = {seed, "--seed"};
   config.system.seed = whole_number(seed, "--seed", std::numeric_limits<std::uint64_t>::max(),
                                     "write for example 2");
 }

@@ -27,7 +27,7 @@ Config make_config(const Options& o) {
   });
   if (!o.scheme.empty()) {
     config.integrator.scheme = scheme_option(o.scheme, "--scheme", config.schemes);
-    config.integrator.scheme_given = true;
+    config.given["integrator.scheme"] = {o.scheme, "--scheme"};
   }
   if (!o.step.empty()) {
     config.integrator.step = positive_time(o.step, "--step");

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -276,6 +277,21 @@ class Settings(Guarded):
     def text(self) -> str:
         """The TOML text that was read."""
         return self._core.text
+
+    def describe(self, name: str = "") -> list[dict]:
+        """Settings with their values, as ``polhode settings`` prints them.
+
+        Args:
+            name: path or key of a setting, or a table: "run.length", "cutoff", "barostat"; all by
+                default.
+
+        Returns:
+            list: a dict for each setting, with its table, key, meaning, unit, bounds, default and value.
+
+        Raises:
+            Error: if there is no such setting.
+        """
+        return json.loads(_core.settings_json(name, self._core))
 
     def __repr__(self):
         return f"<polhode settings of {self.name}>"

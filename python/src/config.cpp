@@ -15,12 +15,12 @@
 #include "base/threads.hpp"
 #include "bind.hpp"
 #include "io/files/embedded.hpp"
-#include "io/settings/ensemble_names.hpp"
 #include "io/settings/quantity.hpp"
 #include "io/settings/run_file_template.hpp"
-#include "io/settings/setting_keys.hpp"
+#include "io/settings/settings.hpp"
 #include "io/topology/gromacs_mdp.hpp"
 #include "polhode/run/simulation/system/system.hpp"
+#include "run/listing/settings.hpp"
 
 namespace polhode::python {
 
@@ -29,10 +29,10 @@ using namespace nb::literals;
 
 namespace {
 
-/// The name of the kind of a thermostat or barostat; nothing without.
-template <class Settings>
-std::optional<std::string> kind_of(const std::optional<Settings>& settings) {
-  return settings ? std::optional(std::string(name_of(settings->kind))) : std::nullopt;
+/// The type of a thermostat or barostat; nothing without.
+std::optional<std::string> type_of(const std::string& table, const Config& config) {
+  const std::string type = value_text(setting(table + ".type"), config);
+  return type.empty() ? std::nullopt : std::optional(type);
 }
 
 std::optional<double> kept_temperature(const Config& config) {
@@ -49,10 +49,12 @@ std::optional<double> pressure_in_bar(const Config& config) {
 /// (table, key, kinds of its values)
 std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> keys() {
   std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> all;
-  for (const SettingKey& key : setting_keys()) {
+  for (const auto& [name, kind] : setting_table_names())
+    all.emplace_back("", name, std::vector{std::string(name_of(kind))});
+  for (const Setting& one : settings()) {
     std::vector<std::string> kinds;
-    for (const SettingKind kind : key.kinds) kinds.emplace_back(name_of(kind));
-    all.emplace_back(key.table, key.key, std::move(kinds));
+    for (const SettingKind kind : one.kinds) kinds.emplace_back(name_of(kind));
+    all.emplace_back(one.table, one.key, std::move(kinds));
   }
   return all;
 }
@@ -71,8 +73,8 @@ void bind_config(nb::module_& m) {
       .def_prop_ro("scheme", [](const Config& c) { return c.integrator.scheme.text; })
       .def_prop_ro("kept_temperature", &kept_temperature)
       .def_prop_ro("pressure", &pressure_in_bar)
-      .def_prop_ro("thermostat", [](const Config& c) { return kind_of(c.ensemble.thermostat); })
-      .def_prop_ro("barostat", [](const Config& c) { return kind_of(c.ensemble.barostat); })
+      .def_prop_ro("thermostat", [](const Config& c) { return type_of("thermostat", c); })
+      .def_prop_ro("barostat", [](const Config& c) { return type_of("barostat", c); })
       .def_prop_ro("length", [](const Config& c) { return c.run.length; })
       .def_prop_ro("sample", [](const Config& c) { return c.run.sample; })
       .def("set_forces",
@@ -84,6 +86,10 @@ void bind_config(nb::module_& m) {
         [](const std::string& text, const std::string& file) { return parse_config(text, file); });
   m.def("default_config", &default_config);
   m.def("setting_keys", &keys);
+  m.def(
+      "settings_json",
+      [](const std::string& name, const Config* config) { return settings_json(name, config); },
+      "name"_a, "config"_a.none());
   m.def("default_text", [] { return std::string(embedded_text("runs/default.toml").value()); });
   m.def("run_file_template", [](const std::string& kind, const std::string& ensemble) {
     return run_file_template(kind, ensemble);

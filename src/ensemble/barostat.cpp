@@ -59,29 +59,30 @@ bool Barostat::move(State& state, Load& load, const Evaluate& evaluate, std::uin
   const CoupledEdges& edges = settings_.edges[memory_.moves % settings_.edges.size()];
   if (memory_.moves++ == 0) memory_.edges = state.box.edge;
   before_ = state;
-  const bool accepted = settings_.kind == BarostatKind::cell_rescaling
-                            ? rescale_cell(state, load, evaluate, edges, step)
-                            : move_volume(state, load, evaluate, edges, step);
+  const bool accepted = std::visit(
+      [&](const auto& type) { return try_move(type, state, load, evaluate, edges, step); },
+      settings_.type);
   memory_.decisions.add(std::array{accepted ? 1.0 : 0.0});
   if (accepted) ++memory_.accepted;
   return accepted;
 }
 
 /// dλ/dt without noise.
-double Barostat::drift(const State& state, const Load& load, const CoupledEdges& edges) const {
+double Barostat::drift(const CellRescaling& type, const State& state, const Load& load,
+                       const CoupledEdges& edges) const {
   const double V = state.box.volume();
-  return -settings_.compressibility * std::sqrt(V) / (2 * settings_.time_constant) *
+  return -settings_.compressibility * std::sqrt(V) / (2 * type.time_constant) *
          (settings_.pressure - pressure_along(edges, state, bodies_, load) - kT_ / (2 * V));
 }
 
-bool Barostat::rescale_cell(State& state, Load& load, const Evaluate& evaluate,
-                            const CoupledEdges& edges, std::uint64_t step) {
+bool Barostat::try_move(const CellRescaling& type, State& state, Load& load,
+                        const Evaluate& evaluate, const CoupledEdges& edges, std::uint64_t step) {
   Random random(seed_, stream_of(RandomUse::cell_rescaling, {step, 0}));
   const double t = settings_.every;
-  const double variance = kT_ * settings_.compressibility * t / (2 * settings_.time_constant);
+  const double variance = kT_ * settings_.compressibility * t / (2 * type.time_constant);
   const double V = state.box.volume(), lambda = std::sqrt(V);
   const double noise = std::sqrt(variance) * random.normal();
-  const double moved = lambda + drift(state, load, edges) * t + noise;
+  const double moved = lambda + drift(type, state, load, edges) * t + noise;
   if (!(moved > 0)) return false;
   const double factor = factor_of(edges, moved * moved / V);
   if (!keeps_shape(state, edges, factor)) return false;
@@ -89,16 +90,16 @@ bool Barostat::rescale_cell(State& state, Load& load, const Evaluate& evaluate,
   scale_box(state, edges, factor, true);
   evaluate_moved(state, evaluate);
   const double work = energies(state, bodies_, load_).total() - before;
-  const double back = lambda - moved - drift(state, load_, edges) * t;
+  const double back = lambda - moved - drift(type, state, load_, edges) * t;
   const double violation = work + settings_.pressure * (moved * moved - V) -
                            kT_ * std::log(moved / lambda) +
                            kT_ * (back * back - noise * noise) / (2 * variance);
-  return decide(state, load, violation, settings_.metropolis ? work : work - violation,
-                random.uniform(), !settings_.metropolis);
+  return decide(state, load, violation, type.metropolis ? work : work - violation, random.uniform(),
+                !type.metropolis);
 }
 
-bool Barostat::move_volume(State& state, Load& load, const Evaluate& evaluate,
-                           const CoupledEdges& edges, std::uint64_t step) {
+bool Barostat::try_move(const VolumeMoves&, State& state, Load& load, const Evaluate& evaluate,
+                        const CoupledEdges& edges, std::uint64_t step) {
   Random random(seed_, stream_of(RandomUse::volume_move, {step, 0}));
   const double V = state.box.volume();
   const double first = Box{memory_.edges}.volume();

@@ -25,11 +25,24 @@ class Thermostat {
 
   void operator()(State& state, double t, StageNumber at);
 
+  /// Kinetic energies [kJ/mol], with the motion of the centre of mass where it is free.
+  struct Motions {
+    double kinetic, translation, rotation;
+  };
+
   double heat() const { return heat_; }  ///< given to the bodies so far [kJ/mol]
   void resume_from(double heat) { heat_ = heat; }
 
  private:
-  double rescale(State& state, double t, StageNumber at) const;
+  // Each type of thermostat: the heat that the bodies receive.
+  double act(const Langevin& type, State& state, double t, StageNumber at) const;
+  double act(const Rescaling& type, State& state, double t, StageNumber at) const;
+  double act(const SeparateRescaling& type, State& state, double t, StageNumber at) const;
+
+  Motions motions(const State& state) const;
+  /// The factor of momenta with this kinetic energy and n degrees of freedom, over a time in units
+  /// of the time constant.
+  double factor(double kinetic, double n, double time, std::uint64_t stream) const;
 
   ThermostatSettings settings_;
   LangevinSettings langevin_;

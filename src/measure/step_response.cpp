@@ -64,11 +64,11 @@ std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings, const Sc
 std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings) {
   if (settings.hybrid_monte_carlo) return std::nullopt;
   if (settings.constant_energy()) return FixedMeans::energy;
-  if (!settings.thermostat || settings.thermostat->kind != ThermostatKind::rescaling)
+  if (!settings.thermostat || !std::holds_alternative<Rescaling>(*settings.thermostat))
     return std::nullopt;
   if (!settings.barostat) return FixedMeans::kinetic_energy;
   if (settings.barostat->edges != BarostatSettings{}.edges) return std::nullopt;
-  return settings.barostat->kind == BarostatKind::monte_carlo
+  return std::holds_alternative<VolumeMoves>(settings.barostat->type)
              ? FixedMeans::kinetic_energy_and_pressure_of_positions
              : FixedMeans::kinetic_energy_and_pressure;
 }

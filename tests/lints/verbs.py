@@ -22,6 +22,7 @@ CALLS = {
     "verify": ["verify", "quantities"],
     "molecules": ["find_molecules", "records"],
     "schemes": ["all_schemes", "quantities"],
+    "settings": ["settings_json"],
     "top": ["integrate_top", "draw_top", "rotate_table"],
     "bench": ["run_benchmark", "quantities"],
 }

@@ -74,7 +74,7 @@ TEST_CASE("cell rescaling: an ideal gas has V from Gamma(N, kT/P), whatever its 
     CAPTURE(std::string(molecule));
     const scenes::Scene scene = scenes::lattice({{molecule, 6}}, 0.4, 3, 5);
     for (const auto& edges : {std::vector{xyz}, std::vector{xy, z}}) {
-      const BarostatSettings settings{.time_constant = 1, .every = 0.3, .edges = edges};
+      const BarostatSettings settings{.type = CellRescaling{1}, .every = 0.3, .edges = edges};
       // Many moves of single edges are rejected by the bound of the shape.
       check_shape(volume_of(scene, settings, edges.size() == 1 ? 40000 : 80000), 6);
     }
@@ -85,7 +85,7 @@ TEST_CASE("cell rescaling: an ideal gas has V from Gamma(N, kT/P), whatever its 
 // constant have the error of their discretisation, below 1/40 of the width.
 TEST_CASE("cell rescaling as published has the same law for short intervals") {
   const scenes::Scene scene = scenes::lattice({{"argon", 6}}, 0.4, 3, 5);
-  const BarostatSettings settings{.time_constant = 1, .every = 0.025, .metropolis = false};
+  const BarostatSettings settings{.type = CellRescaling{1, false}, .every = 0.025};
   const Volume v = volume_of(scene, settings, 400000);
   CHECK(std::abs(v.mean.value - 6) < 4 * v.mean.error + 0.025 * std::sqrt(6.0));
   CHECK(std::abs(v.variance.value - 6) < 4 * v.variance.error + 0.025 * 6);
@@ -98,7 +98,7 @@ TEST_CASE("Monte Carlo moves: an ideal gas has V from Gamma(N + 1, kT/P), whatev
     CAPTURE(std::string(molecule));
     const scenes::Scene scene = scenes::lattice({{molecule, 6}}, 0.4, 3, 5);
     for (const auto& edges : {std::vector{xyz}, std::vector{xy, z}})
-      check_shape(volume_of(scene, {.kind = BarostatKind::monte_carlo, .edges = edges}, 60000), 7);
+      check_shape(volume_of(scene, {.type = VolumeMoves{}, .edges = edges}, 60000), 7);
   }
 }
 
@@ -107,11 +107,10 @@ TEST_CASE(
     "edges that are moved separately keep their ratios within the bound, others do not count") {
   const scenes::Scene scene = scenes::lattice({{"argon", 64}}, 0.4, 3, 5);
   constexpr CoupledEdges x{true, false, false}, y{false, true, false};
-  for (const BarostatKind kind : {BarostatKind::cell_rescaling, BarostatKind::monte_carlo})
+  for (const BoxMoves& type : {BoxMoves(CellRescaling{1}), BoxMoves(VolumeMoves{})})
     for (const auto& edges : {std::vector{x, y, z}, std::vector{xy, z}, std::vector{z}}) {
-      const BarostatSettings settings{.kind = kind,
+      const BarostatSettings settings{.type = type,
                                       .pressure = pressure,
-                                      .time_constant = 1,
                                       .compressibility = 0.1 / pressure,
                                       .every = 0.3,
                                       .edges = edges};
@@ -142,7 +141,7 @@ TEST_CASE(
 
 TEST_CASE("a move scales centres of mass, keeps attitudes, and returns to the bit if rejected") {
   const scenes::Scene scene = scenes::lattice({{"tip4p", 8}}, 0.4, 3, 5);
-  for (const BarostatKind kind : {BarostatKind::cell_rescaling, BarostatKind::monte_carlo}) {
+  for (const BoxMoves& type : {BoxMoves(CellRescaling{}), BoxMoves(VolumeMoves{})}) {
     // Energies that grow steeply with any change: moves are rejected unless they are small.
     double stiffness = 0;
     const auto evaluate = [&](const State& state, Load& load) {
@@ -150,7 +149,7 @@ TEST_CASE("a move scales centres of mass, keeps attitudes, and returns to the bi
       load.van_der_waals = stiffness * std::pow(state.box.volume() - 27, 2);
     };
     const BarostatSettings settings{
-        .kind = kind, .pressure = pressure, .compressibility = 1e-3, .edges = {xy}};
+        .type = type, .pressure = pressure, .compressibility = 1e-3, .edges = {xy}};
     Barostat barostat(settings, kelvin, scene.bodies, 3);
     State state = scene.state;
     Load load(state.size());
@@ -164,7 +163,7 @@ TEST_CASE("a move scales centres of mass, keeps attitudes, and returns to the bi
       CHECK(state.q[i].x == doctest::Approx(s * scene.state.q[i].x).epsilon(1e-14));
       CHECK(state.q[i].z == scene.state.q[i].z);
       CHECK(state.attitude[i] == scene.state.attitude[i]);
-      const double momentum = kind == BarostatKind::cell_rescaling ? 1 / s : 1;
+      const double momentum = std::holds_alternative<CellRescaling>(type) ? 1 / s : 1;
       CHECK(state.p[i].y == doctest::Approx(momentum * scene.state.p[i].y).epsilon(1e-14));
     }
     stiffness = 1e9;
@@ -182,9 +181,9 @@ TEST_CASE("a move scales centres of mass, keeps attitudes, and returns to the bi
 
 TEST_CASE("a barostat has other random numbers for each seed and step") {
   const scenes::Scene scene = scenes::lattice({{"tip4p", 8}}, 0.4, 3, 5);
-  for (const BarostatKind kind : {BarostatKind::cell_rescaling, BarostatKind::monte_carlo}) {
+  for (const BoxMoves& type : {BoxMoves(CellRescaling{}), BoxMoves(VolumeMoves{})}) {
     const auto volumes = [&](std::uint64_t seed, std::uint64_t first) {
-      Barostat barostat({.kind = kind, .pressure = pressure, .compressibility = 1e-3}, kelvin,
+      Barostat barostat({.type = type, .pressure = pressure, .compressibility = 1e-3}, kelvin,
                         scene.bodies, seed);
       State state = scene.state;
       Load load(state.size());

@@ -22,9 +22,7 @@ constexpr double kelvin = 500;       // water relaxes in half a picosecond
 constexpr double long_step = 0.004;  // [ps]: R of velocity Verlet is 3 %, of hoa2 0.2 %
 constexpr double molecules = 64;
 
-const EnsembleSettings rescaling{
-    .temperature = kelvin,
-    .thermostat = ThermostatSettings{.kind = ThermostatKind::rescaling, .time_constant = 0.2}};
+const EnsembleSettings rescaling{.temperature = kelvin, .thermostat = Rescaling{0.2}};
 
 // 64 SPC/E waters at 0.95 g/cm³.
 System water(unsigned seed) {

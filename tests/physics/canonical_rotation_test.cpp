@@ -121,8 +121,7 @@ TEST_CASE("in a bath, attitudes and momenta about each axis are canonical for sh
       const scenes::Scene scene = tops(molecule, 200);
       const Well well{linear(scene)};
       const double h = step(scene, omega_h);
-      Thermostat thermostat({ThermostatKind::langevin, 0.2 / h, 0.2 / h, 0}, kelvin, scene.topology,
-                            scene.bodies, 5);
+      Thermostat thermostat(Langevin{0.2 / h, 0.2 / h}, kelvin, scene.topology, scene.bodies, 5);
       const auto bath = [&](State& state, double t, StageNumber at) { thermostat(state, t, at); };
       Integrator integrator(scheme_of(scheme), scene.bodies, well,
                             FreeDrift{scene.bodies, Workers::serial()}, bath);
@@ -163,8 +162,7 @@ TEST_CASE("a linear molecule in a bath has no momentum about its axis after 10,0
   const scenes::Scene scene = tops("co2", 8);
   const Well well{true};
   const double h = step(scene, 0.5);
-  Thermostat thermostat({ThermostatKind::langevin, 0.1 / h, 0.1 / h, 0}, kelvin, scene.topology,
-                        scene.bodies, 5);
+  Thermostat thermostat(Langevin{0.1 / h, 0.1 / h}, kelvin, scene.topology, scene.bodies, 5);
   const auto bath = [&](State& state, double t, StageNumber at) { thermostat(state, t, at); };
   Integrator integrator(scheme_of("baoab"), scene.bodies, well,
                         FreeDrift{scene.bodies, Workers::serial()}, bath);

@@ -24,13 +24,11 @@ constexpr double step = 0.02;  // [ps]: 0.3 of the period of the fastest librati
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
 
-BarostatSettings barostat(BarostatKind kind, double every, bool metropolis = true) {
-  return {.kind = kind,
+BarostatSettings barostat(const BoxMoves& type, double every) {
+  return {.type = type,
           .pressure = 300 * unit("bar", Dimension::pressure),
-          .time_constant = 2,
           .compressibility = 2e-4 * unit("1/bar", Dimension::compressibility),
-          .every = every,
-          .metropolis = metropolis};
+          .every = every};
 }
 
 struct Method {
@@ -38,16 +36,14 @@ struct Method {
   EnsembleSettings ensemble;
 };
 
-Method thermostat(ThermostatKind kind, BarostatKind box) {
-  const ThermostatSettings settings{
-      .kind = kind, .friction = 2, .rotational_friction = 2, .time_constant = 0.2};
-  return {std::string("thermostat ") + std::to_string(int(kind)),
+Method thermostat(const ThermostatSettings& settings, const BoxMoves& box) {
+  return {std::string("thermostat ") + std::to_string(settings.index()),
           "hoa2-ends",
           {kelvin, settings, barostat(box, 0.1), {}}};
 }
 
 // Trajectories of 0.1 ps.
-Method hybrid(BarostatKind box, double every, double refresh, const char* scheme = "hoa2") {
+Method hybrid(const BoxMoves& box, double every, double refresh, const char* scheme = "hoa2") {
   const HybridMonteCarloSettings settings{.steps = 5, .refresh = refresh};
   return {std::string(scheme) + " every " + std::to_string(every),
           scheme,
@@ -73,7 +69,7 @@ struct Sampled {
   double exact_pressure() const {
     const BarostatSettings& barostat = *method.ensemble.barostat;
     return barostat.pressure -
-           (barostat.kind == BarostatKind::monte_carlo ? kT * inverse_volume : 0);
+           (std::holds_alternative<VolumeMoves>(barostat.type) ? kT * inverse_volume : 0);
   }
   const SeriesEstimate& density() const { return ensemble.barostat->density; }
 };
@@ -118,7 +114,7 @@ void check_weights(const HybridMonteCarloSummary& s) {
   CHECK(std::abs(s.bounded_weight.value) < 4.5 * s.bounded_weight.error);
 }
 
-constexpr BarostatKind rescaling = BarostatKind::cell_rescaling, moves = BarostatKind::monte_carlo;
+const BoxMoves rescaling = CellRescaling{}, moves = VolumeMoves{};
 
 }  // namespace
 
@@ -130,10 +126,11 @@ TEST_CASE("every thermostat and hybrid Monte Carlo have one pressure and one den
       hybrid(rescaling, 0.02, 1),       hybrid(rescaling, 0.04, 0.4), hybrid(rescaling, 0.24, 1),
       hybrid(moves, 0.02, 0.4),         hybrid(moves, 0.1, 1),        hybrid(moves, 0.26, 1),
       hybrid(moves, 0.1, 1, "gier4-fd")};
-  for (const BarostatKind kind : {rescaling, moves})
-    for (const ThermostatKind bath :
-         {ThermostatKind::langevin, ThermostatKind::rescaling, ThermostatKind::separate_rescaling})
-      methods.push_back(thermostat(bath, kind));
+  for (const BoxMoves& box : {rescaling, moves})
+    for (const ThermostatSettings& bath :
+         {ThermostatSettings(Langevin{2, 2}), ThermostatSettings(Rescaling{0.2}),
+          ThermostatSettings(SeparateRescaling{0.2})})
+      methods.push_back(thermostat(bath, box));
   std::vector<Sampled> all;
   for (const Method& method : methods) all.push_back(sampled(method, 300, 10 + 2 * all.size()));
 
@@ -144,7 +141,7 @@ TEST_CASE("every thermostat and hybrid Monte Carlo have one pressure and one den
   CHECK(of_density < 0.02 * density);
   for (const Sampled& s : all) {
     CAPTURE(s.method.name);
-    CAPTURE(int(s.method.ensemble.barostat->kind));
+    CAPTURE(s.method.ensemble.barostat->type.index());
     CAPTURE(in_bar(s.exact_pressure()));
     CAPTURE(in_bar(s.pressure.value));
     CAPTURE(in_bar(of_pressure));

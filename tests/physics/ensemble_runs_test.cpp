@@ -21,7 +21,7 @@ TEST_CASE("a drift of the conserved energy that builds up over many samples ends
   TrajectorySettings settings{
       .scheme = scheme_of("obabo"), .step = 0.035, .length = 6300, .sample = 0.1};
   settings.ensemble = {.temperature = 300,
-                       .thermostat = ThermostatSettings{.friction = 10},
+                       .thermostat = Langevin{.friction = 10},
                        .barostat = {},
                        .hybrid_monte_carlo = {}};
   ForceField forces(system.topology, system.forces, system.state.box);

@@ -30,10 +30,8 @@ struct Method {
   EnsembleSettings ensemble{};
 };
 
-EnsembleSettings thermostat(ThermostatKind kind, double temperature = kelvin) {
-  return {.temperature = temperature,
-          .thermostat = ThermostatSettings{
-              .kind = kind, .friction = 5, .rotational_friction = 5, .time_constant = 0.2}};
+EnsembleSettings thermostat(const ThermostatSettings& type, double temperature = kelvin) {
+  return {.temperature = temperature, .thermostat = type};
 }
 
 const Method hybrid{
@@ -43,10 +41,10 @@ const Method hybrid{
     {.temperature = kelvin, .hybrid_monte_carlo = HybridMonteCarloSettings{.steps = 10}}};
 
 const std::vector<Method> canonical{
-    {"Langevin at the ends", "obabo", 0.001, thermostat(ThermostatKind::langevin)},
-    {"Langevin in the middle", "baoab", 0.002, thermostat(ThermostatKind::langevin)},
-    {"rescaling", "hoa2-ends", 0.002, thermostat(ThermostatKind::rescaling)},
-    {"separate rescaling", "hoa2-ends", 0.002, thermostat(ThermostatKind::separate_rescaling)},
+    {"Langevin at the ends", "obabo", 0.001, thermostat(Langevin{5, 5})},
+    {"Langevin in the middle", "baoab", 0.002, thermostat(Langevin{5, 5})},
+    {"rescaling", "hoa2-ends", 0.002, thermostat(Rescaling{0.2})},
+    {"separate rescaling", "hoa2-ends", 0.002, thermostat(SeparateRescaling{0.2})},
     hybrid};
 
 // 64 SPC/E waters at 0.95 g/cm³.
@@ -183,7 +181,7 @@ TEST_CASE(
   // The same bound finds a temperature that is too high by 3 %: the potential energy of water
   // rises by 37 kJ/mol, thirteen errors of a run of twice the length.
   System system = start;
-  const Method hot{"", "baoab", 0.002, thermostat(ThermostatKind::langevin, 1.03 * kelvin)};
+  const Method hot{"", "baoab", 0.002, thermostat(Langevin{5, 5}, 1.03 * kelvin)};
   const Result result = sampled(system, hot, 60, 2 * blocks);
   CAPTURE(deviation(result, results, 0));
   CHECK(deviation(result, results, 0) > bound);

@@ -121,7 +121,7 @@ std::vector<EnsembleCase> ensemble_cases() {
       coupled{.compressibility = 7e-4,
               .every = 0.006,
               .edges = {{true, true, false}, {false, false, true}}},
-      moves{.kind = BarostatKind::monte_carlo, .compressibility = 1e-5, .every = 0.01};
+      moves{.type = VolumeMoves{}, .compressibility = 1e-5, .every = 0.01};
   for (const std::optional<BarostatSettings>& barostat :
        {std::optional<BarostatSettings>{}, std::optional{rescaling}, std::optional{coupled},
         std::optional{moves}}) {
@@ -129,10 +129,10 @@ std::vector<EnsembleCase> ensemble_cases() {
                          std::optional<HybridMonteCarloSettings> hybrid) {
       cases.push_back({scheme, {300, thermostat, barostat, hybrid}});
     };
-    add("hoa2-ends", ThermostatSettings{.friction = 5, .rotational_friction = 20}, {});
-    add("baoab", ThermostatSettings{.friction = 5, .rotational_friction = 20}, {});
-    add("gier4-middle", ThermostatSettings{.kind = ThermostatKind::rescaling}, {});
-    add("hoa2-ends", ThermostatSettings{.kind = ThermostatKind::separate_rescaling}, {});
+    add("hoa2-ends", Langevin{5, 20}, {});
+    add("baoab", Langevin{5, 20}, {});
+    add("gier4-middle", Rescaling{}, {});
+    add("hoa2-ends", SeparateRescaling{}, {});
     add("hoa2", {}, HybridMonteCarloSettings{.steps = 4});
     add("position-verlet", {}, HybridMonteCarloSettings{.steps = 4, .refresh = 0.3});
   }
@@ -336,7 +336,7 @@ TEST_CASE("a thermostat without friction is constant energy, bit for bit") {
     };
     const Bits constant_energy = run();
     settings.scheme = with_bath(settings.scheme, BathPlace::ends);
-    settings.ensemble = {300, ThermostatSettings{.friction = 0, .rotational_friction = 0}, {}, {}};
+    settings.ensemble = {300, Langevin{0, 0}, {}, {}};
     CHECK((run() == constant_energy));
     settings.ensemble.thermostat->rotational_friction = 1e-9;
     CHECK((run() != constant_energy));

@@ -66,9 +66,7 @@ constexpr double likely = 4.4;
 // the bias of the step, and has to be as large as predicted from fluctuations, of which it is no
 // part. R is 3 % here, and the next order of h² a twentieth of the bias.
 TEST_CASE("step bias: water has the predicted difference of temperatures") {
-  const EnsembleSettings rescaling{
-      .temperature = kelvin,
-      .thermostat = ThermostatSettings{.kind = ThermostatKind::rescaling, .time_constant = 0.5}};
+  const EnsembleSettings rescaling{.temperature = kelvin, .thermostat = Rescaling{0.5}};
   for (const bool constant_energy : {true, false}) {
     CAPTURE(constant_energy);
     std::array<double, runs> predicted, unexplained, predicted_excess, unexplained_excess;
@@ -119,10 +117,7 @@ TEST_CASE("step bias: water has the predicted difference of temperatures") {
 // temperature. The next order of h² is a hundredth.
 TEST_CASE(
     "step bias: with the bath within the steps, the momenta of half steps have its temperature") {
-  const EnsembleSettings langevin{
-      .temperature = kelvin,
-      .thermostat = ThermostatSettings{
-          .kind = ThermostatKind::langevin, .friction = 5, .rotational_friction = 5}};
+  const EnsembleSettings langevin{.temperature = kelvin, .thermostat = Langevin{5, 5}};
   const DegreesOfFreedom n = degrees_of_freedom(water(1).topology);
   std::array<double, runs> full, half;
   for (unsigned run = 0; run < runs; ++run) {

@@ -132,14 +132,13 @@ TEST_CASE("two flows O of half the time have the statistics of one, and noise of
 
 TEST_CASE("the bath of a thermostat has other random numbers for each seed, step and stage") {
   const scenes::Scene scene = tops(20);
-  for (const ThermostatKind kind :
-       {ThermostatKind::langevin, ThermostatKind::rescaling, ThermostatKind::separate_rescaling}) {
-    CAPTURE(int(kind));
+  for (const ThermostatSettings& type :
+       {ThermostatSettings(Langevin{}), ThermostatSettings(Rescaling{}),
+        ThermostatSettings(SeparateRescaling{})}) {
+    CAPTURE(type.index());
     const auto drawn = [&](std::uint64_t seed, StageNumber at) {
       State state = scene.state;
-      ThermostatSettings settings;
-      settings.kind = kind;
-      Thermostat(settings, kelvin, scene.topology, scene.bodies, seed)(state, 0.1, at);
+      Thermostat(type, kelvin, scene.topology, scene.bodies, seed)(state, 0.1, at);
       return std::array{state.p[7].x, state.ell[7].x};  // by the rescaling apart, each its own
     };
     const std::vector all = {drawn(3, {0, 0}), drawn(3, {0, 4}),
@@ -162,8 +161,8 @@ TEST_CASE("rescaling apart has other random numbers for rotation than for transl
   const double scale = std::sqrt(K / (e.kinetic() - e.translation));
   for (std::size_t i = 0; i < state.size(); ++i) state.ell.set(i, scale * state.ell[i]);
   const State before = state;
-  Thermostat({ThermostatKind::separate_rescaling, 0, 0, 0.1}, kelvin, scene.topology, scene.bodies,
-             3, Workers::serial(), TotalMomentum::free)(state, 0.1, {0, 0});
+  Thermostat(SeparateRescaling{0.1}, kelvin, scene.topology, scene.bodies, 3, Workers::serial(),
+             TotalMomentum::free)(state, 0.1, {0, 0});
   const double translation = state.p[0].x / before.p[0].x,
                rotation = state.ell[0].x / before.ell[0].x;
   CHECK(std::abs(translation - rotation) > 1e-6);
@@ -187,19 +186,18 @@ TEST_CASE(
 
 TEST_CASE("the heat of a thermostat is the change of kinetic energy, to rounding") {
   const scenes::Scene scene = tops(40);
-  for (const ThermostatKind kind :
-       {ThermostatKind::langevin, ThermostatKind::rescaling, ThermostatKind::separate_rescaling})
-    for (const double friction : {0.0, 3.0}) {
-      CAPTURE(int(kind));
-      State state = scene.state;
-      remove_total_momentum(state, scene.bodies);
-      const double before = energies(state, scene.bodies, Load{}).kinetic();
-      const ThermostatSettings settings{kind, friction, 3, 0.2};
-      Thermostat thermostat(settings, kelvin, scene.topology, scene.bodies, 3);
-      for (std::uint64_t step = 0; step < 5; ++step) thermostat(state, 0.1, {step, 0});
-      const double after = energies(state, scene.bodies, Load{}).kinetic();
-      CHECK(thermostat.heat() == doctest::Approx(after - before).epsilon(1e-11));
-    }
+  for (const ThermostatSettings& settings :
+       {ThermostatSettings(Langevin{0, 3}), ThermostatSettings(Langevin{3, 3}),
+        ThermostatSettings(Rescaling{0.2}), ThermostatSettings(SeparateRescaling{0.2})}) {
+    CAPTURE(settings.index());
+    State state = scene.state;
+    remove_total_momentum(state, scene.bodies);
+    const double before = energies(state, scene.bodies, Load{}).kinetic();
+    Thermostat thermostat(settings, kelvin, scene.topology, scene.bodies, 3);
+    for (std::uint64_t step = 0; step < 5; ++step) thermostat(state, 0.1, {step, 0});
+    const double after = energies(state, scene.bodies, Load{}).kinetic();
+    CHECK(thermostat.heat() == doctest::Approx(after - before).epsilon(1e-11));
+  }
 }
 
 TEST_CASE("without friction, O leaves every bit of the momenta") {
@@ -270,8 +268,7 @@ TEST_CASE("velocity rescaling lets the kinetic energy relax to its canonical dis
 
 TEST_CASE("rescaling apart keeps the distributions of translation and of rotation") {
   const scenes::Scene scene = scenes::lattice({{"tip4p", 4}, {"co2", 4}}, 1, 100, 1);
-  Thermostat thermostat({ThermostatKind::separate_rescaling, 0, 0, 0.1}, kelvin, scene.topology,
-                        scene.bodies, 3);
+  Thermostat thermostat(SeparateRescaling{0.1}, kelvin, scene.topology, scene.bodies, 3);
   State state = scene.state;
   remove_total_momentum(state, scene.bodies);
   double translation = 0, rotation = 0;
@@ -288,8 +285,8 @@ TEST_CASE("rescaling apart keeps the distributions of translation and of rotatio
 // A single atom in a field: three degrees of freedom.
 TEST_CASE("where the total momentum is free, rescaling counts the motion of the centre of mass") {
   const scenes::Scene scene = scenes::lattice({{"argon", 1}}, 1, 100, 1);
-  Thermostat thermostat({ThermostatKind::rescaling, 0, 0, 0.1}, kelvin, scene.topology,
-                        scene.bodies, 3, Workers::serial(), TotalMomentum::free);
+  Thermostat thermostat(Rescaling{0.1}, kelvin, scene.topology, scene.bodies, 3, Workers::serial(),
+                        TotalMomentum::free);
   State state = scene.state;
   double sum = 0;
   constexpr int draws = 4000;
@@ -315,7 +312,7 @@ struct Moments {
 Moments oscillators(const char* text, double omega_h) {
   const scenes::Scene scene = scenes::lattice({{"argon", 3000}}, 0, 100, 1);
   const double h = omega_h / std::sqrt(spring / scene.bodies.m[0]);
-  const ThermostatSettings settings{ThermostatKind::langevin, 0.5 / h, 0.5 / h, 0};
+  const Langevin settings{0.5 / h, 0.5 / h};
   Thermostat thermostat(settings, kelvin, scene.topology, scene.bodies, 5, Workers::serial(),
                         TotalMomentum::free);
   const auto bath = [&](State& state, double t, StageNumber at) { thermostat(state, t, at); };

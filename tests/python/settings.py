@@ -2,6 +2,7 @@
 """Settings from files, dicts and keywords; quantities of other packages; errors with their texts."""
 
 import inspect
+import json
 import os
 import pickle
 import tempfile
@@ -230,6 +231,40 @@ class Types(unittest.TestCase):
 class Version(unittest.TestCase):
     def test_it_is_that_of_the_program(self):
         self.assertEqual(program("--version").strip(), f"polhode {polhode.__version__}")
+
+
+class Descriptions(unittest.TestCase):
+    def test_a_setting_with_its_value(self):
+        length, = polhode.settings(WATER, length="2 ps").describe("run.length")
+        self.assertEqual((length["key"], length["value"], length["default"]), ("length", "2 ps", '"15 ps"'))
+        self.assertEqual((length["min"], length["min_excluded"], length["max"]), (0, True, None))
+        self.assertEqual(json.loads(program("settings", "run.length", "--json"))[0]["meaning"], length["meaning"])
+        self.assertEqual({s["table"] for s in polhode.settings(WATER).describe("barostat")}, {"barostat"})
+        self.assertIn("did you mean 'cutoff'", message(polhode.settings(WATER).describe, "cutof"))
+
+    def test_each_bound_is_that_of_the_program(self):
+        """Just outside each bound; the run file itself is tested in tests/unit/io/settings_test.cpp."""
+        tried = 0
+        for s in polhode.settings(WATER).describe():
+            for bound, excluded, way in ((s["min"], s["min_excluded"], -1), (s["max"], s["max_excluded"], 1)):
+                if bound is None:
+                    continue
+                whole = s["kinds"] == ["integer"]
+                outside = bound if excluded else bound + way * (1 if whole else 1e-9 * max(1, abs(bound)))
+                value = f"{outside!r} {s['unit']}" if s["unit"] else int(outside) if whole else outside
+                table = {s["key"]: value}
+                if "only_with" in s:
+                    table[s["only_with"]["key"]] = s["only_with"]["values"][0]
+                if s["table"] == "barostat":
+                    table.setdefault("pressure", "1 bar")
+                base = {**WATER, "integrator": {}} if s["key"] == "accuracy" else WATER
+                base = {k: v for k, v in base.items() if k != "system" or s["key"] != "density"}
+                if s["key"] == "density":
+                    base["system"] = {"molecules": [{"model": "tip4p", "count": 8}]}
+                self.assertRegex(message(polhode.settings, {**base, s["table"]: {**base.get(s["table"], {}), **table}}),
+                                 s["key"] + " = .* must be", (s["table"], s["key"], value))
+                tried += 1
+        self.assertGreater(tried, 40)
 
 
 class AsOnTheCommandLine(unittest.TestCase):

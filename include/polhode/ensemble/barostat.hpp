@@ -68,14 +68,15 @@ class Barostat {
   void resume_from(const BarostatMemory& memory) { memory_ = memory; }
 
  private:
-  bool rescale_cell(State& state, Load& load, const Evaluate& evaluate, const CoupledEdges& edges,
-                    std::uint64_t step);
-  bool move_volume(State& state, Load& load, const Evaluate& evaluate, const CoupledEdges& edges,
-                   std::uint64_t step);
+  bool try_move(const CellRescaling& type, State& state, Load& load, const Evaluate& evaluate,
+                const CoupledEdges& edges, std::uint64_t step);
+  bool try_move(const VolumeMoves& type, State& state, Load& load, const Evaluate& evaluate,
+                const CoupledEdges& edges, std::uint64_t step);
   bool keeps_shape(const State& state, const CoupledEdges& edges, double factor);
   void evaluate_moved(const State& state, const Evaluate& evaluate);
   bool decide(State& state, Load& load, double violation, double work, double uniform, bool always);
-  double drift(const State& state, const Load& load, const CoupledEdges& edges) const;
+  double drift(const CellRescaling& type, const State& state, const Load& load,
+               const CoupledEdges& edges) const;
 
   BarostatSettings settings_;
   double kT_;

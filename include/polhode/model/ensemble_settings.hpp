@@ -6,42 +6,56 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string>
+#include <variant>
 #include <vector>
 
 namespace polhode {
 
-enum class ThermostatKind {
-  langevin,           ///< each momentum by itself [davidchack2009]
-  rescaling,          ///< all momenta by one factor [bussi2007]
-  separate_rescaling  ///< translation and rotation by a factor each
+/// Each momentum by itself [davidchack2009].
+struct Langevin {
+  double friction = 1;             ///< γ of translation [1/ps]
+  double rotational_friction = 1;  ///< γ of rotation [1/ps]
+  friend bool operator==(const Langevin&, const Langevin&) = default;
 };
 
-struct ThermostatSettings {
-  ThermostatKind kind = ThermostatKind::langevin;
-  double friction = 1;             ///< γ of translation, Langevin [1/ps]
-  double rotational_friction = 1;  ///< γ of rotation, Langevin [1/ps]
-  double time_constant = 0.5;      ///< τ of rescaling [ps]
-  friend bool operator==(const ThermostatSettings&, const ThermostatSettings&) = default;
+/// All momenta by one factor [bussi2007].
+struct Rescaling {
+  double time_constant = 0.5;  ///< τ [ps]
+  friend bool operator==(const Rescaling&, const Rescaling&) = default;
 };
 
-enum class BarostatKind {
-  cell_rescaling,  ///< stochastic cell rescaling [bernetti2020]
-  monte_carlo      ///< volume moves of random size
+/// Translation and rotation by a factor each.
+struct SeparateRescaling {
+  double time_constant = 0.5;  ///< τ of both [ps]
+  friend bool operator==(const SeparateRescaling&, const SeparateRescaling&) = default;
 };
+
+using ThermostatSettings = std::variant<Langevin, Rescaling, SeparateRescaling>;
 
 /// Edges of the box that are scaled by one factor: true for x, y, z.
 using CoupledEdges = std::array<bool, 3>;
 
+/// Stochastic cell rescaling [bernetti2020].
+struct CellRescaling {
+  double time_constant = 2;  ///< τ of the volume [ps]
+  /// A move is accepted or rejected, so that the distribution is exact whatever the interval
+  /// [roberts1996]; without, every move is accepted, as published.
+  bool metropolis = true;
+  friend bool operator==(const CellRescaling&, const CellRescaling&) = default;
+};
+
+/// Volume moves of random size, accepted or rejected.
+struct VolumeMoves {
+  friend bool operator==(const VolumeMoves&, const VolumeMoves&) = default;
+};
+
+using BoxMoves = std::variant<CellRescaling, VolumeMoves>;
+
 struct BarostatSettings {
-  BarostatKind kind = BarostatKind::cell_rescaling;
+  BoxMoves type{};
   double pressure = 0;         ///< [kJ/mol/nm³]
-  double time_constant = 2;    ///< τ of cell rescaling [ps]
   double compressibility = 0;  ///< isothermal, estimated: sets the size of moves [nm³ mol/kJ]
   double every = 0.1;          ///< between two moves [ps]
-  /// A cell-rescaling move is accepted or rejected, so that the distribution is exact whatever the
-  /// interval [roberts1996]; without, every move is accepted, as published.
-  bool metropolis = true;
   std::vector<CoupledEdges> edges = {{true, true, true}};  ///< groups, moved in turn
   friend bool operator==(const BarostatSettings&, const BarostatSettings&) = default;
 };

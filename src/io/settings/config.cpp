@@ -3,81 +3,47 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <filesystem>
+#include <map>
+#include <string_view>
 
 #include "base/printable.hpp"
-#include "base/suggest.hpp"
-#include "config_tables.hpp"
 #include "io/files/embedded.hpp"
 #include "io/files/text_file.hpp"
-#include "io/settings/setting_keys.hpp"
+#include "io/settings/settings.hpp"
+#include "list_tables.hpp"
 #include "polhode/base/error.hpp"
+#include "setting_rows.hpp"
 #include "toml_table.hpp"
 
 namespace polhode {
 
-std::string one_of(TomlTable& table, std::string_view key, std::string_view fallback,
-                   std::span<const std::string_view> names) {
-  std::string value = table.text(key).value_or(std::string(fallback));
-  if (std::find(names.begin(), names.end(), value) == names.end())
-    table.refuse(key, must_be_one_of(names, value));
-  return value;
-}
-
 namespace {
 
-Config read_document(TomlTable table, const std::string& file) {
+Config read_document(TomlTable document, const std::string& file) {
   Config config;
   config.source = file;
-  auto system = table.table("system");
-  auto forces = table.table("forces");
-  auto pairs = table.tables("pair");
-  auto shapes = table.tables("shape");
-  auto schemes = table.table("schemes");
-  auto integrator = table.table("integrator");
-  auto run = table.table("run");
-  auto prepare = table.table("prepare");
-  auto output = table.table("output");
-  auto study = table.table("study");
-  auto thermostat = table.table("thermostat");
-  auto barostat = table.table("barostat");
-  auto hybrid = table.table("hybrid_monte_carlo");
-  table.refuse_unknown();
-  if (!system)
+  std::map<std::string_view, TomlTable> tables;
+  for (const SettingTable& rows : setting_tables())
+    if (auto table = document.table(rows.name)) tables.emplace(rows.name, std::move(*table));
+  const auto pairs = document.tables("pair"), shapes = document.tables("shape");
+  const auto schemes = document.table("schemes");
+  document.refuse_unknown();
+  if (!tables.contains("system"))
     throw Error(
         "there is no table [system], which describes the molecules; write for example [system], "
         "molecules = [{ model = \"tip4p\", count = 512 }], density = \"1 g/cm3\"",
         file);
-  read_system(*system, file, config.system);
-  if (shapes) read_shapes(*shapes, config.system.topology);
-  config.cutoff_place = file;
-  if (forces) {
-    config.mixing_given = forces->has("mixing");
-    const std::string& topology = config.system.topology.file;
-    forces->require(
-        !config.mixing_given || topology.empty() || is_data_file(topology), "mixing",
-        "cannot be combined with a GROMACS topology, which has its own mixing rule; leave it out");
-    read_forces(*forces, config.forces);
-    config.cutoff_place = forces->where("cutoff");
-  }
-  if (pairs) read_pairs(*pairs, config.system, file, config.forces.mixing);
   if (schemes) config.schemes = read_schemes(*schemes);
-  if (integrator) read_integrator(*integrator, config.integrator, config.schemes);
-  if (run) read_run(*run, config.run);
-  if (prepare) read_preparation(*prepare, config.prepare);
-  if (output) read_output(*output, config.output);
-  if (study) read_study(*study, config.study, config.schemes);
-  EnsembleSettings& ensemble = config.ensemble;
-  ensemble.temperature = config.system.temperature;
-  if (thermostat) ensemble.thermostat = read_thermostat(*thermostat);
-  if (barostat) {
-    config.compressibility_given = barostat->has("compressibility");
-    ensemble.barostat = read_barostat(*barostat);
+  for (const SettingTable& rows : setting_tables()) {
+    if (const auto table = tables.find(rows.name); table != tables.end())
+      read_table(table->second, rows, config);
+    if (rows.name == "system" && shapes) read_shapes(*shapes, config.system.topology);
+    if (rows.name == "forces" && pairs) read_pairs(*pairs, config);
   }
-  if (hybrid) ensemble.hybrid_monte_carlo = read_hybrid_monte_carlo(*hybrid);
+  config.ensemble.temperature = config.system.temperature;
   if (const std::string wrong = wrong_temperature(config); !wrong.empty())
-    system->refuse("temperature", wrong);
+    tables.at("system").refuse("temperature", wrong);
   set_precision(config, config.forces.precision);
   return config;
 }
@@ -89,26 +55,6 @@ Config parse_config(std::string_view text, const std::string& file) {
   Config config = read_document(TomlTable(document, file), file);
   config.text = text;
   return config;
-}
-
-// A run file with each table and the keys that must be there: readers ask for all others.
-std::vector<SettingKey> setting_keys() {
-  constexpr std::string_view text = R"(
-    system.molecules = [{ model = "argon", count = 1 }]
-    system.box = "3 nm"
-    forces = {}
-    integrator = {}
-    run = {}
-    prepare = {}
-    output = {}
-    study = {}
-    thermostat = {}
-    barostat.pressure = "1 bar"
-    hybrid_monte_carlo = {})";
-  const toml::table document = parse_toml(text, "keys");
-  std::vector<SettingKey> keys;
-  read_document(TomlTable(document, "keys", "", &keys), "keys");
-  return keys;
 }
 
 std::string wrong_temperature(const Config& config) {
@@ -127,7 +73,7 @@ std::string wrong_temperature(const Config& config) {
 void set_precision(Config& config, Precision precision) {
   config.forces.precision = precision;
   IntegratorSettings& integrator = config.integrator;
-  if (!integrator.lambda_given)
+  if (!config.gives("integrator.lambda"))
     integrator.lambda =
         precision == Precision::mixed ? lambda_in_mixed : IntegratorSettings{}.lambda;
   if (precision == Precision::mixed && integrator.lambda < min_lambda_in_mixed)
@@ -136,7 +82,7 @@ void set_precision(Config& config, Precision precision) {
                     "rounding error of the forces is divided by lambda in a finite-difference "
                     "gradient; leave it out (default: {:g}), or use precision = \"double\"",
                     integrator.lambda, min_lambda_in_mixed, lambda_in_mixed),
-        integrator.lambda_place);
+        config.place("integrator.lambda"));
 }
 
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <sstream>
 
-#include "config_tables.hpp"
+#include "list_tables.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
 

@@ -5,19 +5,37 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
+#include <variant>
 
-#include "polhode/base/enum_names.hpp"
 #include "polhode/model/ensemble_settings.hpp"
 
 namespace polhode {
 
+/// The names of the alternatives of a variant, in their order.
+template <class Variant>
+inline constexpr auto type_names = nullptr;
+
 template <>
-inline constexpr std::array<std::string_view, 3> enum_names<ThermostatKind> = {
+inline constexpr std::array<std::string_view, 3> type_names<ThermostatSettings> = {
     "langevin", "rescaling", "separate-rescaling"};
 
 template <>
-inline constexpr std::array<std::string_view, 2> enum_names<BarostatKind> = {"cell-rescaling",
-                                                                             "monte-carlo"};
+inline constexpr std::array<std::string_view, 2> type_names<BoxMoves> = {"cell-rescaling",
+                                                                         "monte-carlo"};
+
+template <class... Types>
+constexpr std::string_view type_name(const std::variant<Types...>& type) {
+  return type_names<std::variant<Types...>>[type.index()];
+}
+
+/// Selects the type of a name, with default parameters unless it is selected already.
+template <class... Types>
+void set_type(std::variant<Types...>& type, std::string_view name) {
+  if (type_name(type) == name) return;
+  std::size_t k = 0;
+  ((type_names<std::variant<Types...>>[k++] == name ? void(type = Types{}) : void()), ...);
+}
 
 /// What is wrong with a friction [1/ps]; empty if nothing.
 std::string wrong_friction(double rate);
@@ -25,10 +43,8 @@ std::string wrong_friction(double rate);
 /// Of one trajectory of hybrid Monte Carlo.
 inline constexpr std::size_t max_hybrid_steps = 1'000'000;
 
-/// That of liquid water [nm³ mol/kJ], and the range that is accepted.
+/// The compressibility of liquid water [nm³ mol/kJ].
 double default_compressibility();
-double min_compressibility();
-double max_compressibility();
 
 /// A barostat at a pressure [kJ/mol/nm³], with the compressibility of liquid water.
 BarostatSettings default_barostat(double pressure = 0);

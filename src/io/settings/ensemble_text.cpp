@@ -3,41 +3,45 @@
 
 #include <fmt/core.h>
 
-#include "io/settings/ensemble_names.hpp"
-#include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
+#include "io/settings/settings.hpp"
+#include "polhode/io/settings/config.hpp"
+#include "setting_rows.hpp"
 
 namespace polhode {
 namespace {
+
+const std::vector<std::string_view> tables = {"thermostat", "barostat", "hybrid_monte_carlo"};
 
 std::string in_ps(double time) { return fmt::format("{:.12g} ps", time); }
 std::string in_bar(double pressure) {
   return fmt::format("{:.12g} bar", pressure / unit("bar", Dimension::pressure));
 }
-std::string per_bar(double compressibility) {
-  return fmt::format("{:.12g} 1/bar", compressibility / unit("1/bar", Dimension::compressibility));
-}
 std::string per_ps(double rate) { return fmt::format("{:.12g} 1/ps", rate); }
 
-std::string thermostat_text(const ThermostatSettings& t) {
-  if (t.kind != ThermostatKind::langevin)
-    return fmt::format("{} with a time constant of {}",
-                       t.kind == ThermostatKind::rescaling ? "stochastic velocity rescaling"
-                                                           : "stochastic velocity rescaling of "
-                                                             "translation and rotation apart",
-                       in_ps(t.time_constant));
+std::string text_of(const Langevin& type) {
   const std::string rotation =
-      t.rotational_friction == t.friction
+      type.rotational_friction == type.friction
           ? ""
-          : fmt::format(" ({} for rotation)", per_ps(t.rotational_friction));
-  return fmt::format("Langevin thermostat with a friction of {}{}", per_ps(t.friction), rotation);
+          : fmt::format(" ({} for rotation)", per_ps(type.rotational_friction));
+  return fmt::format("Langevin thermostat with a friction of {}{}", per_ps(type.friction),
+                     rotation);
 }
-
-std::string barostat_text(const BarostatSettings& b) {
+std::string text_of(const Rescaling& type) {
+  return fmt::format("stochastic velocity rescaling with a time constant of {}",
+                     in_ps(type.time_constant));
+}
+std::string text_of(const SeparateRescaling& type) {
   return fmt::format(
-      "{} of the box to {}",
-      b.kind == BarostatKind::cell_rescaling ? "stochastic cell rescaling" : "Monte Carlo moves",
-      in_bar(b.pressure));
+      "stochastic velocity rescaling of translation and rotation apart with a time constant of {}",
+      in_ps(type.time_constant));
+}
+std::string text_of(const CellRescaling&) { return "stochastic cell rescaling"; }
+std::string text_of(const VolumeMoves&) { return "Monte Carlo moves"; }
+
+template <class Variant>
+std::string text_of_type(const Variant& type) {
+  return std::visit([](const auto& one) { return text_of(one); }, type);
 }
 
 }  // namespace
@@ -53,42 +57,31 @@ std::string edges_text(const std::vector<CoupledEdges>& groups) {
 }
 
 std::vector<std::pair<std::string, std::string>> ensemble_texts(const EnsembleSettings& settings) {
-  std::vector<std::pair<std::string, std::string>> texts;
-  if (const auto& t = settings.thermostat) {
-    texts.emplace_back("thermostat.type", name_of(t->kind));
-    if (t->kind == ThermostatKind::langevin) {
-      texts.emplace_back("thermostat.friction", per_ps(t->friction));
-      texts.emplace_back("thermostat.rotational_friction", per_ps(t->rotational_friction));
-    } else {
-      texts.emplace_back("thermostat.time_constant", in_ps(t->time_constant));
-    }
-  }
-  if (const auto& b = settings.barostat) {
-    texts.emplace_back("barostat.type", name_of(b->kind));
-    texts.emplace_back("barostat.pressure", in_bar(b->pressure));
-    texts.emplace_back("barostat.compressibility", per_bar(b->compressibility));
-    texts.emplace_back("barostat.every", in_ps(b->every));
-    texts.emplace_back("barostat.edges", edges_text(b->edges));
-    if (b->kind == BarostatKind::cell_rescaling) {
-      texts.emplace_back("barostat.time_constant", in_ps(b->time_constant));
-      texts.emplace_back("barostat.metropolis", b->metropolis ? "true" : "false");
-    }
-  }
-  if (const auto& h = settings.hybrid_monte_carlo) {
-    texts.emplace_back("hybrid_monte_carlo.steps", fmt::format("{}", h->steps));
-    texts.emplace_back("hybrid_monte_carlo.refresh", fmt::format("{:.12g} %", 100 * h->refresh));
-  }
-  return texts;
+  Config config = defaults();
+  config.ensemble = settings;
+  return recorded_settings(config, tables);
+}
+
+std::string wrong_setting(const EnsembleSettings& settings) {
+  Config config = defaults();
+  config.ensemble = settings;
+  for (const std::string_view table : tables)
+    for (const SettingRow& row : setting_table(table).rows)
+      if (const std::string wrong = wrong_value(row, config); !wrong.empty())
+        return fmt::format("{}.{} = {} {}", table, row.key, text_of(row, config), wrong);
+  return "";
 }
 
 std::string description(const EnsembleSettings& s) {
   if (s.constant_energy()) return "constant energy";
   std::string text = fmt::format("{:g} K", s.temperature);
-  if (s.thermostat) text += ", " + thermostat_text(*s.thermostat);
+  if (s.thermostat) text += ", " + text_of_type(*s.thermostat);
   if (s.hybrid_monte_carlo)
     text += fmt::format(", hybrid Monte Carlo with trajectories of {} steps",
                         s.hybrid_monte_carlo->steps);
-  if (s.barostat) text += ", " + barostat_text(*s.barostat);
+  if (s.barostat)
+    text += fmt::format(", {} of the box to {}", text_of_type(s.barostat->type),
+                        in_bar(s.barostat->pressure));
   return text;
 }
 

@@ -87,7 +87,8 @@ void rewrite_barostat(toml::table& barostat, const Config& config) {
   const BarostatSettings& settings = config.ensemble.barostat.value();
   barostat.insert_or_assign(
       "pressure", fmt::format("{:.12g} bar", settings.pressure / unit("bar", Dimension::pressure)));
-  if (!config.compressibility_given && settings.compressibility != default_compressibility())
+  if (!config.gives("barostat.compressibility") &&
+      settings.compressibility != default_compressibility())
     barostat.insert_or_assign(
         "compressibility",
         fmt::format("{:.2g} 1/bar",

@@ -239,6 +239,8 @@ Vec3<double> vector_quantity(std::string_view text, Dimension dimension, std::st
   return Vec3<double>{x, y, z} * unit_at(rest, source);
 }
 
+std::string_view noun(Dimension dimension) { return words(dimension).noun; }
+
 double unit(std::string_view symbol, Dimension dimension) {
   if (const Unit* u = find(symbol, dimension)) return u->value;
   throw Error(fmt::format("there is no unit '{}' of {}; there are: {}", symbol,

@@ -46,6 +46,9 @@ Vec3<double> vector_quantity(std::string_view text, Dimension dimension, std::st
 std::string no_unit(std::string_view name, std::string_view number, Dimension dimension,
                     std::string_view example = {});
 
+/// The name of a dimension, "inverse length".
+std::string_view noun(Dimension dimension);
+
 /// The value of a unit in internal units: unit("fs", Dimension::time) = 0.001.
 /// @throws Error  if there is no such unit
 double unit(std::string_view symbol, Dimension dimension);

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "io/settings/quantity.hpp"
+#include "io/settings/settings.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {
@@ -37,9 +38,7 @@ const Form& form_of(const std::string& text) {
 
 }  // namespace
 
-std::string wrong_bound(double ratio) {
-  return ratio > 0 && ratio < 1 ? "" : "must be above 0 % and below 100 %";
-}
+std::string wrong_bound(double ratio) { return wrong_value("integrator.accuracy", ratio); }
 
 bool is_of_bias(const std::string& text) { return *form_of(text).word || text.ends_with('K'); }
 

@@ -106,17 +106,6 @@ const toml::node* TomlTable::find(std::string_view key) {
   return table_->get(key);
 }
 
-const toml::node* TomlTable::find(std::string_view key, SettingKind kind) {
-  if (log_ != nullptr) {
-    const auto same = [&](const SettingKey& k) { return k.table == path_ && k.key == key; };
-    auto known = std::find_if(log_->begin(), log_->end(), same);
-    if (known == log_->end()) known = log_->insert(log_->end(), {path_, std::string(key), {}});
-    auto& kinds = known->kinds;
-    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
-  }
-  return find(key);
-}
-
 std::vector<std::string> TomlTable::keys() const {
   std::vector<std::string> names;
   for (const auto& [key, node] : *table_) names.emplace_back(key.str());
@@ -126,6 +115,11 @@ std::vector<std::string> TomlTable::keys() const {
 std::string TomlTable::full(std::string_view key) const {
   if (key.empty()) return path_;
   return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+}
+
+std::string TomlTable::written(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  return node != nullptr ? polhode::written(*node) : "";
 }
 
 std::string TomlTable::where(std::string_view key) const {
@@ -139,7 +133,7 @@ std::string TomlTable::where(std::string_view key) const {
 void TomlTable::refuse(std::string_view key, const std::string& complaint) const {
   const toml::node* node = table_->get(key);
   if (node == nullptr) throw Error(complaint, where(key));
-  throw Error(fmt::format("{} = {} {}", key, written(*node), complaint), where(key));
+  throw Error(fmt::format("{} = {} {}", key, written(key), complaint), where(key));
 }
 
 void TomlTable::refuse_kind(std::string_view key, std::string_view must) const {
@@ -152,16 +146,16 @@ std::string TomlTable::text_of(const toml::node& node, std::string_view key) con
 }
 
 std::optional<std::string> TomlTable::text(std::string_view key) {
-  const toml::node* node = find(key, SettingKind::text);
+  const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   return text_of(*node, key);
 }
 
 std::optional<double> TomlTable::quantity(std::string_view key, Dimension dimension,
                                           std::string_view example) {
-  const toml::node* node = find(key, SettingKind::quantity);
+  const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (node->is_number()) throw Error(no_unit(key, written(*node), dimension, example), where(key));
+  if (node->is_number()) throw Error(no_unit(key, written(key), dimension, example), where(key));
   const std::string words = text_of(*node, key);
   try {
     return polhode::quantity(words, dimension, key, example);
@@ -181,7 +175,7 @@ std::optional<Vec3<double>> TomlTable::vector(std::string_view key, Dimension di
 }
 
 std::optional<double> TomlTable::number(std::string_view key) {
-  const toml::node* node = find(key, SettingKind::number);
+  const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   if (!node->is_number()) refuse_kind(key, "a number without unit or quotes");
   const double value = *node->value<double>();
@@ -190,21 +184,21 @@ std::optional<double> TomlTable::number(std::string_view key) {
 }
 
 std::optional<std::int64_t> TomlTable::integer(std::string_view key) {
-  const toml::node* node = find(key, SettingKind::integer);
+  const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   if (!node->is_integer()) refuse_kind(key, "a whole number without unit or quotes");
   return node->value<std::int64_t>();
 }
 
 std::optional<bool> TomlTable::boolean(std::string_view key) {
-  const toml::node* node = find(key, SettingKind::boolean);
+  const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   if (!node->is_boolean()) refuse_kind(key, "true or false, without quotes");
   return node->value<bool>();
 }
 
 std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) {
-  const toml::node* node = find(key, SettingKind::texts);
+  const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   std::vector<std::string> values;
   const toml::array* list = node->as_array();
@@ -217,14 +211,14 @@ std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) {
 }
 
 std::optional<TomlTable> TomlTable::table(std::string_view key) {
-  const toml::node* node = find(key, SettingKind::table);
+  const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   if (!node->is_table()) refuse_kind(key, fmt::format("a table, [{}]", full(key)));
-  return TomlTable(*node->as_table(), file_, full(key), log_);
+  return TomlTable(*node->as_table(), file_, full(key));
 }
 
 std::optional<std::vector<TomlTable>> TomlTable::tables(std::string_view key) {
-  const toml::node* node = find(key, SettingKind::tables);
+  const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   const toml::array* list = node->as_array();
   if (list == nullptr) refuse_kind(key, "a list of tables, [{ ... }, { ... }]");
@@ -237,12 +231,12 @@ std::optional<std::vector<TomlTable>> TomlTable::tables(std::string_view key) {
 }
 
 bool TomlTable::holds_list(std::string_view key) {
-  const toml::node* node = find(key, SettingKind::texts);
+  const toml::node* node = find(key);
   return node != nullptr && node->is_array();
 }
 
 bool TomlTable::holds_text(std::string_view key) {
-  const toml::node* node = find(key, SettingKind::text);
+  const toml::node* node = find(key);
   return node != nullptr && node->is_string();
 }
 

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "io/settings/quantity.hpp"
-#include "io/settings/setting_keys.hpp"
 
 namespace polhode {
 
@@ -21,10 +20,8 @@ toml::table parse_toml(std::string_view text, const std::string& file);
 
 class TomlTable {
  public:
-  /// @param log  receives the keys that this table and those in it are asked for; null: none
-  TomlTable(const toml::table& table, std::string file, std::string path = {},
-            std::vector<SettingKey>* log = nullptr)
-      : table_(&table), file_(std::move(file)), path_(std::move(path)), log_(log) {}
+  TomlTable(const toml::table& table, std::string file, std::string path = {})
+      : table_(&table), file_(std::move(file)), path_(std::move(path)) {}
 
   /// The names of all keys.
   std::vector<std::string> keys() const;
@@ -43,6 +40,9 @@ class TomlTable {
   std::optional<std::vector<TomlTable>> tables(std::string_view key);
   bool holds_list(std::string_view key);
   bool holds_text(std::string_view key);
+
+  /// The value of a key as written, "\"1 nm\""; empty if the table has no such key.
+  std::string written(std::string_view key) const;
 
   /// "water.toml:9, forces.cutoff"; the table's own place if it has no such key.
   std::string where(std::string_view key) const;
@@ -63,7 +63,6 @@ class TomlTable {
 
  private:
   const toml::node* find(std::string_view key);
-  const toml::node* find(std::string_view key, SettingKind kind);
   [[noreturn]] void refuse_kind(std::string_view key, std::string_view must) const;
   std::string text_of(const toml::node& node, std::string_view key) const;
   std::string full(std::string_view key) const;
@@ -71,7 +70,6 @@ class TomlTable {
   const toml::table* table_;
   std::string file_, path_;
   std::vector<std::string> asked_;
-  std::vector<SettingKey>* log_;
 };
 
 }  // namespace polhode

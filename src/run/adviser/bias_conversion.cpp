@@ -49,8 +49,7 @@ Fluctuations fluctuations(System system, const Energies& first, double temperatu
                               .length = runs.length,
                               .sample = sample_interval};
   settings.ensemble.temperature = temperature;
-  settings.ensemble.thermostat =
-      ThermostatSettings{.kind = ThermostatKind::rescaling, .time_constant = time_constant};
+  settings.ensemble.thermostat = Rescaling{time_constant};
   const double begin = system.state.time + discarded * runs.length;
   run_trajectory(system, forces, settings,
                  {[&](std::size_t, const State& state, const Energies& now) {

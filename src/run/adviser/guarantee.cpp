@@ -34,7 +34,7 @@ std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks&
   IntegratorSettings& integrator = config.integrator;
   AdviserSettings settings{criterion_of(integrator.accuracy.value(), config.ensemble),
                            integrator.candidates};
-  if (integrator.scheme_given) settings.schemes = {integrator.scheme};
+  if (config.gives("integrator.scheme")) settings.schemes = {integrator.scheme};
   callbacks.note(fmt::format("choosing a step for {}", description(settings.criterion)));
   note_constant_energy(config, "the choice of the step", callbacks);
   Callbacks renamed = callbacks;
@@ -62,13 +62,14 @@ void write_guarantee(const std::string& file, const Guarantee& guarantee,
   write_file(file, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
 }
 
-Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator) try {
+Guarantee read_guarantee(const std::string& file, Config& config) try {
+  IntegratorSettings& integrator = config.integrator;
   const auto json = nlohmann::json::parse(std::ifstream(file));
   const auto quoted = [](const std::string& text) { return '"' + text + '"'; };
   check_same(file, "accuracy", quoted(json.at("accuracy").get<std::string>()),
              quoted(text_of(integrator.accuracy.value())));
   const NamedScheme chosen = json.at("scheme").get<std::string>();
-  if (integrator.scheme_given)
+  if (config.gives("integrator.scheme"))
     check_same(file, "scheme", text_of(chosen), text_of(integrator.scheme));
   integrator.scheme = chosen;
   integrator.step = json.at("step_ps");

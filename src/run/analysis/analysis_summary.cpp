@@ -54,7 +54,7 @@ void SummarySettings::set_run(const Config& config) {
   set_surroundings(config.forces);
   constant_energy = config.ensemble.constant_energy();
   // The default of a run at constant energy says nothing about its velocities.
-  const bool told = config.system.temperature_given || !constant_energy;
+  const bool told = config.gives("system.temperature") || !constant_energy;
   if (told && config.system.temperature > 0) run_temperature = config.system.temperature;
 }
 

@@ -77,7 +77,7 @@ System liquid_water(std::size_t molecules, const Callbacks& callbacks, Workers& 
   config.system.initial_configuration.clear();
   config.system.molecules[0].count = molecules;
   config.system.density = one.topology.mass() / one.state.box.volume();
-  config.source = config.cutoff_place = fmt::format("a box of {} waters", molecules);
+  config.source = fmt::format("a box of {} waters", molecules);
   System water = build_system(config);
   ForceField forces(water.topology, water.forces, water.state.box, workers);
   equilibrate(water, forces, 0.1, {.stop = callbacks.stop}, workers);

@@ -32,8 +32,8 @@ void check(const Config& config) {
   if (config.ensemble.hybrid_monte_carlo)
     refuse("hybrid Monte Carlo has no counterpart in LAMMPS; remove it");
   const auto& thermostat = config.ensemble.thermostat;
-  if (thermostat && (thermostat->kind != ThermostatKind::langevin ||
-                     thermostat->friction != thermostat->rotational_friction))
+  const auto* const langevin = thermostat ? std::get_if<Langevin>(&*thermostat) : nullptr;
+  if (thermostat && !(langevin && langevin->friction == langevin->rotational_friction))
     refuse(
         "the thermostat of fix polhode is langevin, with one friction for translation and "
         "rotation; choose it or remove [thermostat]");
@@ -188,7 +188,8 @@ class Script {
                    molecule_file(config_.output.prefix, part));
     if (config_.ensemble.thermostat)
       fmt::print(out_, " langevin {:.17g} {:.17g} {}", config_.ensemble.temperature,
-                 1 / (config_.ensemble.thermostat->friction * fs), config_.system.seed);
+                 1 / (std::get<Langevin>(*config_.ensemble.thermostat).friction * fs),
+                 config_.system.seed);
     const double samples = std::max(1.0, std::round(config_.run.sample / h));
     fmt::print(out_,
                "\ntimestep {:.17g} # one force evaluation: {} in a step of the scheme\n"

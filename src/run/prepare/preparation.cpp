@@ -159,8 +159,7 @@ TrajectorySettings Preparation::settings_of(std::size_t stage) const {
                               .sample = 0.02,
                               .seed = derived_seed(config_.system.seed, streams + stage)};
   settings.ensemble.temperature = config_.system.temperature;
-  settings.ensemble.thermostat =
-      ThermostatSettings{.friction = friction, .rotational_friction = friction};
+  settings.ensemble.thermostat = Langevin{friction, friction};
   if (!stages_[stage].constant_pressure) return settings;
   settings.ensemble.barostat = config_.ensemble.barostat;
   if (progress_.compressibility > 0)
@@ -250,7 +249,7 @@ Trajectory Preparation::run(System& system, const TrajectorySettings& settings) 
 void Preparation::set_up_next(const System& system, const TrajectorySettings& settings,
                               const Trajectory& trajectory) {
   constexpr double tenth_of_fs = 1e-4;
-  if (settings.ensemble.barostat && !config_.compressibility_given) {
+  if (settings.ensemble.barostat && !config_.gives("barostat.compressibility")) {
     const EnergyStatistics& energies = trajectory.statistics.energies;
     const BarostatSettings& barostat = *settings.ensemble.barostat;
     const double kT = units::boltzmann * settings.ensemble.temperature;

@@ -104,7 +104,7 @@ bool Simulation::choose_step(const OutputOptions& options, const Callbacks& call
   if (!config_.integrator.accuracy) return true;
   const std::string file = config_.output.prefix + "-guarantee.json";
   if (options.existing == ExistingFiles::resume && std::filesystem::exists(file)) {
-    if (!guarantee_) set_guarantee(read_guarantee(file, config_.integrator));
+    if (!guarantee_) set_guarantee(read_guarantee(file, config_));
     return true;
   }
   check_outputs({file}, options.existing);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "../errors.hpp"
-#include "io/settings/setting_keys.hpp"
 
 using namespace polhode;
 
@@ -146,7 +145,6 @@ TEST_CASE("the system is described completely and without contradictions") {
   check_system(two + "box = [\"1 nm\", \"2 nm\"]", {"one edge or a list of three"});
   check_system(two + "box = [\"1 nm\", \"2 nm\", \"0 nm\"]", {"longer than 0 nm"});
   check_system(two + "box = [\"1 nm\", \"2 nm\", \"0 ps\"]", {"box[2]", "is a time"});
-  check_system(two + "density = \"0 g/cm3\"", {"density = \"0 g/cm3\" must be above 0"});
   check_system(two + "initial_configuration = \"nowhere.gro\"",
                {"initial_configuration = \"nowhere.gro\" is neither", "w512",
                 "water.toml:3, system.initial_configuration"});
@@ -167,48 +165,29 @@ TEST_CASE("the system is described completely and without contradictions") {
             .count == 0);
 }
 
-TEST_CASE("numbers outside their domain are refused with the domain") {
+TEST_CASE("values of another kind or outside a domain of their own are refused with the domain") {
   check_text("temperature = \"0 K\"", {"temperature = \"0 K\" must be above 0 K", "water.toml:4"});
   check_text("temperature = 297", {"temperature = 297 has no unit", "\"297 K\""});
-  check_text("seed = -1", {"seed = -1 must be 0 or more"});
   check_text("[forces]\ncutoff = \"0.8 nm\"\nswitch = \"0.9 nm\"",
              {"switch = \"0.9 nm\" must be", "shorter than the cutoff, 0.8 nm"});
-  check_text("[forces]\nswitch = \"0 nm\"", {"longer than 0 nm"});
-  check_text("[forces]\ncutoff = \"-1 nm\"", {"cutoff = \"-1 nm\" must be"});
-  check_text("[forces]\nsmoothness = 4", {"smoothness = 4 must be 1, 2 or 3"});
   check_text("[forces]\nsmoothness = 2.5", {"must be a whole number"});
   check_text(
       "[forces]\ntruncation = \"site-swich\"",
       {"must be one of: molecule-switch, site-switch, site-shift; did you mean 'site-switch'?"});
   check_text("[forces]\ndielectric = 80", {"no meaning without electrostatics"});
-  check_text("[forces]\ntruncation = \"site-switch\"\ndielectric = 0.5",
-             {"dielectric = 0.5 must be 1"});
   check_text("[forces]\ntruncation = \"site-switch\"\ndielectric = nan", {"finite"});
-  check_text("[forces]\nskin = \"-0.1 nm\"", {"must be longer than 0 nm"});
   check_text("[integrator]\nstep = 2", {R"(step = 2 has no unit; write for example "2 fs")",
                                         "water.toml:5, integrator.step"});
-  check_text("[integrator]\nstep = \"0 fs\"", {"step = \"0 fs\" must be longer than 0 fs"});
-  check_text("[integrator]\nlambda = 0", {"lambda = 0 must be above 0"});
-  check_text("[integrator]\nlambda = 1.5", {"at most 1"});
   check_text("[integrator]\nscheme = \"\"", {"must name a scheme"});
-  check_text("[run]\nlength = \"0 ps\"", {"length = \"0 ps\" must be longer"});
   check_text("[run]\nlength = 15", {R"(write for example "15 ps")"});
-  check_text("[run]\nequilibrate = \"-1 ps\"", {"must be 0 ps or longer"});
-  check_text("[run]\nsample = \"0 ps\"", {"must be longer than 0 fs"});
   check_text("[output]\nformats = [\"xzy\"]", {"'xzy'; did you mean 'xyz'?"});
   check_text("[output]\nformats = \"xyz\"", {"must be a list of texts"});
   check_text("[output]\nplot = \"pdf\"", {"must be one of: svg, png, none"});
   check_text("[output]\nprefix = \"\"", {"must not be empty"});
-  check_text("[output]\ntrajectory_every = \"-1 ps\"", {"must be 0 ps or longer"});
-  check_text("[study]\nruns = 1", {"runs = 1 must be 2 or more", "error bar"});
   check_text("[study]\nsteps = [\"1 fs\", \"2\"]", {"has no unit", "study.steps"});
   check_text("[study]\nsteps = [\"0 fs\"]", {"longer than 0 fs"});
   check_text("[study]\nschemes = []", {"at least one scheme"});
   check_text("[integrator]\ncandidates = [\"gier5\"]", {"gier5", "integrator.candidates"});
-  check_text("[study]\ndecorrelate = \"-1 ps\"", {"must be 0 ps or longer"});
-  for (const std::string table : {"run", "study"})
-    check_text("[" + table + "]\nconfigurational_sample = \"-1 fs\"",
-               {"must be 0 fs or longer", "no configurational temperature"});
 }
 
 TEST_CASE("the default of electrostatics depends on the truncation") {
@@ -236,7 +215,6 @@ TEST_CASE("the damped shifted force has a damping, and a site switch for Lennard
   CHECK(forces.electrostatics == Electrostatics::damped_shifted_force);
   CHECK(forces.truncation == Truncation::site_switch);
   CHECK(forces.damping == doctest::Approx(1.5).epsilon(1e-15));
-  check_text(law + "damping = \"-1 1/nm\"", {"must be 0 or more", "forces.damping"});
   check_text(law + "damping = \"5 1/nm\"", {"at most 3 divided by the cutoff, 3 1/nm"});
   check_text(law + "pme_accuracy = 1e-4", {"no meaning without electrostatics = \"pme\""});
 }
@@ -268,13 +246,10 @@ TEST_CASE("PME has an accuracy, and a site switch for Lennard-Jones") {
   CHECK(parse_config(system_table + "[forces]\ndispersion_correction = true", "x")
             .forces.dispersion_correction);
   const std::string with_pme = "[forces]\nelectrostatics = \"pme\"\n";
-  check_text(with_pme + "pme_accuracy = 1e-8", {"pme_accuracy = 1e-08 must be from 1e-07 to 0.1"});
   check_text(with_pme + "pme_accuracy = \"high\"", {"forces.pme_accuracy", "number"});
   CHECK(!pme.coulomb_cutoff);
   CHECK(parse_config(system_table + with_pme + "coulomb_cutoff = \"0.7 nm\"", "x")
             .forces.coulomb_cutoff == 0.7);
-  check_text(with_pme + "coulomb_cutoff = \"-1 nm\"",
-             {"coulomb_cutoff = \"-1 nm\" must be longer"});
   check_text("[forces]\ncoulomb_cutoff = \"0.7 nm\"",
              {"no meaning without electrostatics = \"pme\""});
   check_text("[forces]\npme_accuracy = 1e-5", {"no meaning without electrostatics = \"pme\""});
@@ -365,28 +340,5 @@ TEST_CASE("a run file truncated anywhere gives an error with its line, or is com
       CAPTURE(e.what());
       CHECK(e.where().find("water.toml") == 0);
     }
-  }
-}
-
-TEST_CASE("the keys of run files are known with the kinds of their values, for every table") {
-  std::vector<std::string> tables;
-  std::size_t cutoffs = 0;
-  const std::vector<SettingKey> keys = setting_keys();
-  for (const SettingKey& key : keys) {
-    CAPTURE(key.table);
-    CAPTURE(key.key);
-    CHECK(!key.kinds.empty());
-    if (key.table.empty()) tables.push_back(key.key);
-    if (key.key != "cutoff") continue;
-    CHECK(key.table == "forces");
-    CHECK(key.kinds == std::vector{SettingKind::quantity});
-    ++cutoffs;
-  }
-  CHECK(cutoffs == 1);
-  for (const std::string& table : tables) {
-    CAPTURE(table);
-    const auto belongs = [&](const SettingKey& key) { return key.table == table; };
-    const bool free = table == "pair" || table == "shape" || table == "schemes";
-    CHECK(std::any_of(keys.begin(), keys.end(), belongs) != free);
   }
 }

@@ -186,18 +186,18 @@ TEST_CASE("step bias: where the distribution is that of a shadow energy") {
   CHECK(fixed_means({}, hoa2) == FixedMeans::energy);
   EnsembleSettings settings{.temperature = 300, .thermostat = ThermostatSettings{}};
   CHECK(fixed_means(settings, scheme_of("hoa2-ends")) == std::nullopt);
-  settings.thermostat->kind = ThermostatKind::rescaling;
+  settings.thermostat = Rescaling{};
   CHECK(fixed_means(settings, scheme_of("hoa2-ends")) == FixedMeans::kinetic_energy);
   CHECK(fixed_means(settings, scheme_of("baoab")) == std::nullopt);
   settings.barostat = BarostatSettings{};
   CHECK(fixed_means(settings, scheme_of("obabo")) == FixedMeans::kinetic_energy_and_pressure);
-  settings.barostat->kind = BarostatKind::monte_carlo;
+  settings.barostat->type = VolumeMoves{};
   CHECK(fixed_means(settings, scheme_of("obabo")) ==
         FixedMeans::kinetic_energy_and_pressure_of_positions);
   settings.barostat->edges = {{true, true, false}, {false, false, true}};
   CHECK(fixed_means(settings, scheme_of("obabo")) == std::nullopt);
   settings.barostat.reset();
-  settings.thermostat->kind = ThermostatKind::separate_rescaling;
+  settings.thermostat = SeparateRescaling{};
   CHECK(fixed_means(settings, scheme_of("obabo")) == std::nullopt);
   CHECK(fixed_means({.temperature = 300, .hybrid_monte_carlo = HybridMonteCarloSettings{}}, hoa2) ==
         std::nullopt);

@@ -19,7 +19,7 @@ constexpr double V0 = 20, kT = 2.5, length = 50;  // [nm³], [kJ/mol], [ps]
 
 /// A barostat that assumes `assumed` where the volume of a system with `truth` relaxes in 0.5 ps.
 BarostatSettings barostat(double assumed, double truth) {
-  return {.time_constant = 0.5 * std::min(1.0, assumed / truth), .compressibility = assumed};
+  return {.type = CellRescaling{0.5 * std::min(1.0, assumed / truth)}, .compressibility = assumed};
 }
 
 /// Volumes that fluctuate as those of a system with this compressibility, with a correlation time
@@ -57,9 +57,10 @@ TEST_CASE("the compressibility of fluctuations is known within its error, small 
       CHECK(next_compressibility(v, usual, length, kT) == found.value);
       // The same numbers, of a barostat whose relaxation times are seven in this time.
       BarostatSettings slow = usual;
-      slow.time_constant *= length / (7 * volume_relaxation(usual, found.value));
+      std::get<CellRescaling>(slow.type).time_constant *=
+          length / (7 * volume_relaxation(usual, found.value));
       CHECK(measured_compressibility(v, slow, length, kT).known == Known::too_short);
-      slow.time_constant *= 7.0 / 9;
+      std::get<CellRescaling>(slow.type).time_constant *= 7.0 / 9;
       CHECK(measured_compressibility(v, slow, length, kT).known == Known::yes);
     }
     // Student's t of a few modes exceeds three errors in up to 5 % of cases: of 20, three or more

@@ -22,14 +22,13 @@ std::string kinds(const RunSummary& s, const std::optional<TargetTemperature>& t
 }
 
 /// A run at constant pressure, 10 ps, without anything to object to.
-RunSummary npt(BarostatKind kind = BarostatKind::cell_rescaling) {
+RunSummary npt(const BoxMoves& type = CellRescaling{0.5}) {
   RunSummary s;
   s.length = 10;
   s.samples = 1000;
   s.ratio = {0.005, 0.0002, Known::yes};
   s.potential_fluctuation = {20, 1, Known::yes};
-  s.ensemble.settings = {
-      300, ThermostatSettings{}, BarostatSettings{.kind = kind, .time_constant = 0.5}, {}};
+  s.ensemble.settings = {300, ThermostatSettings{}, BarostatSettings{.type = type}, {}};
   s.ensemble.barostat.emplace();
   s.ensemble.barostat->volume = {15, 0.01, Known::yes};
   s.ensemble.barostat->volume_drift = {{0.001, 0.001}, 0.3, Known::yes};
@@ -90,8 +89,8 @@ TEST_CASE("a system softer than its barostat assumes needs a longer run") {
 // Of 2000 moves, 1000 or 200 of which are expected, chance accounts for 3 √(2000 p (1 − p)) = 67.1
 // or 40.2.
 TEST_CASE("too few accepted moves of the box are a warning") {
-  for (const auto& [kind, last, first] : {std::tuple{BarostatKind::cell_rescaling, 932u, 933u},
-                                          {BarostatKind::monte_carlo, 159u, 160u}}) {
+  for (const auto& [kind, last, first] : {std::tuple{BoxMoves(CellRescaling{0.5}), 932u, 933u},
+                                          {BoxMoves(VolumeMoves{}), 159u, 160u}}) {
     RunSummary s = npt(kind);
     s.ensemble.barostat->accepted = last;
     CHECK(kinds(s) == "barostat ");
@@ -106,7 +105,7 @@ TEST_CASE("runs too short for fluctuations of the volume have a warning") {
   RunSummary s = npt();
   s.length = 9.9;  // 20 time constants of 0.5 ps are 10 ps
   CHECK(kinds(s) == "volume_samples ");
-  s = npt(BarostatKind::monte_carlo);
+  s = npt(VolumeMoves{});
   s.ensemble.barostat->moves = s.ensemble.barostat->accepted = 99;
   CHECK(kinds(s) == "volume_samples ");
   s.ensemble.barostat->moves = s.ensemble.barostat->accepted = 100;

@@ -11,12 +11,13 @@ using namespace polhode;
 
 namespace {
 
-IntegratorSettings with_accuracy(double accuracy, const std::string& scheme = "") {
-  IntegratorSettings integrator;
-  integrator.accuracy = Requirement{RequiredOf::ratio, accuracy};
-  integrator.scheme_given = !scheme.empty();
-  if (integrator.scheme_given) integrator.scheme = scheme;
-  return integrator;
+Config with_accuracy(double accuracy, const std::string& scheme = "") {
+  Config config;
+  config.integrator.accuracy = Requirement{RequiredOf::ratio, accuracy};
+  if (scheme.empty()) return config;
+  config.integrator.scheme = scheme;
+  config.given["integrator.scheme"] = {scheme, "water.toml"};
+  return config;
 }
 
 }  // namespace
@@ -24,7 +25,7 @@ IntegratorSettings with_accuracy(double accuracy, const std::string& scheme = ""
 TEST_CASE("a run is resumed with the scheme and step that were chosen for its accuracy") {
   const Folder folder;
   const std::string file = folder / "guarantee.json";
-  IntegratorSettings chosen = with_accuracy(0.01, "hoa2");
+  IntegratorSettings chosen = with_accuracy(0.01, "hoa2").integrator;
   chosen.step = 0.0035;
   write_guarantee(file, {{RequiredOf::ratio, 0.01}, 20, {0.005, 0.0001}}, chosen);
 
@@ -33,10 +34,10 @@ TEST_CASE("a run is resumed with the scheme and step that were chosen for its ac
     CAPTURE(scheme);
     std::string text = scheme;
     if (text.starts_with("B")) text = "eta = 0.1931833275037836; " + text;
-    IntegratorSettings resumed = with_accuracy(0.01, text);
+    Config resumed = with_accuracy(0.01, text);
     CHECK(read_guarantee(file, resumed).length == 20);
-    CHECK(resumed.scheme == "hoa2");
-    CHECK(resumed.step == 0.0035);
+    CHECK(resumed.integrator.scheme == "hoa2");
+    CHECK(resumed.integrator.step == 0.0035);
   }
 }
 
@@ -44,11 +45,11 @@ TEST_CASE("a run is not resumed with another accuracy or scheme than its step wa
   const Folder folder;
   const std::string file = folder / "guarantee.json";
   write_guarantee(file, {{RequiredOf::ratio, 0.01}, 20, {0.005, 0.0001}},
-                  with_accuracy(0.01, "hoa2"));
+                  with_accuracy(0.01, "hoa2").integrator);
 
-  IntegratorSettings stricter = with_accuracy(0.001);
+  Config stricter = with_accuracy(0.001);
   check_error([&] { read_guarantee(file, stricter); },
               {"accuracy = \"1 %\"", "now \"0.1 %\"", "guarantee.json", "give the earlier value"});
-  IntegratorSettings other = with_accuracy(0.01, "gier4");
+  Config other = with_accuracy(0.01, "gier4");
   check_error([&] { read_guarantee(file, other); }, {"scheme = ", "is now", "start over"});
 }

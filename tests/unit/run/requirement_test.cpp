@@ -49,7 +49,7 @@ TEST_CASE("requirements: a density is bounded by the pressure that would change 
   EnsembleSettings ensemble;
   const Requirement density{RequiredOf::density, 2e-4};
   check_error([&] { criterion_of(density, ensemble); }, {"compressibility", "[barostat]"});
-  ensemble.thermostat = ThermostatSettings{.kind = ThermostatKind::rescaling};
+  ensemble.thermostat = Rescaling{};
   ensemble.barostat = BarostatSettings{.compressibility = 5e-4};
   CHECK(criterion_of(density, ensemble).quality == Quality::pressure_bias);
   CHECK(criterion_of(density, ensemble).bound == doctest::Approx(0.4));
@@ -66,9 +66,9 @@ TEST_CASE("requirements: biases are bounded only in ensembles in which they are 
   CHECK(criterion_of(energy, ensemble).quality == Quality::energy_bias);
   ensemble.thermostat = ThermostatSettings{};
   refused(ensemble, {"rescaling", "[thermostat]", "not known"});
-  ensemble.thermostat->kind = ThermostatKind::separate_rescaling;
+  ensemble.thermostat = SeparateRescaling{};
   refused(ensemble, {"rescaling", "not known"});
-  ensemble.thermostat->kind = ThermostatKind::rescaling;
+  ensemble.thermostat = Rescaling{};
   CHECK(criterion_of(energy, ensemble).quality == Quality::energy_bias);
   ensemble.barostat = BarostatSettings{.edges = {{true, true, false}, {false, false, true}}};
   refused(ensemble, {"one factor"});

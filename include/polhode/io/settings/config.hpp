@@ -35,8 +35,6 @@ struct SystemSettings {
   std::optional<double> density;    ///< [u/nm³], if there is no initial configuration
   std::optional<Vec3<double>> box;  ///< [nm], if there is no initial configuration
   double temperature = 297;         ///< [K]
-  bool temperature_given = false;   ///< in the run file
-  bool seed_given = false;          ///< likewise
   /// Whether velocities are drawn, or must be those of the initial configuration; nothing: drawn
   /// unless it has some.
   std::optional<bool> new_velocities{};
@@ -54,7 +52,6 @@ Molecule molecule_of(const SystemSettings::Component& component);
 
 struct IntegratorSettings {
   NamedScheme scheme = "hoa2";
-  bool scheme_given = false;
   /// If set, the adviser chooses the step, and the scheme unless one is given.
   std::optional<Requirement> accuracy;
   /// Schemes that the adviser chooses from.
@@ -64,8 +61,6 @@ struct IntegratorSettings {
   /// in mixed precision, because the rounding of the forces is amplified by 1/lambda, while the
   /// order of a scheme does not depend on it.
   double lambda = 1e-4;
-  bool lambda_given = false;
-  std::string lambda_place;  ///< "water.toml:12, integrator.lambda"
 };
 
 struct RunSettings {
@@ -132,13 +127,23 @@ struct Config {
   OutputSettings output;
   StudySettings study;
   OwnSchemes schemes;
-  EnsembleSettings ensemble;           ///< thermostat, barostat, hybrid Monte Carlo
-  std::string source;                  ///< path of the file, or "default"
-  std::string text;                    ///< as read; its hash identifies outputs
-  bool mixing_given = false;           ///< whether the file contains a mixing rule
-  bool compressibility_given = false;  ///< whether its [barostat] has a compressibility
-  std::string cutoff_place;  ///< "water.toml:9, forces.cutoff", for an error once the box is
-                             ///< known
+  EnsembleSettings ensemble;  ///< thermostat, barostat, hybrid Monte Carlo
+  std::string source;         ///< path of the file, or "default"
+  std::string text;           ///< as read; its hash identifies outputs
+
+  /// A setting as the run file has it.
+  struct Given {
+    std::string value;  ///< as written, "\"1 nm\""
+    std::string place;  ///< "water.toml:9, forces.cutoff"
+  };
+  std::map<std::string, Given, std::less<>> given;  ///< by path, such as "forces.cutoff"
+
+  bool gives(std::string_view path) const { return given.contains(path); }
+  /// Where a setting is from, for errors; the source if it has its default.
+  const std::string& place(std::string_view path) const {
+    const auto found = given.find(path);
+    return found == given.end() ? source : found->second.place;
+  }
 };
 
 /// A text with the names of such schemes, alone or on either side of a slash, replaced by their

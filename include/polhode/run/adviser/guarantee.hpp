@@ -34,7 +34,7 @@ void write_guarantee(const std::string& file, const Guarantee& guarantee,
 
 /// Reads such a file, and sets scheme and step.
 /// @throws Error  if it contains anything else
-Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator);
+Guarantee read_guarantee(const std::string& file, Config& config);
 
 struct GuaranteeCheck {
   Guarantee guarantee;

@@ -4,14 +4,13 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <span>
 #include <sstream>
-#include <tuple>
 
-#include "forces/laws/setting_names.hpp"
-#include "io/settings/ensemble_text.hpp"
-#include "io/settings/output_units.hpp"
+#include "io/settings/settings.hpp"
 
 namespace polhode {
 namespace {
@@ -32,6 +31,48 @@ std::string law_identity(const Site& site) {
   if (std::holds_alternative<LennardJonesLaw>(site.law)) return {};
   return fmt::format("{} {}{} ", name(site.law), parameters(site.sigma, site.epsilon, site.law),
                      table_identity(site.law));
+}
+
+/// The settings that the identity of a run states in a form of its own, or its callers by number.
+constexpr std::array<std::string_view, 27> stated = {
+    "system.temperature",
+    "system.seed",
+    "forces.truncation",
+    "forces.electrostatics",
+    "forces.cutoff",
+    "forces.switch",
+    "forces.smoothness",
+    "forces.skin",
+    "forces.dielectric",
+    "forces.damping",
+    "forces.pme_accuracy",
+    "forces.coulomb_cutoff",
+    "forces.mixing",
+    "forces.dispersion_correction",
+    "forces.precision",
+    "integrator.scheme",
+    "integrator.step",
+    "integrator.lambda",
+    "run.minimise",
+    "run.equilibrate",
+    "run.sample",
+    "run.shadow_sample",
+    "output.velocities",
+    "run.configurational_sample",
+    "output.formats",
+    "output.trajectory_every",
+    "output.massless_sites",
+};
+
+/// All other settings that differ from their defaults.
+std::string further_settings(const Config& config) {
+  const auto defaults = recorded_settings(Config{});
+  std::string text;
+  for (const auto& one : recorded_settings(config))
+    if (std::find(stated.begin(), stated.end(), one.first) == stated.end() &&
+        std::find(defaults.begin(), defaults.end(), one) == defaults.end())
+      text += fmt::format(" {} {}", one.first, one.second);
+  return text;
 }
 
 /// The first line, a hash of everything that a run depends on.
@@ -82,46 +123,14 @@ std::string identity(const Config& config, const System& system,
   if (const std::string mixing = description(system.forces.mixing); !mixing.empty())
     id << ' ' << mixing;
   for (const PairOverride& pair : system.forces.mixing.pairs) id << table_identity(pair.law);
-  for (const auto& [key, value] : ensemble_texts(config.ensemble)) id << ' ' << key << ' ' << value;
+  id << further_settings(config);
   return id.str();
 }
 
 std::string settings_text(const Config& config) {
-  const auto fs = [](double t) { return fmt::format("{:.12g} fs", t * units::fs_per_ps); };
-  const auto& [system, forces, integrator, run, output] =
-      std::tie(config.system, config.forces, config.integrator, config.run, config.output);
   std::string text;
-  const auto add = [&](const char* key, const auto& value) {
-    text += fmt::format("{} = {}\n", key, value);
-  };
-  add("system.temperature", fmt::format("{:g} K", system.temperature));
-  add("system.seed", system.seed);
-  add("forces.truncation", name_of(forces.truncation));
-  add("forces.electrostatics", name_of(forces.electrostatics));
-  add("forces.precision", name_of(forces.precision));
-  add("forces.cutoff", fmt::format("{:.12g} nm", forces.cutoff));
-  add("forces.switch", fmt::format("{:.12g} nm", forces.switch_from));
-  add("forces.smoothness", forces.smoothness);
-  add("forces.dielectric", forces.dielectric);
-  add("forces.damping", fmt::format("{:.12g} 1/nm", forces.damping));
-  add("forces.pme_accuracy", forces.pme_accuracy);
-  add("forces.coulomb_cutoff",
-      forces.coulomb_cutoff ? fmt::format("{:.12g} nm", *forces.coulomb_cutoff) : "chosen");
-  add("forces.dispersion_correction", forces.dispersion_correction);
-  add("forces.skin", fmt::format("{:.12g} nm", forces.skin));
-  add("integrator.scheme", integrator.scheme.text);
-  add("integrator.step", fs(integrator.step));
-  add("integrator.lambda", integrator.lambda);
-  for (const auto& [key, value] : ensemble_texts(config.ensemble)) add(key.c_str(), value);
-  add("run.minimise", run.minimise);
-  add("run.equilibrate", fs(run.equilibrate));
-  add("run.sample", fs(run.sample));
-  add("run.shadow_sample", run.shadow_sample ? fs(*run.shadow_sample) : "default");
-  add("run.configurational_sample", fs(run.configurational_sample));
-  add("output.trajectory_every", fs(output.trajectory_every));
-  add("output.formats", fmt::format("{}", fmt::join(output.formats, ", ")));
-  add("output.massless_sites", output.massless_sites);
-  add("output.velocities", output.velocities);
+  for (const auto& [path, value] : recorded_settings(config))
+    text += fmt::format("{} = {}\n", path, value);
   return text;
 }
 

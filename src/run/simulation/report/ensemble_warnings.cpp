@@ -48,7 +48,7 @@ std::optional<Warning> volume_warning(const BarostatSummary& s, double length) {
 /// that a run is too short for them.
 std::optional<Warning> length_warning(const BarostatSummary& s, const BarostatSettings& settings,
                                       double length) {
-  const bool rescaling = settings.kind == BarostatKind::cell_rescaling;
+  const bool rescaling = std::holds_alternative<CellRescaling>(settings.type);
   const bool known = s.compressibility.known == Known::yes;
   const double relaxation = volume_relaxation(settings, known ? s.compressibility.value : 0);
   const double value = rescaling ? length / relaxation : static_cast<double>(s.accepted);
@@ -68,7 +68,7 @@ std::optional<Warning> length_warning(const BarostatSummary& s, const BarostatSe
 }
 
 std::optional<Warning> moves_warning(const BarostatSummary& s, const BarostatSettings& settings) {
-  const bool rescaling = settings.kind == BarostatKind::cell_rescaling;
+  const bool rescaling = std::holds_alternative<CellRescaling>(settings.type);
   const double bound = rescaling ? min_acceptance : min_move_acceptance;
   if (s.moves == 0 || !(s.acceptance() < bound - chance(bound, s.moves))) return std::nullopt;
   return Warning{
@@ -133,10 +133,10 @@ std::optional<Warning> weight_warning(const HybridMonteCarloSummary& s) {
 
 double volume_relaxation(const BarostatSettings& barostat, double compressibility) {
   constexpr double moves = 4;  // of Monte Carlo, of up to two standard deviations of the volume
-  const bool rescaling = barostat.kind == BarostatKind::cell_rescaling;
+  const auto* const rescaling = std::get_if<CellRescaling>(&barostat.type);
   const double softer =
       barostat.compressibility > 0 ? compressibility / barostat.compressibility : 1;
-  return std::max(1.0, softer) * (rescaling ? barostat.time_constant : moves * barostat.every);
+  return std::max(1.0, softer) * (rescaling ? rescaling->time_constant : moves * barostat.every);
 }
 
 std::vector<Warning> ensemble_warnings(const RunSummary& s) {

@@ -292,7 +292,7 @@ std::optional<Warning> distant_sites(const System& system) {
 
 std::optional<Warning> velocities_of_file(const System& system, const Config& config) {
   const double n = degrees_of_freedom(system.topology).all();
-  if (system.new_velocities || !config.system.temperature_given || config.run.equilibrate > 0 ||
+  if (system.new_velocities || !config.gives("system.temperature") || config.run.equilibrate > 0 ||
       !config.ensemble.constant_energy() || n == 0)
     return std::nullopt;
   constexpr double far_from_canonical = 4;
@@ -351,7 +351,7 @@ std::vector<Warning> warnings(const RunSummary& s, const System& system,
     target.reset();  // a thermostat that cools
   else if (!settings.ensemble.constant_energy())
     target = {.value = config.system.temperature, .kept = true};
-  else if (!of_file || config.system.temperature_given)
+  else if (!of_file || config.gives("system.temperature"))
     target = {.value = config.system.temperature, .ignored = of_file};
   std::vector<Warning> all = warnings_of_results(s, target);
   const double bound = truncation_bound(s);

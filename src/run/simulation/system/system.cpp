@@ -28,7 +28,7 @@ void take_topology_file(const Config& config, const Frame& start, System& system
   system.topology = std::move(read.topology);
   system.origins = std::move(read.origins);
   system.shapes = std::move(read.shapes);
-  if (read.rule_matters && !config.mixing_given)
+  if (read.rule_matters && !config.gives("forces.mixing"))
     throw Error(
         "the file does not give the mixing rule for unlike sites; write for example mixing = "
         "\"geometric\" in [forces], the default of LAMMPS",
@@ -184,7 +184,7 @@ System build_system(const Config& config) {
   try {
     system.forces = ForceField(system.topology, system.forces, system.state.box).settings();
   } catch (const Error& e) {
-    throw e.at(config.cutoff_place);
+    throw e.at(config.place("forces.cutoff"));
   }
   take_velocities(system, config.system);
   return system;

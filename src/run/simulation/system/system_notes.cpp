@@ -44,7 +44,8 @@ void note_molecules(const System& system, const Callbacks& callbacks) {
 
 void note_velocities(const System& system, const Config& config, const Callbacks& callbacks) {
   const SystemSettings& s = config.system;
-  if (system.new_velocities || !(s.temperature_given || s.seed_given)) return;
+  const bool temperature = config.gives("system.temperature"), seed = config.gives("system.seed");
+  if (system.new_velocities || !(temperature || seed)) return;
   if (!config.ensemble.constant_energy()) {
     // Hybrid Monte Carlo that refreshes all momenta begins with new ones.
     if (const auto& hybrid = config.ensemble.hybrid_monte_carlo; hybrid && hybrid->refresh == 1)
@@ -54,11 +55,11 @@ void note_velocities(const System& system, const Config& config, const Callbacks
                     "K, and relaxes to {:g} K",
                     system.file_temperature, s.temperature));
   }
-  const std::string unused = !s.temperature_given ? "the seed is"
+  const std::string unused = !temperature ? "the seed is"
                              : config.run.equilibrate > 0
                                  ? "the temperature is for the equilibration only, the seed is"
-                             : s.seed_given ? "temperature and seed are"
-                                            : "the temperature is";
+                             : seed ? "temperature and seed are"
+                                    : "the temperature is";
   callbacks.note(fmt::format(
       "note: the velocities are those of the initial configuration, {:.4g} K; {} not used for "
       "them; velocities = \"new\" in [system] draws new ones",

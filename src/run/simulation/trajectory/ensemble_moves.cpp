@@ -3,9 +3,8 @@
 
 #include <fmt/core.h>
 
-#include "io/settings/ensemble_names.hpp"
+#include "io/settings/ensemble_text.hpp"
 #include "io/settings/output_units.hpp"
-#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 
@@ -19,40 +18,27 @@ BarostatSettings barostat_settings(const TrajectorySettings& settings) {
   return barostat;
 }
 
-void check_thermostat(const ThermostatSettings& s, double step) {
-  if (s.kind == ThermostatKind::langevin) {
-    for (const double rate : {s.friction, s.rotational_friction})
-      if (const std::string wrong = wrong_friction(rate); !wrong.empty())
-        throw Error(fmt::format("the thermostat's friction of {:g} 1/ps {}", rate, wrong));
-  } else if (!(s.time_constant >= step)) {
-    throw Error(fmt::format(
-        "the thermostat's time_constant of {:g} fs is shorter than the step of {:g} fs; it must be "
-        "at least a step, and 100 to 1000 fs are usual",
-        s.time_constant * units::fs_per_ps, step * units::fs_per_ps));
-  }
+/// Throws if the time constant of a type that has one is shorter than a step.
+template <class Type>
+void check_time_constant(const Type& type, double step) {
+  if constexpr (requires { type.time_constant; })
+    if (!(type.time_constant >= step))
+      throw Error(fmt::format(
+          "the thermostat's time_constant of {:g} fs is shorter than the step of {:g} fs; it must "
+          "be at least a step, and 100 to 1000 fs are usual",
+          type.time_constant * units::fs_per_ps, step * units::fs_per_ps));
 }
 
 void check_barostat(const TrajectorySettings& settings) {
-  const BarostatSettings& s = *settings.ensemble.barostat;
-  if (!(s.every > 0))
-    throw Error(fmt::format(
-        "the interval of the moves of the barostat, {:g} fs, must be longer than 0 fs; 100 fs are "
-        "usual",
-        s.every * units::fs_per_ps));
+  const auto* const rescaling = std::get_if<CellRescaling>(&settings.ensemble.barostat->type);
   const double interval = settings.move_interval();
-  if (s.kind == BarostatKind::cell_rescaling && !(s.time_constant >= interval))
+  if (rescaling && !(rescaling->time_constant >= interval))
     throw Error(fmt::format(
         "the barostat's time_constant of {:g} fs is shorter than the interval of its moves, {:g} "
         "fs{}; use a time_constant of 1 to 10 ps, or a shorter interval",
-        s.time_constant * units::fs_per_ps, interval * units::fs_per_ps,
+        rescaling->time_constant * units::fs_per_ps, interval * units::fs_per_ps,
         settings.ensemble.hybrid_monte_carlo ? " of whole trajectories of hybrid Monte Carlo"
                                              : ""));
-  if (!(s.compressibility >= min_compressibility() && s.compressibility <= max_compressibility()))
-    throw Error(fmt::format(
-        "the barostat's compressibility of {:g} 1/bar must be from 1e-7 1/bar, which solids have, "
-        "to 10 1/bar, which a thin gas has; use default_compressibility() if it is not known, or "
-        "that of the system",
-        s.compressibility / unit("1/bar", Dimension::compressibility)));
 }
 
 }  // namespace
@@ -79,7 +65,9 @@ void check_ensemble(const TrajectorySettings& settings) {
                     "Monte Carlo, which accept moves by their energy in units of kT; use a "
                     "higher temperature, or a thermostat alone",
                     e.temperature));
-  if (e.thermostat) check_thermostat(*e.thermostat, settings.step);
+  if (const std::string wrong = wrong_setting(e); !wrong.empty()) throw Error(wrong);
+  if (e.thermostat)
+    std::visit([&](const auto& type) { check_time_constant(type, settings.step); }, *e.thermostat);
   if (e.barostat) check_barostat(settings);
 }
 

@@ -31,7 +31,7 @@ void check_external(const Config& config) {
   const ExternalForces* const external = config.forces.external.get();
   const auto& barostat = config.ensemble.barostat;
   if (external && !external->has_virial && barostat &&
-      barostat->kind == BarostatKind::cell_rescaling)
+      std::holds_alternative<CellRescaling>(barostat->type))
     throw Error(
         fmt::format("the forces '{}' have no virial, so the pressure that cell-rescaling follows "
                     "would lack them; give them a virial, or choose the barostat monte-carlo",

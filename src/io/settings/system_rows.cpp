@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
+// The settings of the table [system], and the tables [[shape]].
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
 
-#include "config_tables.hpp"
 #include "io/files/embedded.hpp"
 #include "io/formats/format.hpp"
+#include "list_tables.hpp"
 #include "molecule_table.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
+#include "setting_rows.hpp"
 
 namespace polhode {
 namespace {
@@ -62,42 +64,30 @@ SystemSettings::Component read_component(TomlTable table, const path& folder,
   return component;
 }
 
-Vec3<double> read_box(TomlTable& table) {
-  if (!table.holds_list("box")) {
-    const double edge = *table.quantity("box", Dimension::length, "2.5 nm");
-    return {edge, edge, edge};
+/// Reads one edge of the box, or three.
+void read_box(TomlTable& table, const SettingRow& row, Config& config) {
+  if (!table.has(row.key)) return;
+  Vec3<double>& box = config.system.box.emplace();
+  if (table.holds_list(row.key)) {
+    const auto edges = table.texts(row.key);
+    table.require(edges->size() == 3, row.key, "must be one edge or a list of three");
+    for (std::size_t k = 0; k < 3; ++k) try {
+        box[k] = quantity((*edges)[k], Dimension::length, fmt::format("box[{}]", k), "2.5 nm");
+      } catch (const Error& e) {
+        throw e.at(table.where(row.key));
+      }
+  } else {
+    const double edge = *table.quantity(row.key, Dimension::length, "2.5 nm");
+    box = {edge, edge, edge};
   }
-  const auto edges = table.texts("box");
-  table.require(edges->size() == 3, "box", "must be one edge or a list of three");
-  Vec3<double> box;
-  for (std::size_t k = 0; k < 3; ++k) {
-    try {
-      box[k] = quantity((*edges)[k], Dimension::length, fmt::format("box[{}]", k), "2.5 nm");
-    } catch (const Error& e) {
-      throw e.at(table.where("box"));
-    }
-  }
-  return box;
+  table.require(std::min({box.x, box.y, box.z}) > 0, row.key, "must have edges longer than 0 nm");
 }
 
-void read_extent(TomlTable& table, SystemSettings& system) {
-  system.density = table.quantity("density", Dimension::density);
-  table.require(system.density.value_or(1) > 0, "density", "must be above 0 g/cm3");
-  const double osmium = 22.6;  // [g/cm3], the densest element
-  table.require(
-      system.density.value_or(1) <= osmium * unit("g/cm3", Dimension::density), "density",
-      fmt::format("is more than {:g} g/cm3, the density of osmium, the densest element; is it in "
-                  "kg/m3? Water has 1 g/cm3",
-                  osmium));
-  if (table.has("box")) system.box = read_box(table);
-  if (system.box)
-    table.require(std::min({system.box->x, system.box->y, system.box->z}) > 0, "box",
-                  "must have edges longer than 0 nm");
-  const bool start = !system.initial_configuration.empty();
+void check_extent(const TomlTable& table, const SystemSettings& system) {
   if (system.density && system.box)
     table.refuse("density",
                  "cannot be combined with a box, which already fixes the density; leave one out");
-  if (start && (system.density || system.box))
+  if (!system.initial_configuration.empty() && (system.density || system.box))
     table.refuse(
         system.box ? "box" : "density",
         "cannot be combined with an initial configuration, which has its own box; leave one out");
@@ -121,30 +111,29 @@ void read_start(TomlTable& table, const path& folder, SystemSettings& system) {
   system.initial_configuration = std::move(file);
 }
 
-void read_checkpoint_key(TomlTable& table, const path& folder, SystemSettings& system) {
-  const auto file = table.text("checkpoint");
-  if (!file) return;
-  table.require(!system.initial_configuration.empty(), "checkpoint",
+path folder_of(const Config& config) { return path(config.source).parent_path(); }
+
+void read_checkpoint_key(TomlTable& table, const SettingRow& row, Config& config) {
+  SystemSettings& system = config.system;
+  read_row(table, row, config);
+  if (system.checkpoint.empty()) return;
+  table.require(!system.initial_configuration.empty(), row.key,
                 "has the state of an initial configuration at full precision, and there is none; "
                 "write for example initial_configuration = \"water-prepared.gro\"");
-  system.checkpoint = resolve(folder, *file);
-  table.require(is_file(system.checkpoint), "checkpoint",
+  system.checkpoint = resolve(folder_of(config), system.checkpoint);
+  table.require(is_file(system.checkpoint), row.key,
                 fmt::format("is not a file: '{}' does not exist", system.checkpoint));
 }
 
-void read_velocities(TomlTable& table, SystemSettings& system) {
-  const auto velocities = table.text("velocities");
+void read_velocities(TomlTable& table, const SettingRow& row, Config& config) {
+  SystemSettings& system = config.system;
+  const auto velocities = table.text(row.key);
   if (!velocities) return;
-  table.require(*velocities == "new" || *velocities == "from file", "velocities",
+  table.require(*velocities == "new" || *velocities == "from file", row.key,
                 "must be \"from file\" or \"new\"");
-  table.require(*velocities == "new" || !system.initial_configuration.empty(), "velocities",
+  table.require(*velocities == "new" || !system.initial_configuration.empty(), row.key,
                 "cannot come from a file, since there is no initial configuration; leave it out");
   system.new_velocities = *velocities == "new";
-}
-
-std::vector<std::string> resolved(const path& folder, std::vector<std::string> names) {
-  for (std::string& name : names) name = resolve(folder, name);
-  return names;
 }
 
 // "NAME" or "NAME=VALUE", where the name is one that #ifdef accepts.
@@ -154,7 +143,7 @@ bool is_macro(std::string_view text) {
 }
 
 // The topology file. A LAMMPS data file is both topology and initial configuration.
-void read_topology_keys(TomlTable& table, const path& folder, SystemSettings& system) {
+void read_topology_file(TomlTable& table, const path& folder, SystemSettings& system) {
   TopologySettings& topology = system.topology;
   topology.file = table.text("topology").value_or("");
   const bool given = !topology.file.empty();
@@ -173,37 +162,61 @@ void read_topology_keys(TomlTable& table, const path& folder, SystemSettings& sy
     table.refuse("topology",
                  "needs an initial configuration with its atoms in the same order; write for "
                  "example initial_configuration = \"conf.gro\"");
-  const bool gromacs = given && !is_data_file(topology.file);
-  for (const char* key : {"include", "define", "rigid"})
-    table.require(gromacs || !table.has(key), key,
-                  "has no meaning without a GROMACS topology; leave it out");
-  take(topology.include, table.texts("include"));
-  take(topology.define, table.texts("define"));
-  for (const std::string& macro : topology.define)
-    table.require(is_macro(macro), "define",
+}
+
+/// Reads the keys of GROMACS topologies, which are lists of texts.
+void read_topology_list(TomlTable& table, const SettingRow& row, Config& config) {
+  const std::string& file = config.system.topology.file;
+  const bool gromacs = table.has("topology") && !file.empty() && !is_data_file(file);
+  table.require(gromacs || !table.has(row.key), row.key,
+                "has no meaning without a GROMACS topology; leave it out");
+  read_row(table, row, config);
+}
+
+void read_include(TomlTable& table, const SettingRow& row, Config& config) {
+  read_topology_list(table, row, config);
+  for (std::string& name : config.system.topology.include) name = resolve(folder_of(config), name);
+}
+
+void read_define(TomlTable& table, const SettingRow& row, Config& config) {
+  read_topology_list(table, row, config);
+  for (const std::string& macro : config.system.topology.define)
+    table.require(is_macro(macro), row.key,
                   fmt::format("has '{}', which is not a macro name; write names, \"NAME\" or "
                               "\"NAME=VALUE\", without -D",
                               macro));
-  take(topology.rigid, table.texts("rigid"));
-  topology.include = resolved(folder, std::move(topology.include));
 }
 
-void read_molecules(TomlTable& table, const path& folder, const std::string& file,
-                    SystemSettings& system) {
+void read_molecules(TomlTable& table, Config& config) {
+  SystemSettings& system = config.system;
   const auto components = table.tables("molecules");
   if (!components || components->empty())
     table.refuse("",
                  "there are no molecules; write for example "
                  "molecules = [{ model = \"tip4p\", count = 512 }]");
   for (const TomlTable& component : *components)
-    system.molecules.push_back(
-        read_component(component, folder, file, !system.initial_configuration.empty()));
+    system.molecules.push_back(read_component(component, folder_of(config), config.source,
+                                              !system.initial_configuration.empty()));
   const auto open = [](const auto& component) { return component.count == 0; };
   if (system.molecules.size() > 1 &&
       std::any_of(system.molecules.begin(), system.molecules.end(), open))
     table.refuse("molecules",
                  "has several models, one of them without a count; only a single model can be "
                  "counted in the initial configuration");
+}
+
+/// Reads initial configuration, topology and molecules.
+void read_contents(TomlTable& table, Config& config) {
+  const path folder = folder_of(config);
+  read_start(table, folder, config.system);
+  read_topology_file(table, folder, config.system);
+  if (config.system.topology.file.empty()) read_molecules(table, config);
+}
+
+/// A setting of the topology file.
+template <class Member>
+SettingMember topology(Member TopologySettings::*one) {
+  return member([one](Config& c) { return &(c.system.topology.*one); });
 }
 
 }  // namespace
@@ -236,22 +249,64 @@ void read_shapes(const std::vector<TomlTable>& tables, TopologySettings& topolog
   }
 }
 
-void read_system(TomlTable table, const std::string& file, SystemSettings& system) {
-  const path folder = path(file).parent_path();
-  read_start(table, folder, system);
-  read_topology_keys(table, folder, system);
-  if (system.topology.file.empty()) read_molecules(table, folder, file, system);
-  read_extent(table, system);
-  system.temperature_given = table.has("temperature");
-  system.seed_given = table.has("seed");
-  take(system.temperature, table.quantity("temperature", Dimension::temperature));
-  table.require(system.temperature >= 0, "temperature", "must be above 0 K");
-  const auto seed = table.integer("seed");
-  table.require(seed.value_or(0) >= 0, "seed", "must be 0 or more");
-  read_checkpoint_key(table, folder, system);
-  read_velocities(table, system);
-  if (seed) system.seed = static_cast<std::uint64_t>(*seed);
-  table.refuse_unknown();
+SettingTable system_table() {
+  using S = SystemSettings;
+  const auto system = in(&Config::system);
+  return {
+      "system",
+      {row("molecules",
+           "the contents of the system, in the order of the atoms of the initial configuration",
+           More{.domain = "list of `{ model, count }`",
+                .fallback = "required",
+                .read = read_by_table,
+                .kinds = {SettingKind::tables}}),
+       row("topology", topology(&TopologySettings::file),
+           "path of a [GROMACS](gromacs.md) topology or [LAMMPS](lammps.md) data file, instead of "
+           "`molecules`",
+           More{.read = read_by_table, .free = true}),
+       row("include", topology(&TopologySettings::include),
+           "folders that are searched for the files of a [GROMACS topology](gromacs.md)",
+           More{.read = read_include, .free = true}),
+       row("define", topology(&TopologySettings::define),
+           "macros of a [GROMACS topology](gromacs.md), `\"NAME\"` or `\"NAME=VALUE\"`",
+           More{.read = read_define, .free = true}),
+       row("rigid", topology(&TopologySettings::rigid),
+           "molecule types of a [GROMACS topology](gromacs.md) that are made rigid although they "
+           "are flexible",
+           More{.read = read_topology_list, .free = true}),
+       row("initial_configuration", system(&S::initial_configuration),
+           "`\"w512\"`, or path of a file in any [format](formats.md) with atom names: initial "
+           "configuration with its box; its velocities are used if it has any, without the [motion "
+           "of the centre of mass](../theory.md#the-centre-of-mass)",
+           More{.fallback = "lattice", .read = read_by_table, .free = true}),
+       row("checkpoint", system(&S::checkpoint),
+           "path of a [checkpoint](checkpoints.md) with the state of the initial configuration to "
+           "the last bit, as [prepare](prepare.md) writes it",
+           More{.read = read_checkpoint_key, .free = true}),
+       row("density", system(&S::density), SettingUnit{Dimension::density, "g/cm3", "1 g/cm3"},
+           above_to(
+               0, 22.6,
+               ", the density of osmium, the densest element; is it in kg/m3? Water has 1 g/cm3"),
+           "density of a lattice in a cubic box; excludes `box` and `initial_configuration`",
+           More{.free = true}),
+       row("box", "box edges of a lattice; excludes `density`",
+           More{.domain = "length, or list of three, > 0",
+                .read = read_box,
+                .kinds = {SettingKind::quantity, SettingKind::texts}}),
+       row("velocities",
+           "`\"new\"` draws momenta at `temperature` with `seed` even if the initial configuration "
+           "has velocities",
+           More{.domain = "`\"from file\"`, `\"new\"`",
+                .fallback = "from the file if it has some",
+                .read = read_velocities}),
+       row("temperature", system(&S::temperature), SettingUnit{Dimension::temperature, "K"},
+           from(0),
+           "temperature for drawing momenta, for equilibration, and of a thermostat; 0 K with a "
+           "thermostat only"),
+       row("seed", system(&S::seed), from(0),
+           "seed of the positions, orientations and momenta of a lattice, and of drawn momenta")},
+      read_contents,
+      [](TomlTable& table, Config& config) { check_extent(table, config.system); }};
 }
 
 }  // namespace polhode

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// The settings of the tables [thermostat], [barostat] and [hybrid_monte_carlo].
+#include <fmt/core.h>
+
+#include "io/settings/ensemble_names.hpp"
+#include "io/settings/ensemble_text.hpp"
+#include "setting_rows.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr SettingUnit ps{Dimension::time, "ps"}, per_ps{Dimension::rate, "1/ps"};
+
+ThermostatSettings* thermostat_of(Config& config) {
+  auto& thermostat = config.ensemble.thermostat;
+  return thermostat ? &*thermostat : nullptr;
+}
+BoxMoves* moves_of(Config& config) {
+  auto& barostat = config.ensemble.barostat;
+  return barostat ? &barostat->type : nullptr;
+}
+
+/// A parameter of those types that have it.
+template <class Variant, class T, class... Types>
+SettingMember parameter(Variant* (*type_of)(Config&), T Types::*... one) {
+  return member([=](Config& config) {
+    Variant* const type = type_of(config);
+    T* found = nullptr;
+    if (type) ((found = std::get_if<Types>(type) ? &(std::get<Types>(*type).*one) : found), ...);
+    return found;
+  });
+}
+
+/// The type, whose alternatives own their parameters.
+template <class Variant>
+SettingMember type_member(Variant* (*type_of)(Config&)) {
+  const auto find = [type_of](const Config& config) {
+    return type_of(const_cast<Config&>(config));
+  };
+  return {[find](const Config& config) { return find(config) != nullptr; },
+          [find](const Config& config) { return std::string(type_name(*find(config))); },
+          [type_of](Config& config, const SettingValue& value) {
+            set_type(*type_of(config), std::get<std::string>(value));
+          },
+          SettingKind::text, type_names<Variant>};
+}
+
+/// Makes members of a table that a run may have.
+template <class Settings>
+auto in_table(std::optional<Settings> EnsembleSettings::*table) {
+  return [table](auto Settings::*one) {
+    return member([table, one](Config& config) {
+      auto& settings = config.ensemble.*table;
+      return settings ? &(*settings.*one) : nullptr;
+    });
+  };
+}
+
+void read_friction(TomlTable& table, const SettingRow& row, Config& config) {
+  read_row(table, row, config);
+  auto& langevin = std::get<Langevin>(*config.ensemble.thermostat);
+  langevin.rotational_friction = langevin.friction;
+}
+
+/// "xy" as the edges x and y.
+CoupledEdges edges_of(const std::string& text, const TomlTable& table) {
+  CoupledEdges edges{};
+  for (const char c : text) {
+    const bool known = c >= 'x' && c <= 'z' && !edges[static_cast<std::size_t>(c - 'x')];
+    table.require(
+        known, "edges",
+        fmt::format("has \"{}\", which is not one or more of x, y and z; write for example "
+                    "[\"xyz\"], or [\"xy\", \"z\"]",
+                    text));
+    edges[static_cast<std::size_t>(c - 'x')] = true;
+  }
+  table.require(!text.empty(), "edges", "has an empty group; write for example [\"xyz\"]");
+  return edges;
+}
+
+void read_edges(TomlTable& table, const SettingRow& row, Config& config) {
+  const auto texts = table.texts(row.key);
+  if (!texts) return;
+  auto& groups = config.ensemble.barostat->edges;
+  groups.clear();
+  CoupledEdges used{};
+  for (const std::string& text : *texts) {
+    const CoupledEdges edges = edges_of(text, table);
+    for (std::size_t k = 0; k < 3; ++k) {
+      table.require(!(used[k] && edges[k]), row.key,
+                    "has an edge in two groups; each belongs to one group at most");
+      used[k] = used[k] || edges[k];
+    }
+    groups.push_back(edges);
+  }
+  table.require(!groups.empty(), row.key, "must name at least one group, for example \"xyz\"");
+}
+
+/// The groups of edges as one text.
+SettingMember edges_member() {
+  SettingMember made;
+  made.exists = [](const Config& config) { return config.ensemble.barostat.has_value(); };
+  made.value = [](const Config& config) { return edges_text(config.ensemble.barostat->edges); };
+  return made;
+}
+
+void require_pressure(TomlTable& table, Config& config) {
+  config.ensemble.barostat = default_barostat();
+  table.require(table.has("pressure"), "",
+                "there is no pressure to keep; write for example pressure = \"1 bar\"");
+}
+
+}  // namespace
+
+SettingTable thermostat_table() {
+  const SettingBounds rate = between(0, 1e6, "; 0.1 to 10 1/ps are usual");
+  return {
+      "thermostat",
+      {row("type", type_member(thermostat_of),
+           "[friction and noise on every momentum](../theory.md#thermostats); one factor for all "
+           "momenta; one factor each for translation and rotation"),
+       row("friction", parameter(thermostat_of, &Langevin::friction), per_ps, rate,
+           "friction γ of translation; 0 1/ps is constant energy, bit for bit",
+           More{.by = "type", .read = read_friction}),
+       row("rotational_friction", parameter(thermostat_of, &Langevin::rotational_friction), per_ps,
+           rate, "friction γ of rotation", More{.fallback = "value of `friction`", .by = "type"}),
+       row("time_constant",
+           parameter(thermostat_of, &Rescaling::time_constant, &SeparateRescaling::time_constant),
+           ps, above(0, "; 0.1 to 1 ps are usual"), "time constant τ of rescaling, at least a step",
+           More{.by = "type"})},
+      [](TomlTable&, Config& config) { config.ensemble.thermostat.emplace(); }};
+}
+
+SettingTable barostat_table() {
+  using B = BarostatSettings;
+  const auto barostat = in_table(&EnsembleSettings::barostat);
+  return {"barostat",
+          {row("type", type_member(moves_of),
+               "[stochastic cell rescaling, or moves of random size](../theory.md#barostats)"),
+           row("pressure", barostat(&B::pressure), SettingUnit{Dimension::pressure, "bar", "1 bar"},
+               "pressure; may be negative: a liquid under tension, until it cavitates",
+               More{.fallback = "required"}),
+           row("compressibility", barostat(&B::compressibility),
+               SettingUnit{Dimension::compressibility, "1/bar", "4.5e-5 1/bar"},
+               between(1e-7, 10,
+                       "; solids have 1e-7 1/bar, liquids 2e-5 to 2e-4 1/bar (water 4.5e-5), a gas "
+                       "has 1/pressure"),
+               "isothermal compressibility of the system, estimated: sets the size of moves, not "
+               "the result. The default is the value of water; [prepare](prepare.md) estimates it"),
+           row("every", barostat(&B::every), ps, above(0),
+               "interval between two moves, rounded to whole steps; with hybrid Monte Carlo to "
+               "whole trajectories, which a note states"),
+           row("edges", edges_member(),
+               "edges scaled by one factor, moved in turn: `[\"x\", \"y\", \"z\"]` each by itself, "
+               "for crystals; `[\"z\"]` with a fixed area, for slabs",
+               More{.domain = "list of groups of x, y and z",
+                    .fallback = "`[\"xyz\"]`",
+                    .read = read_edges,
+                    .kinds = {SettingKind::texts}}),
+           row("time_constant", parameter(moves_of, &CellRescaling::time_constant), ps,
+               above(0, "; 1 to 10 ps are usual"),
+               "time constant τ of the volume, at least `every`", More{.by = "type"}),
+           row("metropolis", parameter(moves_of, &CellRescaling::metropolis),
+               "whether a move is accepted or rejected, which makes the distribution exact for any "
+               "`every`",
+               More{.by = "type"})},
+          require_pressure};
+}
+
+SettingTable hybrid_monte_carlo_table() {
+  using H = HybridMonteCarloSettings;
+  const auto hybrid = in_table(&EnsembleSettings::hybrid_monte_carlo);
+  return {"hybrid_monte_carlo",
+          {row("steps", hybrid(&H::steps), between(1, 1e6, "; 5 to 50 are usual"),
+               "steps of each trajectory, between two decisions"),
+           row("refresh", hybrid(&H::refresh), SettingUnit{Dimension::fraction, "%"},
+               above_to(0, 100), "part of the momenta that is drawn again for each trajectory")},
+          [](TomlTable&, Config& config) { config.ensemble.hybrid_monte_carlo.emplace(); }};
+}
+
+std::string wrong_friction(double rate) { return wrong_value("thermostat.friction", rate); }
+double default_compressibility() { return 4.5e-5 * unit("1/bar", Dimension::compressibility); }
+BarostatSettings default_barostat(double pressure) {
+  return {.type = {}, .pressure = pressure, .compressibility = default_compressibility()};
+}
+
+}  // namespace polhode

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// The settings of the tables [integrator], [run], [prepare], [output] and [study].
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "base/suggest.hpp"
+#include "io/formats/format.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/io/figures/plot.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "setting_rows.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr SettingUnit fs{Dimension::time, "fs"}, ps{Dimension::time, "ps"};
+constexpr SettingBounds equilibration = between(0, 1e12, " (one second)");
+
+/// The scheme that a text names, with own schemes as their texts.
+/// @throws Error  with the place of the key, unless it is one
+NamedScheme scheme_of(const std::string& text, const TomlTable& table, std::string_view key,
+                      const Config& config) {
+  try {
+    return with_own_schemes(text, config.schemes);
+  } catch (const Error& e) {
+    throw e.at(table.where(key));
+  }
+}
+
+void read_scheme(TomlTable& table, const SettingRow& row, Config& config) {
+  const auto text = table.text(row.key);
+  if (!text) return;
+  table.require(!text->empty(), row.key, "must name a scheme, for example \"hoa2\"");
+  config.integrator.scheme = scheme_of(*text, table, row.key, config);
+}
+
+void read_schemes(TomlTable& table, const SettingRow& row, Config& config) {
+  auto texts = table.texts(row.key);
+  if (!texts) return;
+  table.require(!texts->empty(), row.key, "must name at least one scheme");
+  for (std::string& text : *texts) text = scheme_of(text, table, row.key, config).text;
+  row.member.set(config, *texts);
+}
+
+/// Reads a bound on R, "0.5 %", or on the bias of an average.
+void read_accuracy(TomlTable& table, const SettingRow& row, Config& config) {
+  std::optional<Requirement>& accuracy = config.integrator.accuracy;
+  if (const auto text = table.holds_text(row.key) ? table.text(row.key) : std::nullopt;
+      text && is_of_bias(*text)) {
+    try {
+      accuracy = required_bias(*text, "accuracy");
+    } catch (const Error& e) {
+      throw Error(e.what(), table.where(row.key));
+    }
+  } else if (const auto ratio = table.quantity(row.key, *row.unit.dimension, row.unit.example)) {
+    table.require(is_valid(row, *ratio), row.key, complaint(row));
+    accuracy = Requirement{RequiredOf::ratio, *ratio};
+  }
+  table.require(!accuracy || !table.has("step"), row.key,
+                "cannot be combined with a step, which it chooses itself; leave one out");
+}
+
+void read_steps(TomlTable& table, const SettingRow& row, Config& config) {
+  for (const std::string& text : table.texts(row.key).value_or(std::vector<std::string>{})) {
+    double step = 0;
+    try {
+      step = quantity(text, Dimension::time, row.key, "2 fs");
+    } catch (const Error& e) {
+      throw e.at(table.where(row.key));
+    }
+    table.require(step > 0, row.key, "must all be longer than 0 fs");
+    config.study.steps.push_back(step);
+  }
+}
+
+void read_prefix(TomlTable& table, const SettingRow& row, Config& config) {
+  read_row(table, row, config);
+  table.require(!config.output.prefix.empty(), row.key,
+                "must not be empty: names of output files begin with it");
+}
+
+void read_formats(TomlTable& table, const SettingRow& row, Config& config) {
+  read_row(table, row, config);
+  std::vector<std::string> known;
+  for (const std::string_view format : writable_formats()) known.emplace_back(format);
+  for (const std::string& format : config.output.formats) {
+    table.require(std::find(known.begin(), known.end(), format) != known.end(), row.key,
+                  fmt::format("has the unknown format '{}'{}; there are: {}", format,
+                              did_you_mean(format, known), join_names(known)));
+    table.require(format != "h5md" || h5md_missing.empty(), row.key,
+                  fmt::format("has the format 'h5md': {}", h5md_missing));
+  }
+}
+
+/// A text that is one of some names.
+SettingMember named(SettingMember one, std::span<const std::string_view> names) {
+  one.names = names;
+  return one;
+}
+
+}  // namespace
+
+SettingTable integrator_table() {
+  using I = IntegratorSettings;
+  const auto integrator = in(&Config::integrator);
+  return {
+      "integrator",
+      {row("scheme", integrator(&I::scheme),
+           "splitting [scheme](schemes.md) by name or stages, or two schemes for [multiple time "
+           "steps](schemes.md#multiple-time-steps)",
+           More{.read = read_scheme}),
+       row("step", integrator(&I::step), fs, above(0), "time step h"),
+       row("accuracy", SettingUnit{Dimension::fraction, "%", "0.5 %"},
+           SettingBounds{.min = 0,
+                         .max = 100,
+                         .above = true,
+                         .below = true,
+                         .hint = ": it bounds R, the fluctuation of the total energy divided by "
+                                 "the fluctuation of the potential energy"},
+           "upper bound on R, or on [the bias of an average](advise.md#requirements): the "
+           "[adviser](advise.md#in-a-run-file) chooses the step, and the scheme if none is given; "
+           "excludes `step`",
+           More{.domain = "0 % < fraction < 100 %; or `\"0.1 K\"`, `\"energy 0.01 kJ/mol\"`, "
+                          "`\"pressure 4 bar\"`, `\"density 0.02 %\"`",
+                .read = read_accuracy,
+                .kinds = {SettingKind::text, SettingKind::quantity}}),
+       row("candidates", integrator(&I::candidates),
+           "schemes from which the [adviser](advise.md) chooses, also nested ones; by default "
+           "those that are cheapest at some R [for liquids](../all-schemes.md)",
+           More{.read = read_schemes, .free = true}),
+       row("lambda", integrator(&I::lambda),
+           above_to(0, 1, ": it scales the displacement of the finite difference"),
+           "displacement of gradient kicks [by finite difference](../theory-forces.md#precision), "
+           "`gier4-fd`, at least 0.1 in mixed precision; exact gradient kicks do not use it",
+           More{.fallback = "1e-4; 1 in mixed precision"})}};
+}
+
+SettingTable run_table() {
+  using R = RunSettings;
+  const auto run = in(&Config::run);
+  return {
+      "run",
+      {row("minimise", run(&R::minimise),
+           "[minimises the energy](minimise.md) of the initial configuration before all else, to "
+           "its default bounds; molecules of the initial configuration may then overlap"),
+       row("equilibrate", run(&R::equilibrate), SettingUnit{Dimension::time, "ps", "5 ps"},
+           equilibration, "length of the equilibration before the run, with velocity rescaling"),
+       row("length", run(&R::length), ps, above(0),
+           "length of the run, rounded to whole steps, at least one", More{.free = true}),
+       row("sample", run(&R::sample), fs, above(0),
+           "interval between energies, rounded down to whole steps, at least one"),
+       row("shadow_sample", run(&R::shadow_sample), SettingUnit{Dimension::time, "fs", "100 fs"},
+           from(0, "; 0 fs means no shadow energy"),
+           "interval between values of the [shadow energy](../theory.md#the-shadow-energy), "
+           "rounded down to whole samples; 0 fs: none. For schemes of order 2 without an inner "
+           "scheme, at constant energy or with the rescaling thermostat",
+           More{.fallback = "100 steps; none for schemes without a shadow energy",
+                .not_set = "default"}),
+       row("configurational_sample", run(&R::configurational_sample),
+           SettingUnit{Dimension::time, "fs", "20 fs"},
+           from(0, "; 0 fs means no configurational temperature"),
+           "interval between values of the [configurational "
+           "temperatures](../theory.md#equipartition), rounded down to whole samples; 0 fs: none. "
+           "For any scheme, at about two force evaluations each")}};
+}
+
+SettingTable prepare_table() {
+  const auto prepare = in(&Config::prepare);
+  return {
+      "prepare",
+      {row("nvt", prepare(&PreparationSettings::nvt), ps, equilibration,
+           "length of the part of [prepare](prepare.md) at constant volume", More{.free = true}),
+       row("npt", prepare(&PreparationSettings::npt), ps, equilibration,
+           "length of its part at constant pressure, if there is a barostat", More{.free = true})}};
+}
+
+SettingTable output_table() {
+  using O = OutputSettings;
+  const auto output = in(&Config::output);
+  return {"output",
+          {row("prefix", output(&O::prefix),
+               "the beginning of all output file names, so it must not end in `/`; relative to the "
+               "working directory",
+               More{.read = read_prefix, .free = true}),
+           row("trajectory_every", output(&O::trajectory_every), ps,
+               from(0, "; 0 ps means no trajectory"),
+               "interval between frames; 0 ps: none. Frames are written at samples of the "
+               "energies, the first after each interval, so give a multiple of `sample`"),
+           row("formats", output(&O::formats),
+               "[formats](formats.md) of the trajectory, each by its extension; one file each",
+               More{.domain = "list of [formats](formats.md)", .read = read_formats}),
+           row("massless_sites", output(&O::massless_sites),
+               "whether the trajectory includes massless sites, such as M of TIP4P"),
+           row("velocities", output(&O::velocities),
+               "whether the trajectory includes velocities, in formats that support them"),
+           row("plot", named(output(&O::plot), plot_formats), "figure of the energies",
+               More{.free = true}),
+           row("checkpoint_every", output(&O::checkpoint_every),
+               SettingUnit{Dimension::wall_clock, "min"}, above(0),
+               "interval between [checkpoints](checkpoints.md), in wall-clock time; one is always "
+               "written at the start, on interrupt and at the end",
+               More{.free = true})}};
+}
+
+SettingTable study_table() {
+  using S = StudySettings;
+  const auto study = in(&Config::study);
+  return {"study",
+          {row("ensemble", study(&S::ensemble),
+               "accuracy measured as R, or as the bias of [canonical "
+               "averages](study.md#canonical-averages)",
+               More{.free = true}),
+           row("schemes", study(&S::schemes),
+               "schemes to compare, also nested ones; [your own](schemes.md#schemes-of-your-own) "
+               "may have a name, `\"mine: B(1/6) A(1/2) ...\"`",
+               More{.read = read_schemes, .free = true}),
+           row("steps", "time steps",
+               More{.domain = "list of times > 0",
+                    .fallback = "a ladder per scheme",
+                    .read = read_steps,
+                    .kinds = {SettingKind::texts}}),
+           row("runs", study(&S::runs), between(2, 1e6, ", for an error bar"),
+               "independent runs at each point", More{.free = true}),
+           row("length", study(&S::length), ps, above(0), "length of each run", More{.free = true}),
+           row("decorrelate", study(&S::decorrelate), ps, equilibration,
+               "equilibration of each initial configuration after drawing new momenta",
+               More{.free = true}),
+           row("configurational_sample", study(&S::configurational_sample),
+               SettingUnit{Dimension::time, "fs", "20 fs"},
+               from(0, "; 0 fs means no configurational temperature"),
+               "interval between values of the configurational temperatures; 0 fs: none",
+               More{.free = true})}};
+}
+
+}  // namespace polhode
