@@ -338,7 +338,7 @@ TEST_CASE("a thermostat without friction is constant energy, bit for bit") {
     settings.scheme = with_bath(settings.scheme, BathPlace::ends);
     settings.ensemble = {300, Langevin{0, 0}, {}, {}};
     CHECK((run() == constant_energy));
-    settings.ensemble.thermostat->rotational_friction = 1e-9;
+    settings.ensemble.thermostat = Langevin{0, 1e-9};
     CHECK((run() != constant_energy));
   }
 }
