@@ -110,7 +110,7 @@ int run(std::vector<std::string> words) {
   for (const VerbGroup& group : verb_groups())
     for (const Verb& verb : group.verbs) {
       CLI::App* const parser = app.add_subcommand(verb.name, verb.description);
-      Command command(*parser);
+      Command command(*parser, typed_command(words));
       actions.emplace_back(parser, verb.declare(command));
     }
   check_verb(words[0]);
@@ -158,7 +158,7 @@ int main(int argc, char** argv) {
   } catch (const OutputError& e) {
     cli::print_error(e);
     cli::log("  try  {}--force, which starts over and overwrites\n",
-             e.resumable() ? "--continue, which resumes, or " : "");
+             e.resumable() ? "--resume, which continues, or " : "");
     return cli::exit_code(2);
   } catch (const Error& e) {
     cli::print_error(e);

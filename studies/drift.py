@@ -49,7 +49,7 @@ def judged(o, cell, seed):
               "output": {"prefix": "run", **runs.QUIET}, "thermostat": cell.thermostat and {"type": cell.thermostat}}
     with runs.scratch() as folder:
         Path(folder, "run.toml").write_text(runs.run_file(**tables), encoding="utf-8")
-        reports = [runs.asked(o, "run", "run.toml", "--threads", 1, "--continue", "--length", f"{length} ps", folder=folder) for length in cell.lengths]
+        reports = [runs.asked(o, "run", "run.toml", "--threads", 1, "--resume", "--length", f"{length} ps", folder=folder) for length in cell.lengths]
     return [{key: r.get(key) for key in KEPT} for r in reports]
 
 

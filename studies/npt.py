@@ -128,7 +128,7 @@ def run_polhode(liquid, way, o):
     name = f"{liquid.model}-{way.name}"
     tables = liquids.production(liquid, prepared(liquid, o).name, way, name)
     (o.folder / f"{name}.toml").write_text(runs.run_file(**tables), encoding="utf-8")
-    runs.called(o, "run", f"{name}.toml", "--continue", "--length", f"{o.length:g} ps", "--threads", 1, folder=o.folder)
+    runs.called(o, "run", f"{name}.toml", "--resume", "--length", f"{o.length:g} ps", "--threads", 1, folder=o.folder)
 
 
 def run(o):

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "command.hpp"
 
-#include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
+
+#include "run/job_settings.hpp"
 
 namespace polhode::cli {
 
@@ -15,42 +16,9 @@ const CommandOption& CommandOption::required() const {
   return *this;
 }
 
-template <class Number>
-const CommandOption& CommandOption::in_range(Number min, Number max) const {
-  const CLI::Range range(min, max);
-  const auto check = [range, min, max](std::string& text) {
-    if (range(text).empty()) return std::string();
-    return fmt::format("'{}' must be a {}number from {:.15g} to {:.15g}", text,
-                       std::is_integral_v<Number> ? "whole " : "", static_cast<double>(min),
-                       static_cast<double>(max));
-  };
-  option_->check(CLI::Validator(check, range.get_description()));
-  return *this;
-}
-template const CommandOption& CommandOption::in_range(int, int) const;
-template const CommandOption& CommandOption::in_range(double, double) const;
-
 const CommandOption& CommandOption::separated_by(char delimiter) const {
   option_->delimiter(delimiter);
   return *this;
-}
-
-const CommandOption& CommandOption::show_default() const {
-  option_->capture_default_str();
-  return *this;
-}
-
-const CommandOption& CommandOption::excludes(const CommandOption& other) const {
-  option_->excludes(other.option_);
-  return *this;
-}
-
-std::string Command::name() const { return app_->get_name(); }
-
-std::optional<std::string> Command::given(const std::string& option) const {
-  const CLI::Option* const known = app_->get_option(option);
-  if (known->count() == 0) return {};
-  return known->as<std::string>();
 }
 
 CommandOption Command::add_flag(const std::string& name, bool& value, const std::string& meaning) {
@@ -62,15 +30,66 @@ CommandOption Command::add_option(const std::string& name, Value& value,
                                   const std::string& meaning) {
   return CommandOption(*app_->add_option(name, value, meaning));
 }
-template CommandOption Command::add_option(const std::string&, int&, const std::string&);
 template CommandOption Command::add_option(const std::string&, double&, const std::string&);
-template CommandOption Command::add_option(const std::string&, std::size_t&, const std::string&);
 template CommandOption Command::add_option(const std::string&, std::string&, const std::string&);
 template CommandOption Command::add_option(const std::string&, std::vector<double>&,
                                            const std::string&);
-template CommandOption Command::add_option(const std::string&, std::vector<std::size_t>&,
-                                           const std::string&);
-template CommandOption Command::add_option(const std::string&, std::vector<std::string>&,
-                                           const std::string&);
+
+namespace {
+
+std::string option_of(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return "--" + name;
+}
+
+/// "--start,--from"
+std::string names_of(const std::string& option, const char* old_name) {
+  return old_name == nullptr ? option : option + "," + option_of(old_name);
+}
+
+}  // namespace
+
+std::string Command::verb() const { return app_->get_name(); }
+
+void Command::add_settings() {
+  for (const JobSetting& row : settings_of_job(verb())) {
+    const std::string option = option_of(row.name);
+    const auto set = [overlay = overlay_, row, option](const std::vector<std::string>& values) {
+      overlay->settings.push_back({row.key, values, option});
+    };
+    app_->add_option_function<std::vector<std::string>>(names_of(option, row.old_name), set,
+                                                        row.meaning)
+        ->expected(1, row.is_list ? CLI::detail::expected_max_vector_size : 1);
+  }
+}
+
+void Command::add_given(const char* name, const char* old_name, Given& value,
+                        const std::string& doc) {
+  value.name = option_of(name);
+  app_->add_option(names_of(value.name, old_name), value.text, doc);
+}
+
+std::string typed_command(const std::vector<std::string>& words) {
+  std::string typed = "polhode";
+  for (auto word = words.begin(); word != words.end(); ++word) {
+    if (*word == "--json" || *word == "--force" || *word == "--resume" || *word == "--continue" ||
+        word->starts_with("--threads=") || (*word == "--threads" && ++word != words.end()))
+      continue;
+    if (word == words.end()) break;
+    typed += ' ';
+    const bool plain =
+        !word->empty() && word->find_first_of(" ()'\"\\$`*?[]{}|&;<>#!~") == word->npos;
+    if (plain) {
+      typed += *word;
+      continue;
+    }
+    const bool single = word->find_first_of("\"\\$`!") != word->npos;
+    const std::string quote = single ? "'" : "\"";
+    typed += quote;
+    for (const char c : *word) typed += single && c == '\'' ? "'\\''" : std::string(1, c);
+    typed += quote;
+  }
+  return typed;
+}
 
 }  // namespace polhode::cli

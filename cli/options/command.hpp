@@ -3,8 +3,13 @@
 // and main.cpp include.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "polhode/io/settings/overlay.hpp"
+#include "run/given.hpp"
 
 namespace CLI {
 class App;
@@ -19,14 +24,8 @@ class CommandOption {
   explicit CommandOption(CLI::Option& option) : option_(&option) {}
 
   const CommandOption& required() const;
-  /// The value is a number from min to max. Number: int or double.
-  template <class Number>
-  const CommandOption& in_range(Number min, Number max) const;
   /// One word may hold several values with this character between them.
   const CommandOption& separated_by(char delimiter) const;
-  /// Help texts show the present value as the default.
-  const CommandOption& show_default() const;
-  const CommandOption& excludes(const CommandOption& other) const;
 
  private:
   CLI::Option* option_;
@@ -35,11 +34,16 @@ class CommandOption {
 /// A verb on the command line. It refers to the parser's own command, which outlives it.
 class Command {
  public:
-  explicit Command(CLI::App& app) : app_(&app) {}
+  /// @param typed  the whole command as it could be typed
+  Command(CLI::App& app, std::string typed)
+      : app_(&app), typed_(std::move(typed)), overlay_(std::make_shared<Overlay>()) {}
 
-  std::string name() const;
-  /// The value as typed, or nothing if the option is not given.
-  std::optional<std::string> given(const std::string& option) const;
+  /// The command as it could be typed, with all that was given and has an effect on its files.
+  const std::string& typed() const { return typed_; }
+  /// The name of the verb: "run".
+  std::string verb() const;
+  /// The settings that were given, once the command line is parsed.
+  const Overlay& overlay() const { return *overlay_; }
 
   CommandOption add_flag(const std::string& name, bool& value, const std::string& meaning);
   /// @tparam Value  std::string, a number, or a std::vector of either; command.cpp lists them
@@ -47,9 +51,25 @@ class Command {
   /// @param value   takes the value when the command line is parsed; until then it is the default
   template <class Value>
   CommandOption add_option(const std::string& name, Value& value, const std::string& meaning);
+  /// The settings that the verb takes: "--hybrid-steps" for hybrid_steps.
+  void add_settings();
+  /// The options of a request: "--max-force" for max_force.
+  template <class Request>
+  void add_request(Request& request) {
+    for (const RequestOption<Request>& row : Request::options())
+      add_given(row.name, row.old_name, request.*row.member, row.doc);
+  }
 
  private:
+  void add_given(const char* name, const char* old_name, Given& value, const std::string& doc);
+
   CLI::App* app_;
+  std::string typed_;
+  std::shared_ptr<Overlay> overlay_;
 };
+
+/// The words of a command as they could be typed in a shell, without the options that have no
+/// effect on what its files contain: --threads, --json, --force and --resume.
+std::string typed_command(const std::vector<std::string>& words);
 
 }  // namespace polhode::cli

@@ -1,48 +1,60 @@
 // SPDX-License-Identifier: MIT
 #include "job_options.hpp"
 
-#include <utility>
-#include <vector>
-
+#include "../terminal/streams.hpp"
 #include "base/threads.hpp"
-#include "option_values.hpp"
+#include "polhode/base/error.hpp"
+#include "run/job_settings.hpp"
 
 namespace polhode::cli {
 
 void JobOptions::declare(Command& command, const std::string& of_threads) {
-  command_ = command;
-  command.add_option("FILE", file, "run file (TOML); default: 512 TIP4P waters");
-  command.add_option("--threads", threads,
-                     "number of " + of_threads + "; default: one for each available core");
+  declare_file(command);
+  declare_threads(command, of_threads);
   command.add_flag("--json", json, "print the results as JSON");
 }
 
-void JobOptions::declare_precision(Command& command) {
-  command.add_option("--precision", precision,
-                     "precision of pair interactions, double or mixed; default: the run file's");
+CommandOption JobOptions::declare_file(Command& command) {
+  command_ = command;
+  return command.add_option(
+      "FILE", file,
+      "run file (TOML), whose settings the options override; default: 512 TIP4P "
+      "waters");
 }
 
-void JobOptions::declare_initial_motion(Command& command) {
-  command.add_option(
-      "--temperature", temperature,
-      "of thermostats, of new velocities and of the equilibration: \"298 K\"; default: the run "
-      "file's");
-  command.add_option("--seed", seed,
-                     "a whole number, for lattice and velocities; default: the run file's");
+void JobOptions::declare_threads(Command& command, const std::string& of_threads) {
+  command_ = command;
+  command.add_option("--threads", threads,
+                     "number of " + of_threads + "; default: one for each available core");
 }
 
-Config JobOptions::config(const std::function<void(Config&)>& more) const {
-  Config config = read_config_option(file, precision);
-  if (more) more(config);
-  set_initial_motion(config, temperature, seed);
+void JobOptions::declare_force(Command& command) {
+  command_ = command;
+  command.add_flag("--force", force, "overwrite output files that exist");
+}
+
+void JobOptions::declare_resume(Command& command) {
+  command.add_flag("--resume,--continue", resume,
+                   "resume from the last checkpoint; start if there is none");
+}
+
+Config JobOptions::config(bool quick) const {
+  Overlay overlay = overlay_of_job(command_->verb(), quick);
+  for (const Override& one : command_->overlay().settings) overlay.settings.push_back(one);
+  Config config = file.empty() ? default_config(overlay) : read_config(file, overlay);
+  for (const std::string& note : config.notes) log("{}\n", note);
   return config;
 }
 
-std::string JobOptions::command(std::initializer_list<const char*> options) const {
-  std::vector<std::pair<std::string, std::string>> typed = {{"", file}};
-  for (const char* option : options)
-    if (const auto value = command_->given(option)) typed.emplace_back(option, *value);
-  return typed_command("polhode " + command_->name(), typed);
+OutputOptions JobOptions::output() const {
+  if (resume && force)
+    throw Error(
+        "--resume and --force contradict each other: one resumes the existing run, the other "
+        "starts over; give one of them");
+  return {resume  ? ExistingFiles::resume
+          : force ? ExistingFiles::replace
+                  : ExistingFiles::refuse,
+          command_->typed()};
 }
 
 Workers JobOptions::workers() const { return Workers(requested_threads(threads, "--threads")); }

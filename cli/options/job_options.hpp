@@ -1,43 +1,46 @@
 // SPDX-License-Identifier: MIT
-// The options that all jobs on a run file have.
+// The options that jobs have in common.
 #pragma once
 
-#include <functional>
-#include <initializer_list>
 #include <optional>
 #include <string>
 
 #include "command.hpp"
 #include "polhode/base/workers.hpp"
 #include "polhode/io/settings/config.hpp"
+#include "polhode/run/outputs.hpp"
 
 namespace polhode::cli {
 
 struct JobOptions {
-  std::string file, precision, temperature, seed, threads;
-  bool json = false;
+  std::string file, threads;
+  bool json = false, force = false, resume = false;
 
   /// Declares FILE, --threads and --json.
   /// @param of_threads  what the threads do: "simultaneous runs"
   void declare(Command& command, const std::string& of_threads);
-  void declare_precision(Command& command);
-  /// Declares --temperature and --seed.
-  void declare_initial_motion(Command& command);
+  CommandOption declare_file(Command& command);
+  void declare_threads(Command& command, const std::string& of_threads);
+  void declare_force(Command& command);
+  void declare_resume(Command& command);
 
-  /// The run file, or the default one, with this precision, temperature and seed.
-  /// @param more  applies the verb's own options, before temperature and seed
-  /// @throws Error  as read_config_option() and set_initial_motion()
-  Config config(const std::function<void(Config&)>& more = {}) const;
-
-  /// The command as it could be typed: the file, and those of these options that are given. Only
-  /// options that affect the results should be among them.
-  std::string command(std::initializer_list<const char*> options) const;
-
+  /// The run file, or the default one, with the settings of the command line. Notes on what these
+  /// select are printed.
+  /// @param quick  whether the quick version of the job is requested
+  /// @throws Error  as read_config()
+  Config config(bool quick = false) const;
+  /// @throws Error  if both --resume and --force are given
+  OutputOptions output() const;
   /// @throws Error  naming --threads
   Workers workers() const;
 
  private:
   std::optional<Command> command_;  // that these options are declared on
+};
+
+template <class Request>
+struct RequestOptions : JobOptions {
+  Request request;
 };
 
 }  // namespace polhode::cli

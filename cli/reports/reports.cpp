@@ -30,11 +30,11 @@ void note_end(const RunResult& result, const std::string& checkpoint) {
     case RunEnd::complete:
       return;
     case RunEnd::interrupted:
-      return log("interrupted after {} steps; the results so far follow, and --continue resumes\n",
+      return log("interrupted after {} steps; the results so far follow, and --resume continues\n",
                  result.report->summary.steps);
     case RunEnd::interrupted_equilibrating:
       return log(
-          "interrupted during the equilibration; '{}' is its checkpoint, and --continue resumes\n",
+          "interrupted during the equilibration; '{}' is its checkpoint, and --resume continues\n",
           checkpoint);
     case RunEnd::interrupted_choosing_step:
       return log("interrupted while choosing the step; no file was written\n");
@@ -77,7 +77,7 @@ int print_run(const RunResult& result, const Simulation& simulation, bool json) 
 
 void note_resumable(const Simulation& simulation) {
   if (simulation.resumable_step())
-    log("'{}' is the checkpoint of step {}, from which --continue resumes\n",
+    log("'{}' is the checkpoint of step {}, from which --resume continues\n",
         checkpoint_of(simulation), *simulation.resumable_step());
 }
 

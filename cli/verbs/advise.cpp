@@ -3,12 +3,8 @@
 #include <fmt/core.h>
 
 #include <memory>
-#include <string>
-#include <vector>
 
-#include "../options/criterion_options.hpp"
 #include "../options/job_options.hpp"
-#include "../options/option_values.hpp"
 #include "../reports/hybrid_advice.hpp"
 #include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
@@ -16,39 +12,21 @@
 #include "../verbs.hpp"
 #include "polhode/base/error.hpp"
 #include "run/adviser/advice_report.hpp"
+#include "run/requests.hpp"
 
 namespace polhode::cli {
 namespace {
 
-struct Options : JobOptions {
-  CriterionOptions criterion;
-  HybridAdviceOptions hybrid;
-  std::string length, output = "advice";
-  std::vector<std::string> schemes;
-  double seconds = AdviserSettings{}.seconds;
-  bool force = false;
-};
+using Options = RequestOptions<AdviceRequest>;
 
-Config make_config(const Options& o) {
-  Config config = o.config();
-  set_time(config.run.length, o.length, "--length");
-  set_schemes(config.integrator.candidates, o.schemes, "--schemes", config.schemes);
-  return config;
-}
-
-int advise(const Options& o) {
-  const Config config = make_config(o);
+int advise(const Options& o, bool schemes_given) {
+  const Config config = o.config();
   Workers workers = o.workers();
-  if (o.hybrid.chosen())
-    return advise_hybrid(
-        o.hybrid, config,
-        o.schemes.empty() ? std::vector<NamedScheme>{} : config.integrator.candidates, o.json,
-        workers);
-  const AdviserSettings settings{criterion_option(o.criterion, config),
-                                 config.integrator.candidates, o.seconds};
-  const OutputOptions output{existing_files(false, o.force),
-                             o.command({"--accuracy", "--drift", "--temperature-bias", "--bias"})};
-  const AdviceReport report = run_adviser(config, settings, o.output, output, console(), workers);
+  if (o.request.is_canonical())
+    return advise_hybrid(o.request.hybrid_settings(config, schemes_given), config, o.json, workers);
+  const AdviserSettings settings = o.request.settings(config);
+  const AdviceReport report =
+      run_adviser(config, settings, o.request.prefix(), o.output(), console(), workers);
   if (report.advice.stopped) {
     log("interrupted before the search ended; no file was written\n");
     return 130;
@@ -63,19 +41,12 @@ int advise(const Options& o) {
 Action advise_verb(Command& command) {
   auto o = std::make_shared<Options>();
   o->declare(command, "simultaneous runs");
-  o->declare_precision(command);
-  o->criterion.declare(command);
-  o->hybrid.declare(command);
-  command.add_option("--schemes", o->schemes,
-                     "names, or stages as text, instead of the run file's candidates");
-  command.add_option("--length", o->length,
-                     "length of the runs to be planned; default: the run file's");
-  command.add_option("--time", o->seconds, "approximate computing time, in seconds")
-      .in_range(0.1, 1e6)
-      .show_default();
-  command.add_option("--output", o->output, "prefix of the output files").show_default();
-  command.add_flag("--force", o->force, "overwrite output files that exist");
-  return [o] { return advise(*o); };
+  command.add_request(o->request);
+  command.add_settings();
+  o->declare_force(command);
+  return [o, command] {
+    return advise(*o, command.overlay().find("integrator.candidates") != nullptr);
+  };
 }
 
 }  // namespace polhode::cli

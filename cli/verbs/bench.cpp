@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "../options/option_values.hpp"
 #include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
@@ -15,13 +14,14 @@
 #include "base/instruction_set.hpp"
 #include "base/threads.hpp"
 #include "run/benchmark/benchmark_report.hpp"
+#include "run/requests.hpp"
 
 namespace polhode::cli {
 namespace {
 
 struct Options {
-  std::vector<std::size_t> sizes;
-  std::string precision, threads;
+  BenchmarkRequest request;
+  std::string threads;
   bool quick = false, json = false;
 };
 
@@ -34,20 +34,9 @@ std::string processor() {
   return "unknown processor";
 }
 
-BenchmarkSettings make_settings(const Options& o) {
-  BenchmarkSettings settings;
-  settings.quick = o.quick;
-  if (o.quick) settings.sizes = {512};
-  if (!o.sizes.empty()) settings.sizes = o.sizes;
-  if (!o.precision.empty())
-    settings.precisions = {named_option<Precision>(o.precision, "--precision")};
-  const int threads = requested_threads(o.threads, "--threads");
-  if (threads > 1) settings.threads.push_back(threads);
-  return settings;
-}
-
 int bench(const Options& o) {
-  const BenchmarkSettings settings = make_settings(o);
+  const BenchmarkSettings settings =
+      o.request.settings(o.quick, requested_threads(o.threads, "--threads"));
   const Computer computer{processor(), name(current_instruction_set()), settings.threads};
   const Benchmark result = run_benchmark(settings, console());
   if (result.interrupted) {
@@ -64,14 +53,7 @@ Action bench_verb(Command& command) {
   auto o = std::make_shared<Options>();
   command.add_flag("--quick", o->quick,
                    "512 waters only, fewer and shorter repeats: a few seconds");
-  command
-      .add_option(
-          "--sizes", o->sizes,
-          fmt::format("numbers of waters; default: {}", fmt::join(BenchmarkSettings{}.sizes, ",")))
-      .separated_by(',')
-      .in_range(1, 100'000'000);
-  command.add_option("--precision", o->precision,
-                     "precision of pair interactions, double or mixed; default: both");
+  command.add_request(o->request);
   command.add_option("--threads", o->threads,
                      "number of threads, compared with one; default: one for each available core");
   command.add_flag("--json", o->json, "print all numbers as JSON");

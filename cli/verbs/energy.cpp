@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "../options/option_values.hpp"
+#include "../options/job_options.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "polhode/run/simulation/system/single_point.hpp"
@@ -13,9 +13,8 @@
 namespace polhode::cli {
 namespace {
 
-struct Options {
-  std::string file;
-  bool forces = false, gradient = false, json = false;
+struct Options : JobOptions {
+  bool forces = false, gradient = false;
 };
 
 /// Forces and torques as CSV, all numbers with 17 digits.
@@ -40,7 +39,7 @@ void print_loads(const SinglePoint& p) {
 
 int energy(const Options& o) {
   const Callbacks notes{.message = [](const std::string& text) { log("{}\n", text); }};
-  const SinglePoint point = single_point(read_config_option(o.file), o.gradient, notes);
+  const SinglePoint point = single_point(o.config(), o.gradient, notes);
   const bool csv = o.forces || o.gradient;
   const std::string text =
       o.json ? json_text(quantities(point)) + "\n" : text_of(quantities(point));
@@ -53,7 +52,7 @@ int energy(const Options& o) {
 
 Action energy_verb(Command& command) {
   auto o = std::make_shared<Options>();
-  command.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
+  o->declare_file(command);
   command.add_flag(
       "--forces", o->forces,
       "print force [kJ/mol/nm] and torque [kJ/mol] of every body as CSV; energies go to "

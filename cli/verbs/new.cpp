@@ -19,20 +19,22 @@ namespace polhode::cli {
 namespace {
 
 struct Options {
-  std::string kind, file, mdp;
+  std::string kind, file, mdp, ensemble;
   bool nvt = false, npt = false;
 };
 
 std::string text_of(const Options& o, const std::string& file) {
-  if (o.nvt && o.npt) throw Error("--nvt and --npt exclude each other; leave one out");
-  if (o.mdp.empty()) return run_file_template(o.kind, o.npt ? "npt" : o.nvt ? "nvt" : "");
+  if (o.nvt + o.npt + !o.ensemble.empty() > 1)
+    throw Error("--ensemble, --nvt and --npt exclude each other; leave all but one out");
+  const std::string ensemble = o.npt ? "npt" : o.nvt ? "nvt" : o.ensemble;
+  if (o.mdp.empty()) return run_file_template(o.kind, ensemble);
   if (o.kind != "gromacs")
     throw Error(
         fmt::format("--mdp has parameters of GROMACS, and the kind is '{}'; write "
                     "polhode new gromacs --mdp {}",
                     o.kind, o.mdp));
-  if (o.nvt || o.npt)
-    throw Error("--mdp has the ensemble, tcoupl and pcoupl; leave out --nvt and --npt");
+  if (!ensemble.empty())
+    throw Error("--mdp has the ensemble, tcoupl and pcoupl; leave out --ensemble");
   const MdpImport read = read_mdp(o.mdp, {.prefix = std::filesystem::path(file).stem().string()});
   for (const auto& [parameter, reason] : read.differences)
     log("note: {}: {}\n", printable(parameter), reason);
@@ -62,9 +64,12 @@ Action new_verb(Command& command) {
                   "water, nvt, npt, mixture, gromacs (topology) or lammps (data file)")
       .required();
   command.add_option("FILE", o->file, "file to write; default: KIND.toml");
-  command.add_flag("--nvt", o->nvt,
-                   "add a thermostat to a kind without one: gromacs, lammps, water, mixture");
-  command.add_flag("--npt", o->npt, "add a thermostat and a barostat");
+  command.add_option(
+      "--ensemble", o->ensemble,
+      "nvt: add a thermostat to a kind without one: gromacs, lammps, water, mixture; npt: add a "
+      "barostat, too");
+  command.add_flag("--nvt", o->nvt, "the same as --ensemble nvt");
+  command.add_flag("--npt", o->npt, "the same as --ensemble npt");
   command.add_option("--mdp", o->mdp,
                      "run parameters of GROMACS to translate; those without counterpart are "
                      "listed");

@@ -13,9 +13,10 @@ from . import _core
 from ._keywords import takes_settings
 from .errors import Error
 from ._progress import hooks
-from ._quantities import optional_text
+from ._calls import call_text
+from ._quantities import text_of
 from ._results import Report
-from ._settings import settings
+from ._settings import made, settings
 from ._types import Messages, Path, Progress, Quantity, Source, Texts
 
 if TYPE_CHECKING:
@@ -27,55 +28,60 @@ __all__ = ["advise", "analyze", "bench", "convert", "energy", "export", "minimis
            "study", "tune_scheme"]
 
 
-def _texts(values, name, dimension=None):
-    """None, or a list of texts."""
-    if values is None:
-        return None
-    if isinstance(values, str) or not hasattr(values, "__iter__"):
-        values = [values]
-    if dimension is not None:
-        return [optional_text(v, dimension, name) for v in values]
-    return [str(v) for v in values]
+def _text(value):
+    """The text of an option: of a list its entries with commas, of a dict "tip4p 512, na 4"."""
+    value = text_of(value)
+    if isinstance(value, Mapping):
+        return ", ".join(f"{name} {count}" if count else str(name) for name, count in value.items())
+    if hasattr(value, "tolist"):  # of NumPy
+        value = value.tolist()
+    if isinstance(value, (list, tuple)):
+        return ", ".join(map(_text, value))
+    return os.fspath(value) if isinstance(value, os.PathLike) else str(value)
 
 
-def _number(value, name, first, last):
-    """A whole number within bounds."""
-    if isinstance(value, bool) or not hasattr(value, "__index__"):
-        raise Error(f"{name} = {value!r} must be a whole number")
-    if not first <= value.__index__() <= last:
-        raise Error(f"{name} = {value} must be from {first} to {last}")
-    return value.__index__()
+# Arguments that are no options of a job: those of all jobs, and settings.
+_COMMON = ("source", "keywords", "run", "particles", "resume", "force", "threads", "progress", "messages")
 
 
 class _Job:
-    """What the jobs have in common: outputs, threads, progress."""
+    """A call of a job: its arguments, outputs, threads and progress.
 
-    def __init__(self, verb, resume=False, force=False, threads=None, progress=None, messages=None):
+    Args:
+        function: the public function.
+        given (dict): its arguments, by name.
+    """
+
+    def __init__(self, function, given):
+        self._name, self._given, self._call = function.__name__, given, call_text(function, given)
+        resume, force = given.get("resume", False), given.get("force", False)
         if resume and force:
             raise Error("resume and force contradict each other: resume continues from existing "
                         "files, force overwrites them; give one of them")
-        self._verb = verb
         self._existing = "resume" if resume else "replace" if force else "refuse"
-        self._threads = _core.threads(threads)
-        self._hooks = hooks(progress, messages)
+        self._threads = _core.threads(given.get("threads"))
+        self._hooks = hooks(given.get("progress"), given.get("messages"))
+
+    @property
+    def texts(self):
+        """The arguments as texts, without those that are not given."""
+        return {name: _text(value) for name, value in self._given.items() if value is not None and name not in _COMMON}
+
+    def settings(self):
+        """The library's settings, with the arguments that are settings."""
+        given = self._given
+        own = {name: given[name] for name in _core.job_settings(self._name) if name in given}
+        found = made(given["source"], {**given["keywords"], **own}, self._name, given.get("quick", False))
+        for note in found.notes if callable(given.get("messages")) else ():
+            given["messages"](note)
+        return found._core
 
     def __enter__(self):
         h = self._hooks.__enter__()
-        return _core.JobOptions(self._threads, self._existing, f"polhode.{self._verb}()",
-                                h.progress, h.message)
+        return _core.JobOptions(self._threads, self._existing, self._call, h.progress, h.message)
 
     def __exit__(self, *error):
         self._hooks.__exit__(*error)
-
-
-def _settings(source, output, keywords):
-    """The library's settings, with the prefix of the outputs."""
-    given = settings(source, **keywords)._core
-    config = _core.Config(given)
-    config.own_forces = given.own_forces
-    if output is not None:
-        config.prefix = os.fspath(output)
-    return config
 
 
 def new(kind: str, path: Path | None = None, *, ensemble: str | None = None,
@@ -134,26 +140,28 @@ def run(source: Source = None, *, output: Path | None = None, resume: bool = Fal
         RunError: if the trajectory blows up.
         KeyboardInterrupt: after Ctrl-C; a checkpoint is written, and resume=True continues.
     """
-    config = _settings(source, output, keywords)
-    with _Job("run", resume, force, threads, progress, messages) as options:
+    job = _Job(run, locals())
+    config = job.settings()
+    with job as options:
         text, files, complete = _core.run(config, options)
     return Report("run", json.loads(text) or {}, files, complete)
 
 
 @takes_settings
-def energy(source: Source = None, *, derivative: bool = False, messages: Messages = None,
+def energy(source: Source = None, *, gradient: bool = False, derivative: bool = False, messages: Messages = None,
            **keywords: Unpack[Keywords]) -> Report:
     """Energies and pressure of an initial configuration, as ``polhode energy``.
 
     Args:
         source, **keywords: as in settings().
-        derivative (bool): evaluate the derivative of the forces, too.
+        gradient (bool): evaluate the directional derivative of the forces, too.
+        derivative (bool): the name of gradient before version 0.3.
 
     Returns:
         Report: with the keys of ``polhode energy --json``.
     """
-    return Report("energy", json.loads(_core.energy(_settings(source, None, keywords), derivative,
-                                                    messages)), [])
+    config = _Job(energy, locals()).settings()
+    return Report("energy", json.loads(_core.energy(config, gradient or derivative, messages)), [])
 
 
 @takes_settings
@@ -172,17 +180,16 @@ def prepare(source: Source = None, *, pressure: Quantity | None = None, nvt: Qua
     Returns:
         Report: with the keys of ``polhode prepare --json``; files are PREFIX-prepared.*.
     """
-    config = _settings(source, output, keywords)
-    with _Job("prepare", resume, force, threads, progress, messages) as options:
-        data = json.loads(_core.prepare(
-            config, optional_text(pressure, "pressure", "pressure"),
-            optional_text(nvt, "time", "nvt"), optional_text(npt, "time", "npt"), options))
+    job = _Job(prepare, locals())
+    config = job.settings()
+    with job as options:
+        data = json.loads(_core.prepare(config, options))
     return Report("prepare", data, data.get("files") or [])
 
 
 @takes_settings
 def minimise(source: Source = None, *, max_force: Quantity | None = None,
-             max_torque: Quantity | None = None, max_steps: SupportsIndex = 20000,
+             max_torque: Quantity | None = None, max_steps: SupportsIndex | None = None,
              output: Path | None = None, force: bool = False, threads: int | None = None,
              progress: Progress = None, messages: Messages = None, **keywords: Unpack[Keywords]) -> Report:
     """Minimises the energy of an initial configuration, as ``polhode minimise``.
@@ -190,18 +197,16 @@ def minimise(source: Source = None, *, max_force: Quantity | None = None,
     Args:
         source, **keywords: as in settings().
         max_force, max_torque: bounds at which it ends: "10 kJ/mol/nm", "1 kJ/mol".
-        max_steps (int): of one force evaluation each.
+        max_steps (int): of one force evaluation each; default: 20000.
         output, force, threads, progress, messages: as in run().
 
     Returns:
         Report: with the keys of ``polhode minimise --json``; the file is PREFIX-minimised.gro.
     """
-    config = _settings(source, output, keywords)
-    with _Job("minimise", False, force, threads, progress, messages) as options:
-        data = json.loads(_core.minimise(
-            config, optional_text(max_force, "force", "max_force"),
-            optional_text(max_torque, "energy", "max_torque"),
-            _number(max_steps, "max_steps", 1, 100_000_000), options))
+    job = _Job(minimise, locals())
+    config = job.settings()
+    with job as options:
+        data = json.loads(_core.minimise(config, job.texts, options))
     return Report("minimise", data, data["files"])
 
 
@@ -212,7 +217,7 @@ def analyze(trajectory: Path, *, run: Source = None, molecules: Mapping[str, int
             cutoff: Quantity | None = None, bin: Quantity | None = None,
             viscosity: Quantity | None = None, temperature: Quantity | None = None,
             electrostatics: str | None = None, energies: Path | None = None,
-            output: Path = "polhode-analysis", plot: str = "none", force: bool = False,
+            output: Path | None = None, plot: str = "none", force: bool = False,
             threads: int | None = None, progress: Progress = None,
             messages: Messages = None) -> Report:
     """Structure and dynamics from a trajectory, as ``polhode analyze``.
@@ -228,38 +233,22 @@ def analyze(trajectory: Path, *, run: Source = None, molecules: Mapping[str, int
         pairs (list of str): of sites, for g(r): ["OW-OW", "OW-HW"].
         viscosity, temperature, electrostatics: as the options of the command line.
         energies: energies file of the run, for the bias of the step; needs run.
-        output: prefix of the files with the curves.
+        output: prefix of the files with the curves; default: polhode-analysis.
         plot (str): "svg", "png" or "none"; Report.plot() draws, too.
         force, threads, progress, messages: as in run().
 
     Returns:
         Report: with the keys of ``polhode analyze --json``.
     """
-    if (run is None) == (molecules is None):
-        raise Error("the molecules of the trajectory are not known; give one of run=\"water.toml\" "
-                    "and molecules={\"tip4p\": 512}")
-    options = _core.AnalysisOptions()
-    options.what, options.pairs = _texts(what, "what"), _texts(pairs, "pairs")
-    for name, value in (("start", start), ("interval", interval), ("window", window)):
-        setattr(options, name, optional_text(value, "time", name))
-    for name, value in (("cutoff", cutoff), ("bin", bin)):
-        setattr(options, name, optional_text(value, "length", name))
-    options.viscosity = optional_text(viscosity, "viscosity", "viscosity")
-    options.temperature = optional_text(temperature, "temperature", "temperature")
-    options.electrostatics = electrostatics
-    options.energies = None if energies is None else os.fspath(energies)
-    options.fit = _texts(fit, "fit", "time")
+    job = _Job(analyze, locals())
     config = None if run is None else settings(run)._core
-    counts = [(str(k), _number(v, k, 0, 2**40)) for k, v in (molecules or {}).items()]
-    with _Job("analyze", False, force, threads, progress, messages) as job:
-        text, files = _core.analyze(os.fspath(trajectory), config, counts,
-                                    "" if names is None else os.fspath(names), options,
-                                    os.fspath(output), plot, job)
+    with job as options:
+        text, files = _core.analyze(os.fspath(trajectory), config, job.texts, options)
     return Report("analyze", json.loads(text), files)
 
 
 def convert(source: Path, target: Path, *, names: Path | None = None,
-            particles: Source = None, every: SupportsIndex = 1,
+            particles: Source = None, every: SupportsIndex | None = None,
             start: Quantity | None = None, stop: Quantity | None = None, force: bool = False,
             progress: Progress = None, messages: Messages = None) -> int:
     """Converts coordinates and trajectories, as ``polhode convert``.
@@ -275,13 +264,10 @@ def convert(source: Path, target: Path, *, names: Path | None = None,
     Returns:
         int: number of frames written.
     """
+    job = _Job(convert, {**locals(), "threads": 1})
     config = None if particles is None else settings(particles)._core
-    with _Job("convert", False, force, 1, progress, messages) as options:
-        return _core.convert(os.fspath(source), os.fspath(target),
-                             "" if names is None else os.fspath(names), config,
-                             _number(every, "every", 1, 2**40),
-                             optional_text(start, "time", "start"),
-                             optional_text(stop, "time", "stop"), options)
+    with job as options:
+        return _core.convert(os.fspath(source), os.fspath(target), config, job.texts, options)
 
 
 @takes_settings
@@ -304,28 +290,35 @@ def export(program: str, source: Source = None, *, pair_style: str = "table",
     """
     if program != "lammps":
         raise Error(f"there is no export to {program!r}; the program must be \"lammps\"")
-    config = _settings(source, output, keywords)
-    with _Job("export", False, force, 1, progress, messages) as options:
+    job = _Job(export, {**locals(), "threads": 1})
+    config = job.settings()
+    with job as options:
         return [pathlib.Path(file) for file in _core.export_lammps(config, pair_style, options)]
 
 
 @takes_settings
 def study(source: Source = None, *, schemes: Texts | None = None,
-          steps: Sequence[Quantity] | Quantity | None = None, quick: bool = False,
-          from_record: Path | None = None, output: Path = "study", force: bool = False,
-          threads: int | None = None, progress: Progress = None, messages: Messages = None,
+          steps: Sequence[Quantity] | Quantity | None = None, runs: SupportsIndex | None = None,
+          length: Quantity | None = None, decorrelate: Quantity | None = None,
+          configurational_sample: Quantity | None = None, ensemble: str | None = None,
+          quick: bool = False, from_record: Path | None = None, output: Path | None = None,
+          force: bool = False, threads: int | None = None, progress: Progress = None, messages: Messages = None,
           **keywords: Unpack[Keywords]) -> Report:
     """Accuracy against cost of each scheme, as ``polhode study``: the figure of the paper.
 
     A study that was interrupted resumes from its record of runs.
 
     Args:
-        source, **keywords: as in settings(); the table ``study={"runs": 4, "length": "2 ps"}``.
+        source, **keywords: as in settings().
         schemes (list of str): names, or stages as text.
         steps (list): steps for every scheme: ["2 fs", "4 fs"].
+        runs (int): independent runs at each point.
+        length, decorrelate: of each run, "15 ps", and of the equilibration before it, "10 ps".
+        configurational_sample: time between samples of the configurational temperature: "20 fs".
+        ensemble (str): "nve": R and energy drift; "nvt": bias of canonical averages.
         quick (bool): a small version.
         from_record: make tables and figure from this record, without new runs.
-        output: prefix of the files.
+        output: prefix of the files; default: study.
         force (bool): start over if results of another study exist.
         threads (int): simultaneous runs; default: one for each available core.
         progress, messages: see Progress.
@@ -333,20 +326,19 @@ def study(source: Source = None, *, schemes: Texts | None = None,
     Returns:
         Report: with the keys of ``polhode study --json``; plot() draws it.
     """
-    config = _settings(source, None, keywords)
-    resume = not force and from_record is None
-    with _Job("study", resume, force, threads, progress, messages) as options:
-        text, files, complete = _core.study(
-            config, _texts(schemes, "schemes"), _texts(steps, "steps", "time"), quick,
-            os.fspath(output), None if from_record is None else os.fspath(from_record), options)
+    job = _Job(study, locals())
+    config = job.settings()
+    with job as options:
+        text, files, complete = _core.study(config, quick, job.texts, options)
     return Report("study", json.loads(text), files, complete)
 
 
 @takes_settings
 def advise(source: Source = None, *, accuracy: Quantity | None = None,
            drift: Quantity | None = None, temperature_bias: Quantity | None = None,
-           bias: str | None = None, schemes: Texts | None = None, ensemble: str = "nve",
-           evaluations: SupportsIndex = 5000, time: float = 60, output: Path = "advice",
+           bias: str | None = None, schemes: Texts | None = None, ensemble: str | None = None,
+           evaluations: SupportsIndex | None = None, time: float | None = None,
+           length: Quantity | None = None, output: Path | None = None,
            force: bool = False, threads: int | None = None, progress: Progress = None,
            messages: Messages = None, **keywords: Unpack[Keywords]) -> Report:
     """Chooses scheme and step for a required accuracy, as ``polhode advise``.
@@ -359,9 +351,10 @@ def advise(source: Source = None, *, accuracy: Quantity | None = None,
         bias (str): of an average by the step: "0.1 K", "energy 0.01 kJ/mol", "pressure 4 bar".
         schemes (list of str): to choose from.
         ensemble (str): "nvt": step and trajectory length of hybrid Monte Carlo instead.
-        evaluations (int): with "nvt": force evaluations of each pilot run.
-        time (float): approximate computing time [s].
-        output: prefix of the files.
+        evaluations (int): with "nvt": force evaluations of each pilot run; default: 5000.
+        time (float): approximate computing time [s]; default: 60.
+        length: of the runs to be planned: "15 ps"; default: that of the settings.
+        output: prefix of the files; default: advice.
 
     Returns:
         Report: with the keys of ``polhode advise --json``, and ``answer``, a sentence.
@@ -369,27 +362,16 @@ def advise(source: Source = None, *, accuracy: Quantity | None = None,
     Raises:
         RunError: if no scheme meets it.
     """
-    if ensemble not in ("nve", "nvt"):
-        raise Error(f"ensemble = \"{ensemble}\" must be \"nve\" or \"nvt\"")
-    if isinstance(time, bool) or not isinstance(time, (int, float)) or not 0.1 <= time <= 1e6:
-        raise Error(f"time = {time!r} must be a number of seconds from 0.1 to 1e6")
-    config, names = _settings(source, None, keywords), _texts(schemes, "schemes")
-    with _Job("advise", False, force, threads, progress, messages) as options:
-        if ensemble == "nvt":
-            text, answer = _core.advise_nvt(config, names[0] if names else None,
-                                            _number(evaluations, "evaluations", 100, 10**8), options)
-            return Report("advise", {**json.loads(text), "answer": answer}, [])
-        text, files, answer = _core.advise(
-            config, optional_text(accuracy, "fraction", "accuracy"),
-            optional_text(drift, "power", "drift"),
-            optional_text(temperature_bias, "fraction", "temperature_bias"), bias, names,
-            float(time), os.fspath(output), options)
+    job = _Job(advise, locals())
+    config = job.settings()
+    with job as options:
+        text, files, answer = _core.advise(config, job.texts, schemes is not None, options)
     return Report("advise", {**json.loads(text), "answer": answer}, files)
 
 
 @takes_settings
 def tune_scheme(source: Source = None, *, scheme: str | None = None, step: Quantity | None = None,
-                runs: SupportsIndex = 4, length: Quantity | None = None,
+                runs: SupportsIndex | None = None, length: Quantity | None = None,
                 decorrelate: Quantity | None = None, sample: Quantity | None = None,
                 threads: int | None = None, progress: Progress = None, messages: Messages = None,
                 **keywords: Unpack[Keywords]) -> Report:
@@ -399,16 +381,15 @@ def tune_scheme(source: Source = None, *, scheme: str | None = None, step: Quant
         source, **keywords: as in settings().
         scheme (str): stages with free parameters: "free b = 0.2; B(b) A(1/2) ...".
         step, length, decorrelate, sample: times: "5 fs", "2 ps", "2 ps", "20 fs".
-        runs (int): for the measurement, and again for the confirmation.
+        runs (int): for the measurement, and again for the confirmation; default: 4.
 
     Returns:
         Report: with the keys of ``polhode tune-scheme --json``.
     """
-    times = [optional_text(v, "time", n) for n, v in
-             (("step", step), ("length", length), ("decorrelate", decorrelate), ("sample", sample))]
-    with _Job("tune_scheme", False, False, threads, progress, messages) as options:
-        text = _core.tune_scheme(_settings(source, None, keywords), scheme, times[0],
-                                 _number(runs, "runs", 2, 1000), *times[1:], options)
+    job = _Job(tune_scheme, locals())
+    config = job.settings()
+    with job as options:
+        text = _core.tune_scheme(config, job.texts, options)
     return Report("tune_scheme", json.loads(text), [])
 
 
@@ -436,7 +417,7 @@ def bench(*, quick: bool = False, sizes: Sequence[SupportsIndex] | None = None,
     Returns:
         Report: with the keys of ``polhode bench --json``.
     """
-    sizes = None if sizes is None else [_number(n, "sizes", 1, 10**8) for n in sizes]
-    with _Job("bench", False, False, threads, progress, messages) as options:
-        text = _core.bench(quick, sizes, precision, _processor(), options)
+    job = _Job(bench, locals())
+    with job as options:
+        text = _core.bench(quick, job.texts, _processor(), options)
     return Report("bench", json.loads(text), [])

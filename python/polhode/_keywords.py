@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MIT
 """The keywords of settings: the keys of run files, as the reader of the library knows them.
 
-A key is a keyword without its table, unless several tables have it: then it is that of the first.
+With its table every key is a keyword: barostat_time_constant, study_runs; or as a path,
+"barostat.time_constant". A key of one table only is a keyword without it, too.
 """
 
 import inspect
 
 from . import _core
 
-__all__ = ["KEYWORDS", "LISTS", "TABLES", "TABLE_OF", "stub", "takes_settings"]
+__all__ = ["CHOICES_OF", "KEYWORDS", "LISTS", "PATH_OF", "TABLES", "stub", "takes_settings"]
 
 # Whose keys are keywords in their tables only: lengths and steps of several runs.
 OF_TABLES = ("study", "prepare")
@@ -24,22 +25,33 @@ MORE = {"molecules": "Text | Molecule | Mapping[str, Any] | Sequence[Any]",
         "forces": "Mapping[str, Any] | Callable[..., Any]",
         "thermostat": "str | Mapping[str, Any]", "barostat": "str | Mapping[str, Any]"}
 
-TABLES, TABLE_OF, KEY_OF, KEYWORDS = [], {}, {}, {}
+TABLES, KEYWORDS = [], {}
+PATH_OF = {}  # of a keyword: "table.key"
+CHOICES_OF = {}  # of a key of several tables: the keywords that it could mean
 
 
 def _read_keys():
+    bare = {}  # of a key without its table: (table, key, kind) of each
     for table, key, kinds in _core.setting_keys():
-        kind = " | ".join(dict.fromkeys(KINDS[k] for k in kinds))
         if not table:
             TABLES.append(key)
             continue
+        kind = " | ".join(dict.fromkeys(KINDS[k] for k in kinds))
+        PATH_OF[f"{table}.{key}"] = PATH_OF[f"{table}_{key}"] = f"{table}.{key}"
         word = RENAMED.get((table, key), key)
-        if table in OF_TABLES or word is None or word in TABLE_OF:
+        if table in OF_TABLES or word is None:
+            KEYWORDS[f"{table}_{key}"] = kind
+        else:
+            bare.setdefault(word, []).append((table, key, kind))
+    for word, found in bare.items():
+        if len(found) > 1:
+            CHOICES_OF[word] = [f"{table}_{word}" for table, _, _ in found]
+            KEYWORDS.update((f"{table}_{word}", kind) for table, _, kind in found)
             continue
-        TABLE_OF[word], KEY_OF[word] = table, key
+        [(table, key, kind)] = found
+        PATH_OF[word] = f"{table}.{key}"
         KEYWORDS[word] = MORE.get(word, kind)
-        if word == "molecules":
-            KEYWORDS["count"] = "int"
+    KEYWORDS["count"] = "int"  # of molecules
     for table in TABLES:
         KEYWORDS[table] = MORE.get(table, KINDS["tables" if table in LISTS else "table"])
 
@@ -76,8 +88,8 @@ class Keywords(TypedDict, total=False):
 {words}
 TABLES: list[str]
 LISTS: tuple[str, ...]
-TABLE_OF: dict[str, str]
-KEY_OF: dict[str, str]
+PATH_OF: dict[str, str]
+CHOICES_OF: dict[str, list[str]]
 KEYWORDS: dict[str, str]
 
 def takes_settings(function: _F) -> _F: ...

@@ -7,6 +7,7 @@ import math
 import numbers
 
 from . import _core
+from ._guard import Record
 from ._types import Quantity
 
 __all__ = ["text_of", "quantity"]
@@ -53,8 +54,11 @@ def text_of(value) -> object:
         value: a text ("2 fs"), a ``pint.Quantity``, an ``openmm.unit.Quantity``, or anything else.
 
     Returns:
-        For quantities "NUMBER UNIT" with all digits, in one of the units of run files.
+        For quantities "NUMBER UNIT" with all digits, in one of the units of run files; for a Scheme its
+        stages.
     """
+    if isinstance(value, Record) and "stages" in value.data:
+        return value.text
     if hasattr(value, "is_compatible_with") and hasattr(value, "magnitude"):
         return _from_pint(value)
     if hasattr(value, "value_in_unit") and hasattr(value, "unit"):

@@ -13,7 +13,8 @@ from . import _core
 from ._guard import Guarded
 from .errors import Error
 from .forces import add_forces
-from ._keywords import KEY_OF, LISTS, TABLE_OF, TABLES, takes_settings
+from ._calls import call_text
+from ._keywords import CHOICES_OF, LISTS, PATH_OF, TABLES, takes_settings
 from ._quantities import text_of
 from ._types import Source
 
@@ -125,59 +126,42 @@ def _components(molecules, count):
     return [{"model": model(molecules), "count": count}]
 
 
-def _set_type(tables, word, value):
-    """The type of a thermostat or barostat. Of keys so far, those remain that all types have, as with
-    the options of the command line."""
-    if value in (None, "none"):
-        tables[word] = None
-        return
-    keys = dict(tables.get(word) or {})
-    if keys.get("type", value) != value:
-        keys = {k: v for k, v in keys.items() if k in ("pressure", "compressibility", "every", "edges")}
-    tables[word] = {**keys, "type": value}
-
-
-def _place(tables, word, value):
-    """Puts a keyword into its table."""
-    if word in ("thermostat", "barostat") and not isinstance(value, Mapping):
-        _set_type(tables, word, value)
-    elif word in TABLES:
-        if not isinstance(value, Mapping) or not isinstance(tables.get(word), Mapping):
-            tables[word] = value
+def _overrides(words, job):
+    """(path, value, keyword) of each key that keywords set. Tables come first, since keys have precedence."""
+    own = _core.job_settings(job)
+    for word in sorted(words, key=lambda w: w not in TABLES):
+        value = words[word]
+        if word in TABLES and word not in LISTS and isinstance(value, Mapping):
+            yield from ((f"{word}.{key}", v, f"{word}.{key}") for key, v in value.items() if v is not None)
+        elif word in own:
+            yield own[word], value, word
+        elif word in ("thermostat", "barostat"):
+            yield f"{word}.type", value, word
+        elif word in LISTS:
+            yield word, value, word
+        elif word in TABLES:
+            raise Error(f"{word} must be a dict with the keys of the table [{word}]")
+        elif word in CHOICES_OF:
+            raise Error(f"the keyword '{word}' has several meanings; write " + " or ".join(CHOICES_OF[word]))
+        elif word in PATH_OF:
+            yield PATH_OF[word], value, word
         else:
-            tables[word] = {**tables[word], **value}
-    elif word in TABLE_OF:
-        table = TABLE_OF[word]
-        tables[table] = {**(tables.get(table) or {}), KEY_OF[word]: value}
-    else:
-        near = _core.did_you_mean(word, [*TABLE_OF, *TABLES, "count", "threads"])
-        raise Error(f"there is no keyword '{word}'{near or '; those of run files are there, as in '}"
-                    + ("" if near else "scheme=\"hoa2\", step=\"2 fs\", run={\"length\": \"1 ps\"}"))
+            near = _core.did_you_mean(word, [*PATH_OF, *CHOICES_OF, *TABLES, *own, "count", "threads"])
+            raise Error(f"there is no keyword '{word}'{near or '; those of run files are there, as in '}"
+                        + ("" if near else "scheme=\"hoa2\", step=\"2 fs\", run={\"length\": \"1 ps\"}"))
 
 
-def _merged(tables, words):
-    """Tables with the keywords, which have precedence."""
+def _overlay(words, job, quick):
+    """The overlay of the library that keywords are."""
     count = words.pop("count", None)
-    molecules = words.pop("molecules", None)
-    if molecules is not None:
-        system = {k: v for k, v in (tables.get("system") or {}).items()
-                  if k not in ("molecules", "topology", "initial_configuration")}
-        tables["system"] = {**system, "molecules": _components(molecules, count)}
+    if "molecules" in words:
+        words["molecules"] = _components(words["molecules"], count)
     elif count is not None:
         raise Error("count belongs to molecules; write for example molecules=\"tip4p\", count=512")
-    for word in sorted(words, key=lambda w: w not in TABLES):  # types before the keys that they have
-        _place(tables, word, words[word])
-    integrator = tables.get("integrator")
-    if isinstance(integrator, Mapping) and ("step" in words) != ("accuracy" in words):
-        drop = "accuracy" if "step" in words else "step"
-        tables["integrator"] = {k: v for k, v in integrator.items() if k != drop}
-    for density in ("density", "box"):
-        if density in words and isinstance(tables.get("system"), Mapping):
-            tables["system"].pop("box" if density == "density" else "density", None)
-    if "pressure" in words and "thermostat" not in words and tables.get("hybrid_monte_carlo") is None:
-        # As on the command line, a pressure without a thermostat selects langevin.
-        tables["thermostat"] = tables.get("thermostat") or {"type": "langevin"}
-    return tables
+    overlay = _core.Overlay(job, quick)
+    for path, value, word in _overrides(words, job):
+        overlay.add(path, _value(value, word), word)
+    return overlay
 
 
 def _parts(source):
@@ -198,9 +182,10 @@ def settings(source: Source = None, **keywords: Unpack[Keywords]) -> Settings:
         **keywords: tables, as in ``run={"length": "1 ps"}``, or keys without their table:
             ``scheme="hoa2"``, ``step="4 fs"``, ``temperature="298 K"``, ``seed=7``,
             ``molecules="tip4p"`` with ``count=512``, ``thermostat="langevin"``; they have precedence
-            over the source. A key of two tables is that of the first: ``time_constant`` is the
-            thermostat's. ``pressure="1 bar"`` without a thermostat selects Langevin, and without a
-            barostat cell rescaling. ``forces=f`` with a function adds forces of one's own, see
+            over the source. With its table every key is a keyword, ``barostat_time_constant="2 ps"``,
+            ``study_runs=4``, or a path, ``**{"study.runs": 4}``; a key of two tables, such as
+            time_constant, needs it. ``pressure="1 bar"`` without a thermostat selects Langevin, and
+            without a barostat cell rescaling. ``forces=f`` with a function adds forces of one's own, see
             polhode.forces.
 
     Returns:
@@ -209,21 +194,31 @@ def settings(source: Source = None, **keywords: Unpack[Keywords]) -> Settings:
     Raises:
         Error: if a key or a value is wrong, with its place.
     """
+    return made(source, keywords)
+
+
+def made(source, keywords, job="", quick=False) -> Settings:
+    """What settings() makes, with the keywords that a job has of its own."""
     words = {k: v for k, v in keywords.items() if v is not None}
-    base, name, own = None, "keywords", None
+    text, name, own, is_file = None, "keywords", None, False
     if isinstance(source, Settings):
-        base, name, own = source._tables, source.name, source.own_forces
+        text, name, own = source.text, source.name, source.own_forces
     elif isinstance(source, Mapping):
-        base, more, own = _parts(source)
-        name, words = "dict", {**more, **words}
+        tables, more, own = _parts(source)
+        text, name, words = toml_text(tables), "dict", {**more, **words}
     elif source is not None:
-        name = os.fspath(source)
+        name, is_file = os.fspath(source), True
     if callable(words.get("forces")):
         own = words.pop("forces")
-    is_file = source is not None and not isinstance(source, (Settings, Mapping))
-    if not base and not is_file and words:
-        base = {} if "molecules" in words or "system" in words else None
-    return Settings(base, name if is_file or base is not None else "keywords", words, own)
+    is_default = not text and not is_file and "molecules" not in words and "system" not in words
+    overlay = _overlay(words, job, quick)
+    if is_file:
+        core = _core.read_config(name, overlay)
+    elif is_default:
+        core = _core.default_config(overlay)
+    else:
+        core = _core.parse_config(text or "", name, overlay)
+    return Settings(core, name, own, call_text(settings, {"source": source, "keywords": keywords}))
 
 
 def _view(value):
@@ -238,35 +233,35 @@ class Settings(Guarded):
     with other values are ``polhode.settings(these, step="2 fs")``.
     """
 
-    __slots__ = ("_tables", "_name", "_own_forces", "_core", "__weakref__")
+    __slots__ = ("_name", "_own_forces", "_core", "_call", "__weakref__")
     _remedy = "settings with another value are polhode.settings(these, step=\"2 fs\")"
-    _instead = dict.fromkeys((*TABLE_OF, *TABLES), _remedy)
+    _instead = dict.fromkeys((*PATH_OF, *TABLES), _remedy)
 
-    def __init__(self, base, name, words, own_forces=None):
-        self._own_forces = own_forces
-        self._name = name
-        if base is None and not words:
-            self._core = _core.read_config(name) if name != "keywords" else _core.default_config()
-            self._tables = parsed(self._core.text)
-        else:
-            if base is None:
-                base = parsed(_core.read_config(name).text if name != "keywords"
-                              else _core.default_text())
-            self._tables = _merged(dict(base), dict(words))
-            self._core = _core.parse_config(toml_text(self._tables), name)
-        self._core.own_forces = None
+    def __init__(self, core, name, own_forces=None, call=""):
+        self._core, self._name, self._own_forces, self._call = core, name, own_forces, call
+        core.own_forces = None
         if own_forces is not None:
-            add_forces(self._core, own_forces)
+            add_forces(core, own_forces)
 
     @property
     def tables(self) -> Mapping:
         """The tables of a run file, read-only."""
-        return _view(self._tables)
+        return _view(parsed(self.text))
 
     @property
     def name(self) -> str:
         """str: where the settings are from, for errors."""
         return self._name
+
+    @property
+    def call(self) -> str:
+        """str: the call of Python that makes these settings, for records."""
+        return self._call
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """tuple of str: what was selected by default, such as a thermostat for a pressure."""
+        return tuple(self._core.notes)
 
     @property
     def own_forces(self):
@@ -297,8 +292,8 @@ class Settings(Guarded):
         return f"<polhode settings of {self.name}>"
 
     def __reduce__(self):
-        return _unpickled, (self._tables, self._name, self._own_forces)
+        return _unpickled, (self.text, self._name, self._own_forces, self._call)
 
 
-def _unpickled(tables, name, own_forces):
-    return Settings(tables, name, {}, own_forces)
+def _unpickled(text, name, own_forces, call):
+    return Settings(_core.parse_config(text, name, _core.Overlay("", False)), name, own_forces, call)

@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _core
 from ._guard import Energies, Guarded
-from ._keywords import TABLE_OF, takes_settings
+from ._keywords import PATH_OF, takes_settings
 from ._lookup import Molecule, kinds_of
 from ._progress import hooks
 from ._quantities import positive
@@ -36,7 +36,7 @@ Observers: TypeAlias = \
 
 # The settings of the scheme and the ensemble.
 _CHANGEABLE = {"temperature", "integrator", "thermostat", "barostat",
-               *(word for word, table in TABLE_OF.items() if table in ("integrator", "thermostat", "barostat"))}
+               *(word for word, path in PATH_OF.items() if path.split(".")[0] in ("integrator", "thermostat", "barostat"))}
 _METHODS = {"step": "it is the method that advances; the time step is simulation.time_step = \"1 fs\"",
             "run": "it is the method that advances by a time",
             "state": "write 'with simulation.state.change() as state:', and there state.positions = ..."}
@@ -67,7 +67,7 @@ class Simulation(Guarded):
     _remedy = "it follows from the settings and the state; another one needs a new Simulation"
     _instead = {**{word: f"write simulation.change({word}=...)" if word in _CHANGEABLE else
                    f"make a new simulation, polhode.Simulation(simulation.settings, {word}=...)"
-                   for word in TABLE_OF}, **_METHODS}
+                   for word in PATH_OF}, **_METHODS}
 
     @takes_settings
     def __init__(self, source: Source = None, *, threads: int | None = None,
@@ -286,7 +286,8 @@ class Simulation(Guarded):
 
     def save(self, path: Path) -> None:
         """Writes a checkpoint, from which a simulation of the same settings resumes bit for bit."""
-        self._core.save(os.fspath(path))
+        call = self._settings.call.replace("polhode.settings(", "polhode.Simulation(", 1)
+        self._core.save(os.fspath(path), f"{call}.save({os.fspath(path)!r})")
 
     def resume(self, path: Path) -> None:
         """Continues from a checkpoint of the same run.

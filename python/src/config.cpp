@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "config.hpp"
 
+#include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <map>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -14,12 +16,12 @@
 
 #include "base/threads.hpp"
 #include "bind.hpp"
-#include "io/files/embedded.hpp"
 #include "io/settings/quantity.hpp"
 #include "io/settings/run_file_template.hpp"
 #include "io/settings/settings.hpp"
 #include "io/topology/gromacs_mdp.hpp"
 #include "polhode/run/simulation/system/system.hpp"
+#include "run/job_settings.hpp"
 #include "run/listing/settings.hpp"
 
 namespace polhode::python {
@@ -59,6 +61,47 @@ std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> keys
   return all;
 }
 
+/// Settings whose text has the overlay in it.
+Config with_text(Config config, const Overlay& overlay) {
+  config.text = overlaid_text(config.text, config.source, overlay);
+  return config;
+}
+
+/// The keys of the settings that a job takes by names of its own.
+std::map<std::string, std::string> keys_of_job(const std::string& job) {
+  std::map<std::string, std::string> keys;
+  for (const JobSetting& setting : settings_of_job(job)) keys[setting.name] = setting.key;
+  return keys;
+}
+
+/// The readers of run files, with the overlay that keywords are.
+void bind_readers(nb::module_& m) {
+  nb::class_<Overlay>(m, "Overlay")
+      .def(
+          "__init__",
+          [](Overlay* self, const std::string& job, bool quick) {
+            new (self) Overlay(overlay_of_job(job, quick));
+          },
+          "job"_a, "quick"_a)
+      .def(
+          "add",
+          [](Overlay& self, const std::string& key, const std::string& toml,
+             const std::string& place) {
+            self.settings.push_back({key, {}, place, toml});
+          },
+          "key"_a, "toml"_a, "place"_a);
+  m.def("read_config", [](const std::string& path, const Overlay& overlay) {
+    return with_text(read_config(path, overlay), overlay);
+  });
+  m.def("parse_config",
+        [](const std::string& text, const std::string& file, const Overlay& overlay) {
+          return with_text(parse_config(text, file, overlay), overlay);
+        });
+  m.def("default_config",
+        [](const Overlay& overlay) { return with_text(default_config(overlay), overlay); });
+  m.def("job_settings", &keys_of_job);
+}
+
 }  // namespace
 
 void bind_config(nb::module_& m) {
@@ -66,9 +109,7 @@ void bind_config(nb::module_& m) {
       .def(nb::init<const Config&>())
       .def_ro("source", &Config::source)
       .def_ro("text", &Config::text)
-      .def_prop_rw(
-          "prefix", [](const Config& c) { return c.output.prefix; },
-          [](Config& c, const std::string& prefix) { c.output.prefix = prefix; })
+      .def_ro("notes", &Config::notes)
       .def_prop_ro("step", [](const Config& c) { return c.integrator.step; })
       .def_prop_ro("scheme", [](const Config& c) { return c.integrator.scheme.text; })
       .def_prop_ro("kept_temperature", &kept_temperature)
@@ -81,16 +122,12 @@ void bind_config(nb::module_& m) {
            [](Config& c, const nb::callable& function, const std::string& name, bool has_virial) {
              c.forces.external = external_forces(function, name, has_virial);
            });
-  m.def("read_config", &read_config, "path"_a);
-  m.def("parse_config",
-        [](const std::string& text, const std::string& file) { return parse_config(text, file); });
-  m.def("default_config", &default_config);
+  bind_readers(m);
   m.def("setting_keys", &keys);
   m.def(
       "settings_json",
       [](const std::string& name, const Config* config) { return settings_json(name, config); },
       "name"_a, "config"_a.none());
-  m.def("default_text", [] { return std::string(embedded_text("runs/default.toml").value()); });
   m.def("run_file_template", [](const std::string& kind, const std::string& ensemble) {
     return run_file_template(kind, ensemble);
   });

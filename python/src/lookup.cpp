@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Schemes, molecules, quantities, errors of means.
-#include <nanobind/stl/optional.h>
+#include <nanobind/stl/map.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -13,12 +13,12 @@
 #include "job_options.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/measure/correlated_series.hpp"
 #include "run/listing/molecules.hpp"
 #include "run/listing/schemes.hpp"
 #include "run/listing/verification.hpp"
+#include "run/requests.hpp"
 
 namespace polhode::python {
 namespace {
@@ -50,12 +50,6 @@ Dimension dimension_of(const std::string& name) {
               "; there are: " + join_names(names));
 }
 
-Verification measured(const NamedScheme& scheme, int order, std::optional<double> lambda) {
-  if (lambda) check_lambda(scheme);
-  const nb::gil_scoped_release released;
-  return verify(scheme, order, lambda.value_or(1e-4));
-}
-
 /// The mean of a series of samples, its standard error, and why that is not known.
 nb::tuple series_mean(const std::vector<double>& samples) {
   TimeBlocks blocks;
@@ -72,8 +66,13 @@ void bind_lookup(nb::module_& m) {
   m.def("series_mean", &series_mean);
   m.def("scheme_json",
         [](const std::string& text) { return json_text(quantities(scheme_of(text))); });
-  m.def("verify", [](const std::string& scheme, int order, std::optional<double> lambda) {
-    return report_text(quantities(measured(scheme, order, lambda)));
+  m.def("verify", [](const std::string& text, const Options& given) {
+    const NamedScheme scheme = text;
+    const auto request = request_of<VerificationRequest>(given);
+    const int order = request.expected_order();
+    const double lambda = request.gradient_lambda(scheme);
+    const nb::gil_scoped_release released;
+    return report_text(quantities(verify(scheme, order, lambda)));
   });
   m.def("molecules_json",
         [](const std::string& name) { return json_text(records(find_molecules(name))); });

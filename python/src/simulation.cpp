@@ -184,15 +184,6 @@ void write_state(const OwnedSimulation& s, const std::string& path, bool massles
   create_frames(path, system.topology, choice)->write(system.state);
 }
 
-template <class F>
-auto exclusively(F f) {
-  return [f](OwnedSimulation& s, const std::string& path) {
-    const InUse use(s.in_use);
-    const nb::gil_scoped_release released;
-    f(s, path);
-  };
-}
-
 void bind_state(nb::class_<OwnedSimulation>& c) {
   c.def_prop_ro("positions", view_of(&State::q))
       .def_prop_ro("momenta", view_of(&State::p))
@@ -233,7 +224,18 @@ void bind_steps(nb::class_<OwnedSimulation>& c) {
              const InUse use(s.in_use);
              s.simulation.change(config.integrator, config.ensemble);
            })
-      .def_prop_ro("config", [](const OwnedSimulation& s) { return s.simulation.config(); });
+      .def_prop_ro("config", [](const OwnedSimulation& s) { return s.simulation.config(); })
+      .def("save",
+           [](OwnedSimulation& s, const std::string& path, const std::string& command) {
+             const InUse use(s.in_use);
+             const nb::gil_scoped_release released;
+             s.simulation.save(path, command);
+           })
+      .def("resume", [](OwnedSimulation& s, const std::string& path) {
+        const InUse use(s.in_use);
+        const nb::gil_scoped_release released;
+        s.simulation.resume(path);
+      });
 }
 
 }  // namespace
@@ -280,13 +282,7 @@ void bind_simulation(nb::module_& m) {
              const Quantities results = run_quantities(s.simulation.report());
              return json_text(flattened(results), text_rows(results));
            })
-      .def("forces", &forces)
-      .def("save", exclusively([](OwnedSimulation& s, const std::string& path) {
-             s.simulation.save(path);
-           }))
-      .def("resume", exclusively([](OwnedSimulation& s, const std::string& path) {
-             s.simulation.resume(path);
-           }));
+      .def("forces", &forces);
   bind_state(c);
   bind_steps(c);
   m.def("energy_columns", [] {

@@ -54,7 +54,7 @@ class Checkpoints(Sandbox):
         for path in self.folder.glob("out*"):
             path.unlink()
 
-    def refused(self, *words, options=("--continue",), **environment):
+    def refused(self, *words, options=("--resume",), **environment):
         super().refused(("run", "run.toml", *options), words, **environment)
 
     def killed(self, signal_number, ready):
@@ -79,12 +79,12 @@ class Checkpoints(Sandbox):
         took = time.monotonic() - start
         for _ in range(sandbox.KILLS):
             threads = str(random.randint(1, len(os.sched_getaffinity(0))))
-            self.kill_at_random_moments(1, took / 3, "run", "run.toml", "--continue", "--threads", threads)
-        self.assertEqual(self.summary("--continue"), summary)
+            self.kill_at_random_moments(1, took / 3, "run", "run.toml", "--resume", "--threads", threads)
+        self.assertEqual(self.summary("--resume"), summary)
         self.assertEqual(self.outputs(), files)
         self.assertEqual([n for n in self.contents() if "unfinished" in n], [])
         # A finished run reports its results again.
-        self.assertEqual(self.summary("--continue"), summary)
+        self.assertEqual(self.summary("--resume"), summary)
         self.assertEqual(self.outputs(), files)
 
     def test_constant_pressure(self):
@@ -101,8 +101,8 @@ class Checkpoints(Sandbox):
                 self.assertTrue(0 < moves["accepted"] <= moves["moves"])
                 for threads in ("1", "2"):
                     self.interrupt()
-                    self.kill_at_random_moments(1, took / 3, "run", "run.toml", "--continue", "--threads", threads)
-                    self.assertEqual(self.summary("--continue"), summary)
+                    self.kill_at_random_moments(1, took / 3, "run", "run.toml", "--resume", "--threads", threads)
+                    self.assertEqual(self.summary("--resume"), summary)
                     self.assertEqual(self.outputs(), files)
                     self.clear()
 
@@ -114,15 +114,15 @@ class Checkpoints(Sandbox):
             for name in GROWING:
                 left, whole = (self.folder / f"out-{name}").read_bytes(), files[f"out-{name}"]
                 self.assertLess(len(left), len(whole))
-            self.assertEqual(self.summary("--continue"), summary)
+            self.assertEqual(self.summary("--resume"), summary)
             self.assertEqual(self.outputs(), files)
             self.clear()
 
     def test_longer(self):
         summary, files = self.whole()
         self.summary("--length", "0.31 ps")
-        self.refused("0.2 ps", "0.31 ps", options=("--continue", "--length", "0.2 ps"))
-        self.assertEqual(self.summary("--continue"), summary)
+        self.refused("0.2 ps", "0.31 ps", options=("--resume", "--length", "0.2 ps"))
+        self.assertEqual(self.summary("--resume"), summary)
         extended = self.outputs()
         self.assertEqual(extended["out-energies.csv"].replace(b' --length "0.31 ps"', b""), files["out-energies.csv"])
         del extended["out-energies.csv"], files["out-energies.csv"]
@@ -134,16 +134,16 @@ class Checkpoints(Sandbox):
 
         process = self.limited(resource.RLIMIT_FSIZE, max_bytes, "run", "run.toml")
         self.assertEqual(process.returncode, 1, process.err)
-        for word in ("out-trajectory.gro", "disk full", "out-checkpoint.bin", "--continue"):
+        for word in ("out-trajectory.gro", "disk full", "out-checkpoint.bin", "--resume"):
             self.assertIn(word, process.err)
-        self.assertEqual(self.summary("--continue"), summary)
+        self.assertEqual(self.summary("--resume"), summary)
         self.assertEqual(self.outputs(), files)
 
     def test_no_time(self):
         self.write("run.toml", edited(WATER, ('"0.602 ps"', '"1000 ps"')))
         process = self.limited(resource.RLIMIT_CPU, 1, "run", "run.toml")
         self.assertEqual(process.returncode, 130, process.err)
-        self.assertIn("--continue", process.err)
+        self.assertIn("--resume", process.err)
 
     def test_damage(self):
         summary, files = self.whole()
@@ -170,7 +170,7 @@ class Checkpoints(Sandbox):
         for damage in (lambda: newest.write_bytes(bytes_of[newest][:-1]), newest.unlink, with_another_version, *flips):
             restored()
             damage()
-            process = self.polhode("run", "run.toml", "--continue")
+            process = self.polhode("run", "run.toml", "--resume")
             self.assertEqual(process.returncode, 0, process.err)
             for word in ("note: ", "'out-checkpoint.bin'", "'out-checkpoint-previous.bin'", "intact"):
                 self.assertIn(word, process.err)
@@ -198,12 +198,12 @@ class Checkpoints(Sandbox):
         self.write("run.toml", edited(WATER, ('"297 K"', '"298 K"')))
         self.refused("another run", "polhode run run.toml", "temperature was 297 K and is now 298 K", "another output", "--force")
         self.write("run.toml", WATER)
-        self.refused("another run", "integrator.step was 2 fs and is now 1 fs;", options=("--continue", "--step", "1 fs"))
-        self.refused("another run", "forces.precision was double and is now mixed", options=("--continue", "--precision", "mixed"))
+        self.refused("another run", "integrator.step was 2 fs and is now 1 fs;", options=("--resume", "--step", "1 fs"))
+        self.refused("another run", "forces.precision was double and is now mixed", options=("--resume", "--precision", "mixed"))
         if summary["instruction_set"] != "scalar":
             self.refused("scalar", "POLHODE_INSTRUCTION_SET", POLHODE_INSTRUCTION_SET="scalar")
-        # Without --continue nothing is overwritten, and --force starts over.
-        self.refused("out-checkpoint.bin", "--continue", "--force", options=())
+        # Without --resume nothing is overwritten, and --force starts over.
+        self.refused("out-checkpoint.bin", "--resume", "--force", options=())
         self.assertEqual(self.summary("--force"), summary)
         self.assertEqual(self.outputs(), files)
 
@@ -241,7 +241,7 @@ class Checkpoints(Sandbox):
             self.write("run.toml", edited(water, ('prefix = "out"', f'prefix = "out"\n{key} = false')))
             self.refused("another run", f"output.{key} was true and is now false")
         self.write("run.toml", water)
-        self.summary("--continue")
+        self.summary("--resume")
 
     def test_outputs_of_another_run(self):
         formats = ("xyz", "gro", "pdb", "xtc", "trr", "dcd", "h5md")
@@ -264,16 +264,16 @@ class Checkpoints(Sandbox):
                 path.write_bytes(mine[:at] + bytes([mine[at] ^ 1 << random.randrange(8)]) + mine[at + 1:])
                 self.refused(f"'{name}'", "was changed: its checksum differs", "--force")
             path.write_bytes(mine)
-        self.summary("--continue")
+        self.summary("--resume")
 
     def test_nothing_to_resume_from(self):
         summary, files = self.whole()
-        self.assertEqual(self.summary("--continue"), summary)
+        self.assertEqual(self.summary("--resume"), summary)
         self.assertEqual(self.outputs(), files)
         for path in self.folder.glob("out-checkpoint*"):
             path.unlink()
         self.refused("out-")
-        self.refused("--force", "--continue", options=("--continue", "--force"))
+        self.refused("--force", "--resume", options=("--resume", "--force"))
 
     def test_equilibration(self):
         self.write("run.toml", edited(WATER, ('"0.1 ps"', '"20 ps"'), ('"0.602 ps"', '"0.05 ps"')))
@@ -282,7 +282,7 @@ class Checkpoints(Sandbox):
         for signal_number, code in ((signal.SIGINT, 130), (signal.SIGKILL, -signal.SIGKILL)):
             self.assertEqual(self.killed(signal_number, checkpoint.exists), code)
             self.assertEqual(self.outputs(), {})
-            self.assertEqual(self.summary("--continue"), summary)
+            self.assertEqual(self.summary("--resume"), summary)
             self.assertEqual(self.outputs(), files)
             self.clear()
 

@@ -39,9 +39,9 @@ class Configurational(Sandbox):
         whole = self.temperatures()
         for length in ("0.206 ps", "0.2 ps"):  # suspended between two samples, and at one
             self.temperatures("--force", "--length", length)
-            self.assertEqual(self.temperatures("--continue"), whole)
+            self.assertEqual(self.temperatures("--resume"), whole)
         self.write("run.toml", edited(ASKED, ('"20 fs"', '"40 fs"')))
-        self.refused(("run", "run.toml", "--continue"), ["another run", "run.configurational_sample was 20 fs and is now 40 fs"])
+        self.refused(("run", "run.toml", "--resume"), ["another run", "run.configurational_sample was 20 fs and is now 40 fs"])
 
     def test_a_study_has_them_with_the_kinetic_ones(self):
         self.write("run.toml", WATER)
@@ -69,7 +69,7 @@ class Configurational(Sandbox):
             self.write("run.toml", edited(ASKED, ('"20 fs"', f'"{value}"')))
             self.refused(("run", "run.toml"), ["run.toml:15", "run.configurational_sample", *words])
         self.write("run.toml", SMALL)
-        self.refused((*STUDY, "--configurational-sample", "0 fs"), ["--configurational-sample", "longer than 0"])
+        self.refused((*STUDY, "--configurational-sample", "-1 fs"), ["--configurational-sample", "0 fs or longer"])
 
 
 if __name__ == "__main__":

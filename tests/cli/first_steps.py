@@ -123,7 +123,7 @@ class FirstSteps(Sandbox):
             # Meanings stay in their column, and lines that fit stay as they are.
             self.assertEqual(self.on_terminal(1000, *words), whole)
         narrow = self.on_terminal(60, "run", "--help")
-        self.assertRegex(narrow, r"(?m)^  --scheme TEXT {14} *a name.*\n {30}\S")
+        self.assertRegex(narrow, r"(?m)^  --scheme TEXT {14} *splitting scheme.*\n {30}\S")
 
     def test_options_that_do_not_exist(self):
         self.write("run.toml", SMALL)
@@ -209,10 +209,10 @@ class FirstSteps(Sandbox):
         self.assertEqual(energies(SMALL, *options), energies(changed))
         for k in range(3):
             self.assertNotEqual(energies(SMALL, *options), energies(SMALL, *options[:2 * k], *options[2 * k + 2:]))
-        self.refused(("run", "run.toml", "--seed", "-1"), ["--seed", "-1", "whole number"])
+        self.refused(("run", "run.toml", "--seed", "-1"), ["--seed", "-1", "0 or more"])
         self.refused(("run", "run.toml", "--seed", "1.5"), ["--seed", "1.5", "whole number"])
         self.refused(("run", "run.toml", "--temperature", "0 K"), ["--temperature", "above 0 K"])
-        self.refused(("run", "run.toml", "--equilibrate", "-1 ps"), ["--equilibrate", "0 or longer"])
+        self.refused(("run", "run.toml", "--equilibrate", "-1 ps"), ["--equilibrate", "0 ps or longer"])
 
     def test_seed_and_temperature_of_a_study(self):
         def points(text, *options):

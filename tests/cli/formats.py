@@ -140,8 +140,8 @@ class Formats(Sandbox):
         self.assertEqual(len(whole["particles/all/position/value"]), 1001)
         for path in self.folder.glob("out*"):
             path.unlink()
-        self.kill_at_random_moments(3, took / 3, "run", "run.toml", "--continue")
-        process = self.polhode("run", "run.toml", "--continue")
+        self.kill_at_random_moments(3, took / 3, "run", "run.toml", "--resume")
+        process = self.polhode("run", "run.toml", "--resume")
         self.assertEqual(process.returncode, 0, process.err)
         again, packed_again = left_behind()
         self.assertEqual(packed_again, packed)

@@ -317,7 +317,7 @@ class HostileFiles(Sandbox):
         self.assertEqual(one, two)
 
     def test_h5md_on_a_full_disk_ends_with_an_error(self):
-        """A limit of the file size stands for a full disk: --continue copies, and fails soon."""
+        """A limit of the file size stands for a full disk: --resume copies, and fails soon."""
         text = edited(SMALL, ('length = "0.02 ps"', 'length = "1 ps"'),
                       ("[output]", '[output]\ntrajectory_every = "2 fs"\nformats = ["h5md"]\ncheckpoint_every = "0.01 s"'))
         self.done("run", text)
@@ -326,13 +326,13 @@ class HostileFiles(Sandbox):
         before = (self.folder / "out-trajectory.h5md").read_bytes()
         for limit in (size // 8, size // 2, size + 4096):
             with self.subTest(limit=limit, size=size):
-                process = self.limited(limit, "run", "run.toml", "--continue")
+                process = self.limited(limit, "run", "run.toml", "--resume")
                 self.assertEqual(process.returncode, 1, process.err)
                 self.assertIn("disk full", process.err)
                 self.assertEqual(list(self.folder.glob("*.part")), [])
                 if limit < size:
                     self.assertEqual((self.folder / "out-trajectory.h5md").read_bytes(), before)
-        process = self.polhode("run", "run.toml", "--continue")
+        process = self.polhode("run", "run.toml", "--resume")
         self.assertEqual(process.returncode, 0, process.err)
 
     def limited(self, size, *arguments):

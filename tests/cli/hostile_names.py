@@ -47,7 +47,7 @@ class HostileNames(Sandbox):
         for name in HOSTILE:
             self.succeeds("run", "run.toml", f"--output={name}")
             self.is_drawn(f"{name}-energies.svg")
-            self.succeeds("run", "run.toml", f"--output={name}", "--continue")
+            self.succeeds("run", "run.toml", f"--output={name}", "--resume")
             self.succeeds("top", "--J", "1,2,3", "--L", "0.1,0.2,1", f"--output={name}")
             self.is_drawn(f"{name}.svg")
 
@@ -56,7 +56,7 @@ class HostileNames(Sandbox):
         self.write("run.toml", SMALL)
         longest = 255 - 20 - len("-checkpoint-previous.bin")
         self.succeeds("run", "run.toml", "--output=" + longest * "a")
-        self.succeeds("run", "run.toml", "--output=" + longest * "a", "--continue")
+        self.succeeds("run", "run.toml", "--output=" + longest * "a", "--resume")
         for length in (longest + 1, 232, 246, 247, 300):
             for verb in ("run", "prepare", "minimise", "study"):
                 if verb != "run" and length < 246:

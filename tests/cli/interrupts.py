@@ -72,7 +72,7 @@ class Interrupts(Sandbox):
         self.write("run.toml", edited(LONG, ("[run]\n", '[run]\nequilibrate = "1000 ps"\n')))
         begin = time.monotonic()
         process = self.interrupted(lambda: time.monotonic() > begin + 0.5, signal.SIGINT, "run", "run.toml")
-        self.assertIn("--continue", process.err)
+        self.assertIn("--resume", process.err)
         self.assertEqual(set(self.contents()), {"run.toml", "out-checkpoint.bin"})
 
     def test_tune_scheme(self):

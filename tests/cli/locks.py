@@ -54,7 +54,7 @@ class Locks(Sandbox):
         refused = 0
         for _ in range(self.tries):
             self.clear()
-            codes = self.two_at_once("run", "run.toml", "--continue")
+            codes = self.two_at_once("run", "run.toml", "--resume")
             self.assertEqual(codes[0], 0)
             refused += codes[1] == 2
             self.assertEqual(self.outputs(), whole)
@@ -99,7 +99,7 @@ class Locks(Sandbox):
     def test_owner_of_a_lock(self):
         self.write("run.toml", LONG)
         holder = self.holding()
-        for options in (("--continue",), ("--force",), ()):
+        for options in (("--resume",), ("--force",), ()):
             process = self.polhode("run", "run.toml", *options)
             self.assertEqual(process.returncode, 2)
             held = HELD.search(process.err)
@@ -115,9 +115,9 @@ class Locks(Sandbox):
         holder.kill()
         holder.communicate()
         self.assertTrue((self.folder / "out-run.lock").exists())
-        self.assertEqual(self.polhode("run", "run.toml", "--continue", "--length", "0.002 ps", "--force").returncode, 2)
+        self.assertEqual(self.polhode("run", "run.toml", "--resume", "--length", "0.002 ps", "--force").returncode, 2)
         self.write("run.toml", edited(LONG, ('"1000 ps"', '"2000 ps"')))  # the length is not part of the identity of a run
-        process = self.start("run", "run.toml", "--continue")
+        process = self.start("run", "run.toml", "--resume")
         end = time.monotonic() + sandbox.LONGEST
         while f"process {process.pid} " not in (self.folder / "out-run.lock").read_text():
             self.assertIsNone(process.poll(), "it ended by itself")
@@ -152,7 +152,7 @@ class Locks(Sandbox):
         holder.send_signal(signal.SIGTERM)
         holder.communicate(timeout=sandbox.LONGEST)
         self.write("run.toml", edited(LONG, ('"1000 ps"', '"1e6 ps"')))
-        process = self.start("run", "run.toml", "--continue")  # reads the checksums of its files
+        process = self.start("run", "run.toml", "--resume")  # reads the checksums of its files
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         self.assertIn("resuming after", process.stderr.readline())
@@ -174,7 +174,7 @@ class Locks(Sandbox):
             for name in ("energies.csv", "trajectory.xyz", "trajectory.gro"):
                 if (self.folder / f"out-{name}").exists():
                     link(self.folder / f"out-{name}", self.folder / f"again-{name}")
-            process = self.polhode("run", "again.toml", "--continue")
+            process = self.polhode("run", "again.toml", "--resume")
             self.assertIn(process.returncode, (1, 2))
             self.assertIn("is being written by another process", process.err)
             self.assertIsNone(holder.poll())

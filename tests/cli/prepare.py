@@ -128,7 +128,7 @@ class Prepare(Sandbox):
         out = self.done("prepare", text).out
         self.assertIn("1300 kg/m3, constant", out)
         self.assertIn("polhode run out-prepared.toml", out)
-        self.refused(("prepare", "run.toml"), ["out-prepared.bin", "--continue", "--force"])
+        self.refused(("prepare", "run.toml"), ["out-prepared.bin", "--resume", "--force"])
 
     def test_interrupted_minimisation_leaves_no_files(self):
         self.write("run.toml", edited(BENZENE, ("count = 40", "count = 4000")))
@@ -147,17 +147,17 @@ class Prepare(Sandbox):
         for path in self.folder.glob("out-*"):
             path.unlink()
         process = self.interrupted(*arguments, after="NPT for")
-        self.assertIn("'out-prepared.bin' is the checkpoint, and --continue resumes", process.err)
+        self.assertIn("'out-prepared.bin' is the checkpoint, and --resume continues", process.err)
         self.assertFalse((self.folder / "out-prepared.gro").exists())
-        rest = self.polhode(*arguments, "--continue", "--json")
+        rest = self.polhode(*arguments, "--resume", "--json")
         self.assertEqual(rest.returncode, 0, rest.err)
         self.assertIn("resuming after", rest.err)
         self.assertEqual(json.loads(rest.out), json.loads(whole.out))
         for name in ("out-prepared.gro", "out-prepared.toml"):
             self.assertEqual(self.contents()[name], results[name])
-        again = self.polhode(*arguments, "--continue", "--json")
+        again = self.polhode(*arguments, "--resume", "--json")
         self.assertEqual(json.loads(again.out), json.loads(whole.out))
-        self.refused(("prepare", "run.toml", *AT_PRESSURE, "--npt", "50 ps", "--continue"), ["prepare.npt was 200 ps and is now 50 ps"])
+        self.refused(("prepare", "run.toml", *AT_PRESSURE, "--npt", "50 ps", "--resume"), ["prepare.npt was 200 ps and is now 50 ps"])
         # The run starts from the checkpoint, which another box does not fit.
         self.assertIn('checkpoint = "out-prepared.bin"', (self.folder / "out-prepared.toml").read_text().replace("'", '"'))
         lines = (self.folder / "out-prepared.gro").read_text().splitlines()
@@ -189,7 +189,7 @@ class Prepare(Sandbox):
         for arguments, words in [
                 (("prepare", "run.toml"), ["there is no density", "run.toml"]),
                 (("prepare", "run.toml", "--pressure", "1"), ["--pressure", "no unit"]),
-                (("prepare", "run.toml", "--nvt", "-1 ps"), ["--nvt", "0 or longer"]),
+                (("prepare", "run.toml", "--nvt", "-1 ps"), ["--nvt", "0 ps or longer"]),
                 (("prepare", "none.toml"), ["no dynamics", "none.toml"]),
                 (("prepare", "negative.toml"), ["prepare.nvt", "-1 ps", "negative.toml"]),
                 (("minimise", "dense.toml", "--max-force", "10"), ["--max-force", "no unit", "kJ/mol/nm"]),

@@ -26,7 +26,7 @@ class Room(Sandbox):
 
     def each_verb(self):
         """All verbs that write files, one after another, resumed if possible."""
-        for arguments in (("run", "run.toml", "--length", "0.01 ps"), ("run", "run.toml", "--continue"),
+        for arguments in (("run", "run.toml", "--length", "0.01 ps"), ("run", "run.toml", "--resume"),
                           ("convert", "out-trajectory.xtc", "out.xyz", "--names", "out-final.gro"),
                           ("analyze", "out-trajectory.h5md", "--run", "run.toml", "--what", "rdf", "--plot", "none"),
                           ("study", "run.toml", "--output", "out"), ("study", "run.toml", "--output", "out")):
@@ -62,7 +62,7 @@ class Room(Sandbox):
                 self.assertEqual([n for n in self.contents() if "unfinished" in n or n.endswith(".lock")], [])
                 if process.returncode == 2:
                     self.assertEqual(self.contents(), before, "a file was made or changed")
-                process = self.polhode("run", "run.toml", "--continue")
+                process = self.polhode("run", "run.toml", "--resume")
                 self.assertEqual(process.returncode, 0, process.err)
                 self.assertEqual(self.outputs(), whole)
         return codes
@@ -84,7 +84,7 @@ class Room(Sandbox):
         """Of the run's own files; not other names like them."""
         stale = ("unfinished-0123abcd-out-trajectory.h5md", "unfinished-89abcdef-out-checkpoint.bin")
         others = ("unfinished-0123abcd-out2-trajectory.h5md", "unfinished-0123abcx-out-final.gro", "unfinished-0123abcd-out")
-        for options in ((), ("--continue",), ("--force",)):
+        for options in ((), ("--resume",), ("--force",)):
             for name in stale + others:
                 self.write(name, f"mine: {name}\n")
             process = self.polhode("run", "run.toml", *options)
@@ -96,7 +96,7 @@ class Room(Sandbox):
     def test_a_run_that_ends_with_an_error_has_no_final_state(self):
         """That of a shorter run, or of the one that --force replaced, is not a state of its trajectory."""
         self.assertEqual(self.polhode("run", "run.toml").returncode, 0)
-        for options in (("--continue", "--length", "1000 ps"), ("--force", "--length", "1000 ps")):
+        for options in (("--resume", "--length", "1000 ps"), ("--force", "--length", "1000 ps")):
             self.assertTrue((self.folder / "out-final.gro").exists())
             process = self.limited(resource.RLIMIT_FSIZE, 100_000, "run", "run.toml", *options)
             self.assertEqual(process.returncode, 1, process.err)
@@ -109,7 +109,7 @@ class Room(Sandbox):
         self.write("next.toml", edited(RUN, ('box = "2.5 nm"', 'initial_configuration = "out-final.gro"')))
         process = self.limited(resource.RLIMIT_FSIZE, 30_000, "run", "next.toml", "--force", "--length", "1000 ps")
         self.assertEqual(process.returncode, 1, process.err)
-        process = self.polhode("run", "next.toml", "--continue", "--length", "1 ps")
+        process = self.polhode("run", "next.toml", "--resume", "--length", "1 ps")
         self.assertEqual(process.returncode, 0, process.err)
 
     def test_sizes_of_files(self):

@@ -54,9 +54,9 @@ class Shadow(Sandbox):
         # Suspended between two samples, at a sample, and at one with a shadow energy.
         for length in ("0.206 ps", "0.208 ps", "0.2 ps"):
             self.shadow("--force", "--length", length)
-            self.assertEqual(self.shadow("--continue"), whole)
+            self.assertEqual(self.shadow("--resume"), whole)
         self.write("run.toml", edited(SHADOW, ('"20 fs"', '"40 fs"')))
-        self.refused(("run", "run.toml", "--continue"), ["another run", "run.shadow_sample was"])
+        self.refused(("run", "run.toml", "--resume"), ["another run", "run.shadow_sample was"])
 
     def test_impossible_values_of_shadow_sample(self):
         for value, *words in (("-1 fs", "-1 fs", "0 fs"), ("20", "no unit", '"20 fs"'), ("1 nm", "length", "time"),

@@ -17,7 +17,7 @@ CALLS = {
     "convert": ["convert"],
     "export": ["export_to_lammps"],
     "advise": ["run_adviser", "advise_hybrid", "quantities"],
-    "study": ["run_study", "run_canonical_study", "report_study_record", "report_canonical_record"],
+    "study": ["perform_study"],
     "tune-scheme": ["tune", "quantities"],
     "verify": ["verify", "quantities"],
     "molecules": ["find_molecules", "records"],

@@ -42,9 +42,9 @@ class Functions(unittest.TestCase):
         self.assertGreater(raised, 1000)
 
     def test_every_setting_with_every_value(self):
-        from polhode._settings import TABLE_OF
+        from polhode._keywords import PATH_OF
 
-        for word, value in itertools.product(TABLE_OF, VALUES):
+        for word, value in itertools.product(PATH_OF, VALUES):
             try:
                 polhode.settings(WATER, **{word: value})
             except (polhode.Error, TypeError, AttributeError, ValueError):

@@ -51,6 +51,29 @@ class Verbs(InFolder):
         self.assertEqual(*rows)
         self.assertIn("a-final.gro", report.files)
 
+    def command_in(self, name):
+        [command] = [line.removeprefix("# command: ") for line in Path(name).read_text().splitlines() if line.startswith("# command: ")]
+        return command
+
+    def test_records_have_the_call(self):
+        """With every keyword that has an effect on the file, so that the call can be made again."""
+        polhode.run("w.toml", output="a", threads=1, length="40 fs", **{"system.seed": 3}, progress=False)
+        self.assertEqual(self.command_in("a-energies.csv"),
+                         "polhode.run('w.toml', output='a', length='40 fs', **{'system.seed': 3})")
+        eval(self.command_in("a-energies.csv").replace("'a'", "'b'"))
+        rows = [[line for line in Path(f"{p}-energies.csv").read_text().splitlines() if not line.startswith("#")] for p in "ab"]
+        self.assertEqual(*rows)
+        polhode.run(polhode.settings(WATER, scheme="B(1/2) A(1) B(1/2)"), output="c", forces=None, force=True)
+        self.assertIn("scheme='B(1/2) A(1) B(1/2)'), output='c')", self.command_in("c-energies.csv"))
+        polhode.study("w.toml", schemes=["hoa2"], steps=["1 fs", "2 fs"], **STUDY, output="s", threads=2)
+        self.assertEqual(self.command_in("s.csv"),
+                         "polhode.study('w.toml', schemes=['hoa2'], steps=['1 fs', '2 fs'], runs=2, length='40 fs', "
+                         "decorrelate='10 fs', output='s')")
+        polhode.run("w.toml", output="t", length="40 fs", trajectory_every="4 fs", formats=["gro"])
+        polhode.analyze("t-trajectory.gro", run="w.toml", what=["density"], bin="0.02 nm", output="d", force=True)
+        [name] = [f for f in os.listdir() if f.startswith("d") and f.endswith(".csv")][:1]
+        self.assertEqual(self.command_in(name), "polhode.analyze('t-trajectory.gro', run='w.toml', what=['density'], bin='0.02 nm', output='d')")
+
     def test_energy(self):
         self.check(polhode.energy("w.toml"), "energy", "w.toml")
 
@@ -106,7 +129,7 @@ class Verbs(InFolder):
         report = polhode.analyze("e-trajectory.gro", run=polhode.settings(WATER), what=["rdf"],
                                  energies="e-energies.csv", output="f")
         self.assertIn("step_bias", json.dumps(report.data))
-        with self.assertRaisesRegex(polhode.Error, "give run as well"):
+        with self.assertRaisesRegex(polhode.Error, "give run water.toml as well"):
             polhode.analyze("e-trajectory.gro", molecules={"tip4p": 64}, energies="e-energies.csv",
                             output="g")
 

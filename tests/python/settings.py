@@ -5,6 +5,7 @@ import inspect
 import json
 import os
 import pickle
+import subprocess
 import tempfile
 import unittest
 from pathlib import Path
@@ -95,7 +96,7 @@ class Errors(unittest.TestCase):
         first = ours.partition("\n")[0]
         self.assertEqual(first, 'step = 2 has no unit; write for example "2 fs"')
         self.assertIn(first, error_of_program(text))
-        self.assertIn("in   dict, integrator.step", ours)
+        self.assertIn("in   step", ours)
         self.assertIn('length = 1 has no unit; write for example "1 fs"',
                       message(polhode.Simulation(WATER).run, 1))
         self.assertIn("has no unit", message(polhode.Simulation(WATER).run, np.float64(1.5)))
@@ -173,7 +174,7 @@ class Quantities(unittest.TestCase):
                                        (1 / u.ps, "1 1/ps", "rate")):
             expected = polhode.quantity(text, dimension)
             self.assertAlmostEqual(polhode.quantity(value, dimension) / expected, 1, delta=1e-12)
-        self.assertEqual(polhode.settings(WATER, step=2 * u.fs).tables["integrator"]["step"], 2 * u.fs)
+        self.assertEqual(polhode.quantity(polhode.settings(WATER, step=2 * u.fs).tables["integrator"]["step"], "time"), 0.002)
         self.assertIn("length", message(polhode.settings, WATER, step=2 * u.nm))
         message(polhode.settings, WATER, step=2 * u.tesla)
 
@@ -278,25 +279,42 @@ class AsOnTheCommandLine(unittest.TestCase):
         text = (manual / "run-files.md").read_text(encoding="utf-8") + (manual / "ensembles.md").read_text(encoding="utf-8")
         for table, key in keys:
             self.assertIn(f"{key}", text)
+        bare = [key for table, key in keys if table not in ("study", "prepare")]
         for function in (polhode.settings, polhode.Simulation, polhode.run, polhode.advise, polhode.study):
             parameters = inspect.signature(function).parameters
             self.assertFalse([p for p in parameters.values() if p.kind is p.VAR_KEYWORD])
             for table, key in keys:
                 word = {"lambda": "lambda_", "steps": "hybrid_steps"}.get(key, key)
-                if table not in ("study", "prepare") and key != "type":
-                    self.assertIn(word, parameters, function)
+                if not table or table in ("study", "prepare") or bare.count(key) > 1:
+                    word = f"{table}_{key}" if table else key
+                self.assertIn(word, parameters, function)
+                if word in parameters:
                     self.assertIsNot(parameters[word].annotation, inspect.Parameter.empty)
         self.assertEqual(inspect.signature(polhode.settings).parameters["cutoff"].annotation, "Quantity | None")
         self.assertEqual(inspect.signature(polhode.settings).parameters["minimise"].annotation, "bool | None")
 
     def test_every_keyword_reaches_its_key(self):
-        from polhode._keywords import KEY_OF, TABLE_OF
+        from polhode._keywords import PATH_OF
 
-        base = {"system": {"molecules": [{"model": "argon", "count": 2}]}, "barostat": {"pressure": "1 bar"}}
-        for word, table in TABLE_OF.items():
+        base = {"system": {"molecules": [{"model": "argon", "count": 2}]}, "barostat": {"pressure": "1 bar"},
+                "thermostat": {"type": "rescaling"}}
+        for word, path in PATH_OF.items():
             # A dict is of no kind that the readers accept but for molecules: the error names the key.
-            self.assertIn("molecules" if word == "molecules" else KEY_OF[word], message(polhode.settings, base, **{word: {"a": 1}}),
-                          f"{word} in {table}")
+            said = message(polhode.settings, base, **{word: {"a": 1}})
+            self.assertIn("molecules" if path == "system.molecules" else path.partition(".")[2], said, f"{word} is {path}")
+            self.assertTrue(said.endswith(f"in   {word}") or path == "system.molecules", said)
+
+    def test_keys_of_several_tables_need_theirs(self):
+        base = polhode.settings(WATER, thermostat="rescaling", pressure="1 bar")
+        said = message(polhode.settings, base, time_constant="1 ps")
+        self.assertIn("thermostat_time_constant or barostat_time_constant", said)
+        made = polhode.settings(base, thermostat_time_constant="0.3 ps", **{"barostat.time_constant": "3 ps"})
+        self.assertEqual((made.tables["thermostat"]["time_constant"], made.tables["barostat"]["time_constant"]), ("0.3 ps", "3 ps"))
+
+    def test_settings_of_jobs_are_those_of_their_verbs(self):
+        self.assertIn("in   runs", message(polhode.study, WATER, runs=-1))
+        self.assertIn("in   length", message(polhode.study, WATER, length="-1 ps"))
+        self.assertIn("length", message(polhode.advise, WATER, accuracy="1 %", length="-1 ps"))
 
     def test_types_have_names_that_say_something(self):
         import pydoc
@@ -324,7 +342,7 @@ class AsOnTheCommandLine(unittest.TestCase):
 
     def test_another_thermostat_than_that_of_the_file(self):
         langevin = polhode.settings(WATER, thermostat="langevin", friction="2 1/ps")
-        self.assertEqual(polhode.Simulation(langevin, time_constant="1 ps", thermostat="rescaling").thermostat, "rescaling")
+        self.assertEqual(polhode.Simulation(langevin, thermostat_time_constant="1 ps", thermostat="rescaling").thermostat, "rescaling")
         self.assertEqual(polhode.settings(langevin, thermostat="langevin").tables["thermostat"]["friction"], "2 1/ps")
 
     def test_lengths_are_rounded_to_whole_steps(self):
@@ -338,12 +356,45 @@ class AsOnTheCommandLine(unittest.TestCase):
         for call in (lambda: s.run("-1 ps"), lambda: s.run("0 fs"), lambda: s.run("4 fs", frames="-1 fs"),
                      lambda: s.run("4 fs", observe=print, every="0 fs"), lambda: polhode.prepare(WATER, nvt="-1 ps"),
                      lambda: polhode.study(WATER, steps=["-1 fs"])):
-            self.assertRegex(message(call), r'= "-?[01] [fp]s" must be (longer than 0|0 or longer|above 0)')
+            self.assertRegex(message(call), r'= .*-?[01] [fp]s.* must (all )?be (longer than 0|0 or longer|0 ps or longer|above 0)')
         self.assertIn("half a step", message(s.run, "0.9 fs"))
 
     def test_bounds_of_the_adviser(self):
         self.assertIn("200 %", message(polhode.advise, WATER, accuracy="200 %"))
-        self.assertIn("exclude each other", message(polhode.advise, WATER, accuracy="1 %", bias="0.1 K"))
+        self.assertIn("accuracy excludes bias", message(polhode.advise, WATER, accuracy="1 %", bias="0.1 K"))
+
+    def test_one_bound_through_all_doors(self):
+        """An option of the command line, the keyword, and where it is a setting the run file say the same."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "w.toml")
+            path.write_text(polhode.settings(WATER).text, encoding="utf-8")
+            polhode.Simulation(WATER).write(Path(folder, "w.gro"))
+            self.addCleanup(os.chdir, os.getcwd())
+            os.chdir(folder)
+            jobs = {"advise": lambda **k: polhode.advise(path, **k), "minimise": lambda **k: polhode.minimise(path, **k),
+                    "tune-scheme": lambda **k: polhode.tune_scheme(path, **k), "study": lambda **k: polhode.study(path, **k),
+                    "run": lambda **k: polhode.run(path, **k), "prepare": lambda **k: polhode.prepare(path, **k),
+                    "analyze": lambda **k: polhode.analyze("w.gro", run=path, **k)}
+            for verb, name, value in (("advise", "accuracy", "200 %"), ("advise", "temperature_bias", "0 %"), ("advise", "time", "0"),
+                                      ("minimise", "max_force", "0 kJ/mol/nm"), ("minimise", "max_steps", "0"), ("tune-scheme", "runs", "1"),
+                                      ("tune-scheme", "step", "0 fs"), ("study", "runs", "0"), ("study", "length", "0 ps"), ("run", "step", "-1 fs"),
+                                      ("run", "pressure", "1 K"), ("prepare", "nvt", "-1 ps"), ("analyze", "bin", "0 nm"),
+                                      ("analyze", "cutoff", "0.001 nm"), ("analyze", "fit", "2 ps, 1 ps"), ("analyze", "plot", "pdf")):
+                with self.subTest(verb=verb, option=name, value=value):
+                    given = int(value) if (verb, name) == ("study", "runs") else value  # a number, as in a run file
+                    ours = message(jobs[verb], **{name: given})
+                    option = "--" + name.replace("_", "-")
+                    arguments = ("w.gro", "--run", "w.toml") if verb == "analyze" else ("w.toml",)
+                    done = subprocess.run([package.PROGRAM, verb, *arguments, option, value], capture_output=True, text=True)
+                    self.assertEqual(done.returncode, 2, done)
+                    theirs = done.stderr.removeprefix("error: ").strip().replace(option, name)
+                    self.assertEqual(ours, theirs.replace('"0"', "0") if isinstance(given, int) else theirs)
+                    setting = polhode._core.job_settings(verb).get(name)
+                    if setting:
+                        table, _, key = setting.partition(".")
+                        tables = {name: dict(keys) for name, keys in polhode.settings(WATER).tables.items()}
+                        of_file = message(polhode.settings, {**tables, table: {**tables.get(table, {}), key: given}})
+                        self.assertEqual(of_file.partition("\n")[0], ours.partition("\n")[0])
 
 
 if __name__ == "__main__":

@@ -50,10 +50,12 @@ Config read_document(TomlTable document, const std::string& file) {
 
 }  // namespace
 
-Config parse_config(std::string_view text, const std::string& file) {
-  const toml::table document = parse_toml(text, file);
-  Config config = read_document(TomlTable(document, file), file);
+Config parse_config(std::string_view text, const std::string& file, const Overlay& overlay) {
+  toml::table document = parse_toml(text, file);
+  std::vector<std::string> notes = apply(overlay, document);
+  Config config = read_document(TomlTable(document, file, "", &overlay), file);
   config.text = text;
+  config.notes = std::move(notes);
   return config;
 }
 
@@ -97,7 +99,7 @@ std::string_view kind_of_input(const std::string& file) {
 
 }  // namespace
 
-Config read_config(const std::string& file) {
+Config read_config(const std::string& file, const Overlay& overlay) {
   check_name("the run file", file);
   const std::string text = file_text(file);
   if (const std::string_view kind = kind_of_input(file); !kind.empty())
@@ -106,11 +108,11 @@ Config read_config(const std::string& file) {
                     "names it; 'polhode new {}' writes one to start from",
                     kind),
         file);
-  return parse_config(text, file);
+  return parse_config(text, file, overlay);
 }
 
-Config default_config() {
-  return parse_config(embedded_text("runs/default.toml").value(), "default");
+Config default_config(const Overlay& overlay) {
+  return parse_config(embedded_text("runs/default.toml").value(), "default", overlay);
 }
 
 }  // namespace polhode

@@ -209,6 +209,8 @@ double unit_at(std::string_view rest, const QuantityText& source) {
 
 }  // namespace
 
+std::string_view unit_of(Dimension dimension) { return unit_of(words(dimension).example); }
+
 std::string no_unit(std::string_view name, std::string_view number, Dimension dimension,
                     std::string_view example) {
   if (example.empty()) example = words(dimension).example;

@@ -48,6 +48,8 @@ std::string no_unit(std::string_view name, std::string_view number, Dimension di
 
 /// The name of a dimension, "inverse length".
 std::string_view noun(Dimension dimension);
+/// A unit that quantities of a dimension are written in: "kJ/mol/ns".
+std::string_view unit_of(Dimension dimension);
 
 /// The value of a unit in internal units: unit("fs", Dimension::time) = 0.001.
 /// @throws Error  if there is no such unit

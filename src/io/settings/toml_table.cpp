@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <sstream>
+#include <system_error>
 
+#include "base/from_chars.hpp"
 #include "base/suggest.hpp"
 #include "polhode/base/error.hpp"
 
@@ -122,9 +124,25 @@ std::string TomlTable::written(std::string_view key) const {
   return node != nullptr ? polhode::written(*node) : "";
 }
 
+const Override* TomlTable::override_of(std::string_view key) const {
+  if (overlay_ == nullptr) return nullptr;
+  const std::string path = full(key);
+  const auto is_part = [](std::string_view part, std::string_view of) {
+    return part.starts_with(of) &&
+           (part.size() == of.size() || part[of.size()] == '.' || part[of.size()] == '[');
+  };
+  const auto& settings = overlay_->settings;
+  const auto found = std::find_if(settings.rbegin(), settings.rend(), [&](const Override& one) {
+    return is_part(path, one.key) || is_part(one.key, path);
+  });
+  return found == settings.rend() ? nullptr : &*found;
+}
+
 std::string TomlTable::where(std::string_view key) const {
   const toml::node* node = table_->get(key);
   const auto line = (node != nullptr ? node->source() : table_->source()).begin.line;
+  if (line == 0)  // not from the file
+    if (const Override* const one = override_of(node != nullptr ? key : "")) return one->place;
   const std::string place = line > 0 ? fmt::format("{}:{}", file_, line) : file_;
   const std::string name = full(key);
   return name.empty() ? place : fmt::format("{}, {}", place, name);
@@ -186,6 +204,15 @@ std::optional<double> TomlTable::number(std::string_view key) {
 std::optional<std::int64_t> TomlTable::integer(std::string_view key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
+  const Override* const one = override_of(key);
+  if (one != nullptr && one->toml.empty() && node->is_string()) {
+    const std::string text = *node->value<std::string>();
+    std::int64_t value = 0;
+    const auto [last, status] = from_chars(text.data(), text.data() + text.size(), value);
+    if (status != std::errc() || last != text.data() + text.size())
+      refuse_kind(key, "a whole number");
+    return value;
+  }
   if (!node->is_integer()) refuse_kind(key, "a whole number without unit or quotes");
   return node->value<std::int64_t>();
 }
@@ -200,6 +227,8 @@ std::optional<bool> TomlTable::boolean(std::string_view key) {
 std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
+  if (node->source().begin.line == 0 && node->is_string())  // of an overlay
+    return {{*node->value<std::string>()}};
   std::vector<std::string> values;
   const toml::array* list = node->as_array();
   if (list == nullptr) refuse_kind(key, "a list of texts, [\"...\", \"...\"]");
@@ -214,7 +243,7 @@ std::optional<TomlTable> TomlTable::table(std::string_view key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   if (!node->is_table()) refuse_kind(key, fmt::format("a table, [{}]", full(key)));
-  return TomlTable(*node->as_table(), file_, full(key));
+  return TomlTable(*node->as_table(), file_, full(key), overlay_);
 }
 
 std::optional<std::vector<TomlTable>> TomlTable::tables(std::string_view key) {
@@ -225,7 +254,8 @@ std::optional<std::vector<TomlTable>> TomlTable::tables(std::string_view key) {
   std::vector<TomlTable> values;
   for (const toml::node& entry : *list) {
     if (!entry.is_table()) refuse_kind(key, "a list of tables, [{ ... }, { ... }]");
-    values.emplace_back(*entry.as_table(), file_, fmt::format("{}[{}]", full(key), values.size()));
+    values.emplace_back(*entry.as_table(), file_, fmt::format("{}[{}]", full(key), values.size()),
+                        overlay_);
   }
   return values;
 }

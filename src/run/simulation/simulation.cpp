@@ -129,9 +129,9 @@ RunState Simulation::run_state() {
   return at_ ? *at_ : RunState{.state = system_.state, .equilibrated = 0.0};
 }
 
-void Simulation::save(const std::string& path) {
+void Simulation::save(const std::string& path, const std::string& command) {
   const Checkpoint checkpoint{.identity = identity(),
-                              .command = command_of("Simulation::save"),
+                              .command = command_of(command),
                               .at = run_state(),
                               .noise = noise_,
                               .minimisation_evaluations = minimisation_evaluations_};

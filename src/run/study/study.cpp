@@ -207,14 +207,6 @@ bool EfficiencyPoint::drifts() const {
   return drift.p_value < significance && relative_drift() >= drift_bound;
 }
 
-StudySettings quick(StudySettings settings) {
-  settings.runs = 4;
-  settings.length = 8;
-  settings.decorrelate = 2;
-  settings.coarse = true;
-  return settings;
-}
-
 std::vector<StudyPoint> study_points(const StudySettings& settings) {
   std::vector<StudyPoint> points;
   for (const NamedScheme& scheme : settings.schemes) {

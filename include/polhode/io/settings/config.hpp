@@ -17,6 +17,7 @@
 #include "polhode/forces/laws/settings.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/io/settings/overlay.hpp"
 #include "polhode/io/settings/requirement.hpp"
 #include "polhode/io/topology/topology_file.hpp"
 #include "polhode/model/ensemble_settings.hpp"
@@ -127,9 +128,10 @@ struct Config {
   OutputSettings output;
   StudySettings study;
   OwnSchemes schemes;
-  EnsembleSettings ensemble;  ///< thermostat, barostat, hybrid Monte Carlo
-  std::string source;         ///< path of the file, or "default"
-  std::string text;           ///< as read; its hash identifies outputs
+  EnsembleSettings ensemble;         ///< thermostat, barostat, hybrid Monte Carlo
+  std::string source;                ///< path of the file, or "default"
+  std::string text;                  ///< as read; its hash identifies outputs
+  std::vector<std::string> notes{};  ///< on what an overlay selected by default
 
   /// A setting as the run file has it.
   struct Given {
@@ -163,13 +165,14 @@ inline constexpr double lambda_in_mixed = 1, min_lambda_in_mixed = 0.1;
 void set_precision(Config& config, Precision precision);
 
 /// Reads and checks a run file. A relative path in it is relative to the file.
+/// @param overlay  settings that override those of the file; the place of an error names the option
 /// @throws Error  with file, line and key; also if its name has control characters
-Config read_config(const std::string& path);
+Config read_config(const std::string& path, const Overlay& overlay = {});
 
 /// Parses the text of a run file; `file` is its name in errors.
-Config parse_config(std::string_view text, const std::string& file);
+Config parse_config(std::string_view text, const std::string& file, const Overlay& overlay = {});
 
 /// The default run: 512 TIP4P waters from the built-in configuration.
-Config default_config();
+Config default_config(const Overlay& overlay = {});
 
 }  // namespace polhode

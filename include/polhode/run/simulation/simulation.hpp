@@ -95,8 +95,9 @@ class Simulation {
   bool step(std::size_t steps = 1, const Callbacks& callbacks = {});
 
   /// Writes a checkpoint of the simulation.
+  /// @param command  by which it is made, for the record
   /// @throws RunError  if the file cannot be written
-  void save(const std::string& path);
+  void save(const std::string& path, const std::string& command = "Simulation::save");
   /// Resumes a checkpoint of the same run, written by save() or by run(), by the same version of
   /// the program with the same instruction set.
   /// @throws Error  if it is damaged, or of another run or program

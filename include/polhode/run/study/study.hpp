@@ -97,9 +97,6 @@ struct StudyPoint {
   /// @param near_weight  cost of a near-force evaluation relative to a full one
   double cost(double near_weight) const;
 };
-/// A reduced version of a study: fewer and shorter runs, fewer steps.
-StudySettings quick(StudySettings settings);
-
 std::vector<StudyPoint> study_points(const StudySettings& settings);
 
 /// Seed of the random numbers of one initial configuration in a series, and of the runs from it:

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: MIT
+"""Calls of the package as Python that could be typed again, for the records of results."""
+
+import inspect
+import os
+from collections.abc import Mapping
+
+from ._quantities import text_of
+
+__all__ = ["call_text", "expression"]
+
+
+def expression(value) -> str:
+    """Python for a value; of a function its name."""
+    value = text_of(value)
+    if hasattr(value, "call") and hasattr(value, "tables"):
+        return value.call
+    if hasattr(value, "as_dict"):
+        value = value.as_dict()
+    if hasattr(value, "tolist"):  # of NumPy
+        value = value.tolist()
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{k!r}: {expression(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(map(expression, value)) + "]"
+    if callable(value):
+        return getattr(value, "__qualname__", type(value).__qualname__)
+    return repr(value)
+
+
+def _differs(value, default):
+    try:
+        return value is not default and not bool(value == default)
+    except Exception:  # of arrays
+        return True
+
+
+# What has no effect on the contents of files, as on the command line.
+_WITHOUT_EFFECT = ("resume", "force", "threads", "progress", "messages")
+
+
+def call_text(function, given) -> str:
+    """The call of a public function, with all that was given and has an effect on its files.
+
+    Args:
+        given (dict): its arguments by name, those in **keywords under "keywords"; defaults are left out.
+    """
+    words, paths = [], []
+    for name, parameter in inspect.signature(function).parameters.items():
+        if name not in given or name in _WITHOUT_EFFECT or not _differs(given[name], parameter.default):
+            continue
+        positional = parameter.kind is parameter.POSITIONAL_OR_KEYWORD
+        words.append(("" if positional else f"{name}=") + expression(given[name]))
+    for name, value in (given.get("keywords") or {}).items():
+        if value is not None and name.isidentifier():
+            words.append(f"{name}={expression(value)}")
+        elif value is not None:
+            paths.append(f"{name!r}: {expression(value)}")
+    if paths:
+        words.append("**{" + ", ".join(paths) + "}")
+    return f"polhode.{function.__name__}({', '.join(words)})"

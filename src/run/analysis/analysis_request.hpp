@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What a front end was given for an analysis, as texts, and its reading.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "run/analysis/analysis_report.hpp"
+#include "run/given.hpp"
+
+namespace polhode {
+
+struct AnalysisRequest {
+  Given run, energies, molecules, names, what, start, interval, window, fit, pairs, cutoff, bin,
+      viscosity, temperature, electrostatics, output, plot;
+
+  static std::vector<RequestOption<AnalysisRequest>> options();
+};
+
+/// @param trajectory  file of frames
+/// @param run         settings of the run that wrote it; null: the request has its run file, or the
+///                    molecules
+/// @throws Error  naming the option, if one cannot be understood
+AnalysisInput analysis_input(const AnalysisRequest& request, const std::string& trajectory,
+                             const Config* run = nullptr);
+
+}  // namespace polhode

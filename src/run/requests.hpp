@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// What a front end was given for a job, as texts; each request is read once, into the settings of
+// its job. Errors name the option.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "polhode/ensemble/minimise.hpp"
+#include "polhode/run/adviser/adviser.hpp"
+#include "polhode/run/study/tune.hpp"
+#include "run/benchmark/benchmark.hpp"
+#include "run/canonical/hybrid_adviser.hpp"
+#include "run/conversion/conversion.hpp"
+#include "run/given.hpp"
+
+namespace polhode {
+
+struct MinimisationRequest {
+  Given max_force, max_torque, max_steps;
+
+  static std::vector<RequestOption<MinimisationRequest>> options();
+  MinimisationSettings settings() const;
+};
+
+struct ConversionRequest {
+  Given particles, names, every, start, stop;
+
+  static std::vector<RequestOption<ConversionRequest>> options();
+  /// @param run  whose molecules the particles of a dump file are; null: the request has its run
+  ///             file, or there is none
+  Conversion conversion(const std::string& from, const std::string& to,
+                        const Config* run = nullptr) const;
+};
+
+struct AdviceRequest {
+  Given accuracy, drift, temperature_bias, bias, ensemble, evaluations, time, output;
+
+  static std::vector<RequestOption<AdviceRequest>> options();
+  std::string prefix() const { return output ? output.text : "advice"; }
+  /// Whether advice for hybrid Monte Carlo is requested, which has no bias to bound.
+  bool is_canonical() const;
+  /// @throws Error  also if there is no requirement, neither here nor in the run file, or several
+  AdviserSettings settings(const Config& config) const;
+  /// @param schemes_given  whether the candidates of the settings are to be used: one
+  HybridAdviserSettings hybrid_settings(const Config& config, bool schemes_given) const;
+};
+
+struct TuneRequest {
+  Given scheme, step, runs, length, decorrelate, sample;
+
+  static std::vector<RequestOption<TuneRequest>> options();
+  TuneSettings settings(const Config& config) const;
+};
+
+struct BenchmarkRequest {
+  Given sizes, precision;
+
+  static std::vector<RequestOption<BenchmarkRequest>> options();
+  /// @param threads  compared with one
+  BenchmarkSettings settings(bool is_quick, int threads) const;
+};
+
+struct VerificationRequest {
+  Given order, lambda;
+
+  static std::vector<RequestOption<VerificationRequest>> options();
+  int expected_order() const;
+  /// @param scheme  whose gradients have this factor
+  double gradient_lambda(const NestedScheme& scheme) const;
+};
+
+}  // namespace polhode

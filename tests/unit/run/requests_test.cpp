@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Requests of jobs, as a front end fills them: each option has its bounds, and errors name it.
+#include "run/requests.hpp"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "polhode/base/error.hpp"
+#include "run/analysis/analysis_request.hpp"
+
+namespace polhode {
+namespace {
+
+template <class Request>
+Request filled(const std::vector<std::pair<std::string, std::string>>& texts) {
+  Request request;
+  for (const RequestOption<Request>& row : Request::options()) {
+    (request.*row.member).name = row.name;
+    for (const auto& [name, text] : texts)
+      if (name == row.name) (request.*row.member).text = text;
+  }
+  return request;
+}
+
+std::string refusal(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+struct Case {
+  std::string name, text, words;
+};
+
+}  // namespace
+
+TEST_CASE("bounds of the adviser's options") {
+  const Config config = default_config();
+  for (const auto& [name, text, words] : {Case{"accuracy", "200 %", "accuracy = \"200 %\""},
+                                          {"accuracy", "0 %", "must be"},
+                                          {"drift", "0 kJ/mol/ns", "above 0 kJ/mol/ns"},
+                                          {"temperature_bias", "101 %", "must be"},
+                                          {"time", "0", "from 0.1 to 1000000"},
+                                          {"time", "x", "must be a number"},
+                                          {"evaluations", "99", "from 100 to"},
+                                          {"ensemble", "npt", "nve"}}) {
+    const auto request =
+        filled<AdviceRequest>({{"bias", name == "time" ? "0.1 K" : ""}, {name, text}});
+    CAPTURE(name);
+    const std::string said = refusal([&] {
+      if (!request.is_canonical() && name != "evaluations") request.settings(config);
+      request.hybrid_settings(config, false);
+    });
+    CHECK(said.find(words) != said.npos);
+  }
+  CHECK(refusal([&] { filled<AdviceRequest>({}).settings(config); }).find("no accuracy") == 0);
+  CHECK(refusal([&] {
+          filled<AdviceRequest>({{"accuracy", "1 %"}, {"bias", "0.1 K"}}).settings(config);
+        }).find("accuracy excludes bias") != std::string::npos);
+}
+
+TEST_CASE("bounds of the options of an analysis") {
+  for (const auto& [name, text, words] : {Case{"cutoff", "0.001 nm", "shorter than a bin"},
+                                          {"cutoff", "0 nm", "above 0 nm"},
+                                          {"bin", "-1 nm", "above 0 nm"},
+                                          {"window", "0 ps", "longer than 0"},
+                                          {"interval", "1 nm", "time"},
+                                          {"fit", "2 ps", "two lags"},
+                                          {"fit", "3 ps, 2 ps", "end after"},
+                                          {"pairs", "OW", "two site names"},
+                                          {"what", "colour", "colour"},
+                                          {"plot", "pdf", "must be"},
+                                          {"electrostatics", "none", "must be"},
+                                          {"molecules", "tip4p -1", "count"},
+                                          {"molecules", "tip4p, argon 3", "no count"},
+                                          {"energies", "e.csv", "give run"}}) {
+    CAPTURE(name);
+    CAPTURE(text);
+    const auto request = filled<AnalysisRequest>({{"molecules", "tip4p 64"}, {name, text}});
+    const std::string said = refusal([&] { analysis_input(request, "a.gro"); });
+    CHECK(said.find(words) != said.npos);
+  }
+  CHECK(refusal([] {
+          analysis_input(filled<AnalysisRequest>({}), "a.gro");
+        }).find("not known; give one of run water.toml and molecules") != std::string::npos);
+}
+
+TEST_CASE("bounds of the options of other jobs") {
+  const Config config = default_config();
+  CHECK(refusal([] {
+          filled<MinimisationRequest>({{"max_force", "0 kJ/mol/nm"}}).settings();
+        }).find("above 0 kJ/mol/nm") != std::string::npos);
+  CHECK(refusal([] {
+          filled<MinimisationRequest>({{"max_steps", "0"}}).settings();
+        }).find("from 1 to") != std::string::npos);
+  CHECK(refusal([&] {
+          filled<TuneRequest>({{"runs", "1"}}).settings(config);
+        }).find("from 2 to 1000") != std::string::npos);
+  CHECK(refusal([&] {
+          filled<TuneRequest>({{"step", "0 fs"}}).settings(config);
+        }).find("longer than 0") != std::string::npos);
+  CHECK(refusal([] {
+          filled<VerificationRequest>({{"order", "13"}}).expected_order();
+        }).find("from 1 to 12") != std::string::npos);
+  CHECK(refusal([] {
+          filled<BenchmarkRequest>({{"sizes", "512, 0"}}).settings(false, 1);
+        }).find("sizes = \"0\"") != std::string::npos);
+  CHECK(refusal([] {
+          filled<ConversionRequest>({{"every", "0"}}).conversion("a.gro", "b.gro");
+        }).find("from 1") != std::string::npos);
+}
+
+}  // namespace polhode
