@@ -156,16 +156,20 @@ bool is_line(const Quantity& q) {
   return q.key.empty() && q.column.empty() && std::holds_alternative<std::string>(q.value);
 }
 
-void add_rows(std::vector<TextRow>& rows, const Quantities& list, std::size_t level) {
+/// @param details  whether to add details, or what is none
+void add_rows(std::vector<TextRow>& rows, const Quantities& list, bool details,
+              std::size_t level = 0) {
   for (const Quantity& q : list) {
+    if (!q.label.empty() || is_line(q))
+      if (level == 0 && q.detail != details) continue;
     const std::size_t below = level + (q.label.empty() ? 0 : 1);
     if (const auto* group = std::get_if<Quantities>(&q.value)) {
       if (!q.label.empty()) rows.push_back({q.label, "", q.doc, level});
-      add_rows(rows, *group, below);
+      add_rows(rows, *group, details, below);
     } else if (const auto* records = std::get_if<std::vector<Quantities>>(&q.value)) {
       if (!q.label.empty() && !records->empty()) rows.push_back(table_row(q, *records, level));
       if (q.label.empty())
-        for (const Quantities& one : *records) add_rows(rows, one, level);
+        for (const Quantities& one : *records) add_rows(rows, one, details, level);
     } else if (const auto* texts = std::get_if<std::vector<std::string>>(&q.value)) {
       if (q.label.empty()) continue;
       rows.push_back({q.label, "", q.doc, level});
@@ -188,6 +192,25 @@ std::string lines_of(const TextRow& row) {
       line += row.left[k] ? fmt::format("{:<{}}  ", cells[k], widths[k])
                           : fmt::format("{:>{}}  ", cells[k], widths[k]);
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+/// Rows as lines, with a blank line before and after each table.
+std::string lines_of(const std::vector<TextRow>& rows) {
+  std::string text;
+  bool apart = false;
+  for (const TextRow& row : rows) {
+    const bool table = !row.table.empty();
+    if (!text.empty() && (table || apart)) text += "\n";
+    apart = table;
+    const std::string indent(2 * row.level, ' ');
+    if (table)
+      text += lines_of(row);
+    else if (row.label.empty() || row.text.empty())
+      text += indent + row.label + row.text + "\n";
+    else
+      text += fmt::format("{:<22}{}\n", indent + row.label, row.text);
   }
   return text;
 }
@@ -274,6 +297,11 @@ Value& Value::operator=(const Value&) = default;
 Value& Value::operator=(Value&&) noexcept = default;
 Value::~Value() = default;
 
+Quantity detail(Quantity quantity) {
+  quantity.detail = true;
+  return quantity;
+}
+
 Quantity row(std::string label, std::string text) {
   return {"", "", std::move(text), "", std::move(label)};
 }
@@ -330,26 +358,17 @@ std::string text_of(const SeriesEstimate& e, std::string_view unit) {
 
 std::vector<TextRow> text_rows(const Quantities& list) {
   std::vector<TextRow> rows;
-  add_rows(rows, list, 0);
+  for (const bool details : {true, false}) add_rows(rows, list, details);
   return rows;
 }
 
-std::string text_of(const Quantities& list) {
-  std::string text;
-  bool apart = false;  // a blank line before and after each table
-  for (const TextRow& row : text_rows(list)) {
-    const bool table = !row.table.empty();
-    if (!text.empty() && (table || apart)) text += "\n";
-    apart = table;
-    const std::string indent(2 * row.level, ' ');
-    if (table)
-      text += lines_of(row);
-    else if (row.label.empty() || row.text.empty())
-      text += indent + row.label + row.text + "\n";
-    else
-      text += fmt::format("{:<22}{}\n", indent + row.label, row.text);
-  }
-  return text;
+std::string text_of(const Quantities& list, bool details) {
+  std::vector<TextRow> first, last;
+  if (details) add_rows(first, list, true);
+  add_rows(last, list, false);
+  std::string text = lines_of(first);
+  if (!text.empty() && !last.empty()) text += "\n";
+  return text + lines_of(last);
 }
 
 Table table_of(const std::vector<Quantities>& records) {

@@ -70,7 +70,7 @@ class Ensembles(Sandbox):
             self.assertGreater(bias[name]["error"], 0)
         self.assertEqual(bias["temperature_rotation_all_K"]["value"], 0)  # atoms
         text = self.done("run", LIQUID, "--force").out
-        for words in ("bias of the step", "  potential energy    ", "kJ/mol per molecule, without it -"):
+        for words in ("time-step bias", "  potential energy    ", "kJ/mol per molecule, without it -"):
             self.assertIn(words, text)
         self.assertIsNone(json.loads(self.done("run", NPT, "--json", "--force").out)["step_bias"])  # Langevin
 

@@ -36,7 +36,7 @@ class Statistics(Sandbox):
         self.assertGreater(report["R"], 0)
         for key in ("R_error", "drift_error", "drift_p_value", "drift_significant"):
             self.assertIsNone(report[key], key)
-        # R, drift, potential and total energy, temperatures, pressure, and three biases of the step
+        # R, drift, potential and total energy, temperatures, pressure, and three time-step biases
         self.assertEqual(len(re.findall("error not known: too few samples", text)), 9)
         self.assertNotIn("±", text)
         self.assertNotIn("significant", text)
@@ -68,7 +68,7 @@ class Statistics(Sandbox):
     def test_without_forces_nothing_is_significant(self):
         text, report = self.both(FREE)
         self.assertIn("not defined: the potential energy is constant", text)
-        self.assertNotIn("bias of the step", text)
+        self.assertNotIn("time-step bias", text)
         self.assertIsNone(report["R"])
         self.assertFalse(report["drift_significant"])
         self.assertIsNone(NO_NUMBER.search(text), text)

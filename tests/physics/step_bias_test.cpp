@@ -63,7 +63,7 @@ constexpr double likely = 4.4;
 }  // namespace
 
 // Without the error of the step both motions have one temperature: the difference that is seen is
-// the bias of the step, and has to be as large as predicted from fluctuations, of which it is no
+// the time-step bias, and has to be as large as predicted from fluctuations, of which it is no
 // part. R is 3 % here, and the next order of h² a twentieth of the bias.
 TEST_CASE("step bias: water has the predicted difference of temperatures") {
   const EnsembleSettings rescaling{.temperature = kelvin, .thermostat = Rescaling{0.5}};

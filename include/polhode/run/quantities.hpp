@@ -77,7 +77,12 @@ struct Quantity {
   /// In a CSV file; empty: the key, or none in a group; "-": none.
   std::string column = {};
   int digits = 4;  ///< of a number in the text
+  /// For those who look closer: such rows come first, so that a text ends with what was asked for.
+  bool detail = false;
 };
+
+/// The same as a detail.
+Quantity detail(Quantity quantity);
 
 /// A row of the text that is not in JSON; a line of its own without a label.
 Quantity row(std::string label, std::string text);
@@ -110,11 +115,12 @@ struct TextRow {
   std::vector<bool> left{};                       ///< whether columns of the table are texts
 };
 
-/// The quantities with labels, and the lines without one.
+/// The quantities with labels, and the lines without one: details first.
 std::vector<TextRow> text_rows(const Quantities& list);
 
-/// Rows of a list as lines of text.
-std::string text_of(const Quantities& list);
+/// Rows of a list as lines of text, with a blank line after the details.
+/// @param details  whether to include them
+std::string text_of(const Quantities& list, bool details = true);
 
 /// Records as a CSV file has them: an estimate has two columns, "R" and "R_error".
 Table table_of(const std::vector<Quantities>& records);

@@ -40,11 +40,11 @@ void check_bias_known(const EnsembleSettings& ensemble) {
   if (fixed_means(ensemble)) return;
   if (ensemble.hybrid_monte_carlo)
     throw Error(
-        "hybrid Monte Carlo has no bias of the step, so there is none to bound; bound R (\"0.5 "
+        "hybrid Monte Carlo has no time-step bias, so there is none to bound; bound R (\"0.5 "
         "%\"), "
         "or use --ensemble nvt for its step and trajectory length");
   throw Error(
-      "a bias of the step can be bounded at constant energy, or with type = \"rescaling\" in "
+      "a time-step bias can be bounded at constant energy, or with type = \"rescaling\" in "
       "[thermostat], and all edges of the box scaled by one factor if there is a barostat: with "
       "others it is not known; use these, or bound R (\"0.5 %\")");
 }

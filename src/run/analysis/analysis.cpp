@@ -144,13 +144,13 @@ class Assembly {
     const std::size_t known = result_.frames_with_step_error;
     if (known == 0)
       throw Error(fmt::format(
-          "no frame has a sample of the shadow energy in '{}', from which the bias of the step "
+          "no frame has a sample of the shadow energy in '{}', from which the time-step bias "
           "follows with a thermostat; run with a scheme of order 2 and a shadow_sample equal to "
           "trajectory_every, or leave the energies out",
           settings_.step_errors->energies));
     if (known < result_.frames)
       result_.notes.push_back(fmt::format(
-          "the bias of the step is from {} of {} frames, those at samples of the shadow energy; a "
+          "the time-step bias is from {} of {} frames, those at samples of the shadow energy; a "
           "shadow_sample equal to trajectory_every makes it all",
           known, result_.frames));
   }

@@ -82,9 +82,9 @@ ObservableResults Dielectric::results(const AllFrames& all) {
         degrees_of_freedom(a.topology).all(), *a.fixed);
     list.push_back({"step_bias", "",
                     Quantities{{"constant", "", bias.constant}, {"kirkwood", "", bias.kirkwood}}});
-    list.push_back(row("  bias of the step", d.convergence.converged()
-                                                 ? bias_text(bias.constant, d.constant.value)
-                                                 : short_text(bias.constant)));
+    list.push_back(row("  time-step bias", d.convergence.converged()
+                                               ? bias_text(bias.constant, d.constant.value)
+                                               : short_text(bias.constant)));
   }
   return {.quantities = {{"dielectric", "", std::move(list)}}, .files = {file_of(a, d)}};
 }

@@ -84,7 +84,7 @@ Quantities bias_of(const Peak& bias, const Peak& peak) {
        Quantities{{"peak", "nm", bias.position},
                   {"peak_height", "", bias.height},
                   {"coordination", "", bias.shell ? Value(bias.shell->coordination) : Value()}}},
-      row("  bias of the step",
+      row("  time-step bias",
           fmt::format("height {}; position {} nm", bias_text(bias.height, peak.height.value),
                       bias_text(bias.position, peak.position.value)))};
 }

@@ -22,9 +22,9 @@ StepErrorSettings step_error_settings(const std::string& energies, const Config&
   if (const auto fixed = fixed_means(ensemble, config.integrator.scheme.outer))
     return {energies, *fixed, config.system.temperature};
   if (ensemble.hybrid_monte_carlo)
-    throw Error("hybrid Monte Carlo has no bias of the step; leave the energies out");
+    throw Error("hybrid Monte Carlo has no time-step bias; leave the energies out");
   throw Error(
-      "the bias of the step is known at constant energy and with a rescaling thermostat at the "
+      "the time-step bias is known at constant energy and with a rescaling thermostat at the "
       "ends of the steps, with all edges of the box scaled by one factor if there is a barostat: "
       "with others the distribution is not that of a shadow energy; leave the energies out");
 }

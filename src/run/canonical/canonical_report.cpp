@@ -202,10 +202,11 @@ Quantities quantities(const CanonicalReport& report) {
                                  {"loose", "", q.loose, "loose bound"},
                                  {"unit", "", q.unit, "unit of both"}}});
   return {{"conditions", "", canonical_conditions(report.config), "what all runs have in common"},
-          row("", canonical_conditions(report.config)),
+          detail(row("", canonical_conditions(report.config))),
           {"bounds", "", bounds, ""},
-          {"points", "", point_records(report), "runs of a scheme with one step",
-           "points, with the biases of averages; * above the strict bound, ** above the loose one"},
+          detail({"points", "", point_records(report), "runs of a scheme with one step",
+                  "points, with the biases of averages; * above the strict bound, ** above the "
+                  "loose one"}),
           of_findings("claims", report, report.findings[0]),
           of_findings("loose_claims", report, report.findings[1]),
           row("files", fmt::format("{}", fmt::join(report.files, " ")))};

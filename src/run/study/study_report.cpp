@@ -258,10 +258,11 @@ Quantities quantities(const StudyReport& report) {
   const std::string answer = advice(report, 0.005);
   Quantities list = {
       {"conditions", "", conditions(report.config), "what all runs have in common"},
-      row("", conditions(report.config)),
-      {"points", "", point_records(report), "runs of a scheme with one step", "points"},
+      detail(row("", conditions(report.config))),
+      detail({"points", "", point_records(report), "runs of a scheme with one step", "points"}),
       of_guidelines(report)};
-  append(list, temperature_tables(report.curves, report.equipartition));
+  for (const Quantity& table : temperature_tables(report.curves, report.equipartition))
+    list.push_back(detail(table));
   append(list, limits(report.equipartition));
   append(list, {of_claims(report),
                 {"advice", "", answer, "the cheapest scheme for R = 0.5 %"},

@@ -73,5 +73,5 @@ TEST_CASE("requirements: biases are bounded only in ensembles in which they are 
   ensemble.barostat = BarostatSettings{.edges = {{true, true, false}, {false, false, true}}};
   refused(ensemble, {"one factor"});
   refused({.temperature = 300, .hybrid_monte_carlo = HybridMonteCarloSettings{}},
-          {"hybrid Monte Carlo has no bias"});
+          {"hybrid Monte Carlo has no time-step bias"});
 }

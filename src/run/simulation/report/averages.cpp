@@ -86,9 +86,10 @@ Quantities of_barostat(const BarostatSummary& s) {
        "isothermal compressibility, from the fluctuations of the volume", "compressibility",
        ", isothermal, from the fluctuations of the volume"},
       {"volume_drift", "nm3/ps", s.volume_drift.rate.value, "slope of the volume"},
-      row("moves of the box",
+      detail(row(
+          "moves of the box",
           fmt::format("{}; one every {:g} fs", accepted_text(s.accepted, s.moves, s.accepted_share),
-                      s.interval * units::fs_per_ps)),
+                      s.interval * units::fs_per_ps))),
       {"interval", "fs", s.interval * units::fs_per_ps, "time between two moves of the box"},
       {"beyond_shape", "", s.beyond_shape, "moves that would have changed its shape too much"},
       {"moves", "", s.moves, "moves of the box"},
@@ -136,15 +137,15 @@ Quantities of_ensemble(const EnsembleSummary& s) {
   if (s.hybrid_monte_carlo) hybrid.value = of_hybrid_monte_carlo(*s.hybrid_monte_carlo);
   append(list, {barostat, hybrid});
   if (s.settings.thermostat)
-    list.push_back(row("heat received", fmt::format("{:.4g} kJ/mol", s.heat)));
+    list.push_back(detail(row("heat received", fmt::format("{:.4g} kJ/mol", s.heat))));
   const double work =
       (s.barostat ? s.barostat->work : 0) + (s.hybrid_monte_carlo ? s.hybrid_monte_carlo->work : 0);
   if (s.barostat || s.hybrid_monte_carlo)
-    list.push_back(row("work received", fmt::format("{:.4g} kJ/mol", work)));
+    list.push_back(detail(row("work received", fmt::format("{:.4g} kJ/mol", work))));
   return {{"ensemble", "", std::move(list)}};
 }
 
-/// A bias of the step, followed by the average without it.
+/// A time-step bias, followed by the average without it.
 /// @param average  in the same unit
 Quantity bias_of(std::string key, std::string unit, const SeriesEstimate& bias, double average,
                  std::string label, const std::string& of = "") {
@@ -161,7 +162,23 @@ double rotation_temperature(const RunSummary& s) {
   return T;
 }
 
-/// Null where it is not known.
+}  // namespace
+
+SeriesEstimate in_unit(const char* symbol, Dimension dimension, const SeriesEstimate& estimate) {
+  return scaled(estimate, 1 / unit(symbol, dimension));
+}
+
+std::vector<Quantities> list_of(const std::vector<Warning>& warnings) {
+  std::vector<Quantities> list;
+  for (const Warning& w : warnings)
+    list.push_back({{"kind", "", w.kind},
+                    {"value", "", w.value},
+                    {"bound", "", w.bound},
+                    {"text", "", w.text},
+                    {"remedy", "", w.remedy}});
+  return list;
+}
+
 Quantity of_step_bias(const RunSummary& s) {
   if (!s.step_bias) return {"step_bias", "", {}};
   const StepBias& bias = *s.step_bias;
@@ -196,32 +213,15 @@ Quantity of_step_bias(const RunSummary& s) {
     if (const auto& known = s.configurational_bias[k])
       list.push_back(bias_of("", "K", *known, s.configurational[k]->value, names[k]));
   return {"step_bias", "", std::move(list), "bias of each average by the step; null if unknown",
-          "bias of the step"};
-}
-
-}  // namespace
-
-SeriesEstimate in_unit(const char* symbol, Dimension dimension, const SeriesEstimate& estimate) {
-  return scaled(estimate, 1 / unit(symbol, dimension));
-}
-
-std::vector<Quantities> list_of(const std::vector<Warning>& warnings) {
-  std::vector<Quantities> list;
-  for (const Warning& w : warnings)
-    list.push_back({{"kind", "", w.kind},
-                    {"value", "", w.value},
-                    {"bound", "", w.bound},
-                    {"text", "", w.text},
-                    {"remedy", "", w.remedy}});
-  return list;
+          "time-step bias"};
 }
 
 Quantities of_averages(const RunSummary& s) {
   const DegreesOfFreedom& n = s.degrees_of_freedom;
   Quantities list = {{"potential", "kJ/mol", s.potential, "mean potential energy per molecule",
                       "potential energy", " per molecule"},
-                     {"total", "kJ/mol", s.total, "mean total energy per molecule", "total energy",
-                      " per molecule"}};
+                     detail({"total", "kJ/mol", s.total, "mean total energy per molecule",
+                             "total energy", " per molecule"})};
   append(list, of_temperatures(s.temperatures, n, "temperature"));
   if (s.temperatures_at_bath) {
     Quantities half = of_temperatures(*s.temperatures_at_bath, n, "  of half steps");
@@ -234,9 +234,9 @@ Quantities of_averages(const RunSummary& s) {
   const auto& barostat = s.ensemble.settings.barostat;
   append(
       list,
-      {row("degrees of freedom",
-           fmt::format("{:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}", n.all(),
-                       n.translation, n.rotation[0], n.rotation[1], n.rotation[2])),
+      {detail(row("degrees of freedom",
+                  fmt::format("{:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}", n.all(),
+                              n.translation, n.rotation[0], n.rotation[1], n.rotation[2]))),
        {"degrees_of_freedom_translation", "", n.translation, "degrees of freedom of translation"},
        {"degrees_of_freedom_rotation", "", std::vector(n.rotation.begin(), n.rotation.end()),
         "of rotation about each principal axis"},
@@ -245,9 +245,8 @@ Quantities of_averages(const RunSummary& s) {
                                barostat->pressure / unit("bar", Dimension::pressure))
                  : ""}});
   append(list, of_ensemble(s.ensemble));
-  list.push_back(of_step_bias(s));
-  list.push_back({"momentum", "", s.momentum, "sum of all momenta at the end [u nm/ps]",
-                  "total momentum", " u nm/ps"});
+  list.push_back(detail({"momentum", "", s.momentum, "sum of all momenta at the end [u nm/ps]",
+                         "total momentum", " u nm/ps"}));
   return list;
 }
 

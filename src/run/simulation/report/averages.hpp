@@ -17,4 +17,7 @@ std::vector<Quantities> list_of(const std::vector<Warning>& warnings);
 /// Energies, temperatures, pressure, and what thermostat, barostat and hybrid Monte Carlo did.
 Quantities of_averages(const RunSummary& summary);
 
+/// The time-step bias of each average; null where it is not known.
+Quantity of_step_bias(const RunSummary& summary);
+
 }  // namespace polhode

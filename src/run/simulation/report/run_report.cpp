@@ -97,13 +97,13 @@ Quantities conservation_rows(const RunSummary& s) {
   if (s.ensemble.settings.hybrid_monte_carlo) return {};
   Quantities rows = {row("R", ratio_text(s))};
   if (s.rounding > 0 && s.samples >= min_samples_reported)
-    rows.push_back(row(
+    rows.push_back(detail(row(
         "R of rounding",
         fmt::format(
             "{:.2g} %, estimated{}", percent(s.rounding),
             s.ratio.value < rounding_margin * s.rounding
                 ? "; R is dominated by rounding: precision = \"double\" shows the R of the scheme"
-                : "")));
+                : ""))));
   rows.push_back(row(
       "energy drift",
       fmt::format(
@@ -111,11 +111,11 @@ Quantities conservation_rows(const RunSummary& s) {
           drift_text(s.drift, s.samples), size_text(s),
           s.walk_known ? "" : "; part of it is the random walk of rounding in mixed precision")));
   if (s.walk > 0)
-    rows.push_back(
+    rows.push_back(detail(
         row("random walk",
             fmt::format("of the {} energy, {:.2g} kJ/mol per sqrt(ps): R of {:.2g} % in this run, "
                         "growing as the square root of its length",
-                        energy_name(s), std::sqrt(s.walk), percent(s.ratio_of_walk()))));
+                        energy_name(s), std::sqrt(s.walk), percent(s.ratio_of_walk())))));
   return rows;
 }
 
@@ -159,13 +159,13 @@ Quantities of_shadow(const RunSummary& s) {
   if (!known) list.push_back({"error_not_known", "", reason(rms.known), "why rms has no error"});
   Quantities all = {{"shadow", "", std::move(list)}};
   if (!s.ensemble.settings.hybrid_monte_carlo)
-    all.push_back(
+    all.push_back(detail(
         row("shadow energy drift",
             fmt::format("{}{}; rms fluctuation {}{}", drift_text(shadow.drift, shadow.samples),
                         shadow.time_gain
                             ? fmt::format(", detected {:.2g} times sooner", *shadow.time_gain)
                             : "",
-                        text_of(rms, "kJ/mol"), missing_error(rms.known))));
+                        text_of(rms, "kJ/mol"), missing_error(rms.known)))));
   return all;
 }
 
@@ -201,7 +201,7 @@ Quantities of_costs(const RunReport& r) {
   const Timings& t = s.timings;
   const std::uint64_t moves = s.ensemble.barostat ? s.ensemble.barostat->evaluations : 0;
   return {
-      row("force evaluations", evaluations_text(s, nested)),
+      detail(row("force evaluations", evaluations_text(s, nested))),
       {"force_evaluations", "", s.force_evaluations, "force evaluations of the scheme"},
       {"derivative_evaluations", "", s.derivatives, "evaluations of their derivative"},
       {"near_evaluations", "", s.near_evaluations, "evaluations of an inner scheme's near forces"},
@@ -210,9 +210,9 @@ Quantities of_costs(const RunReport& r) {
       {"force_evaluations_of_moves", "", moves, "made by moves of a barostat"},
       {"force_evaluations_of_minimisation", "", s.minimisation_evaluations,
        "made before the trajectory"},
-      {"list_rebuilds", "", s.list_rebuilds, "rebuilds of the neighbour list", "neighbour list",
-       " rebuilds"},
-      row("time", time_text(t, nested)),
+      detail({"list_rebuilds", "", s.list_rebuilds, "rebuilds of the neighbour list",
+              "neighbour list", " rebuilds"}),
+      detail(row("time", time_text(t, nested))),
       {"seconds", "",
        Quantities{{"all", "", t.all(), "wall-clock time [s]"},
                   {"forces", "", t.forces, "of it for forces"},
@@ -220,9 +220,10 @@ Quantities of_costs(const RunReport& r) {
                   {"list", "", t.list, "for neighbour lists"},
                   {"motion", "", t.motion, "for drifts and kicks"},
                   {"energies_and_output", "", t.measurement, "for energies and output"}}},
-      {"ns_per_day", "", s.ns_per_day, "simulated time per day of wall-clock time", "speed",
-       fmt::format(" ns/day with {} {}, instruction set {}", r.execution.threads,
-                   r.execution.threads == 1 ? "thread" : "threads", r.execution.instruction_set)},
+      detail({"ns_per_day", "", s.ns_per_day, "simulated time per day of wall-clock time", "speed",
+              fmt::format(" ns/day with {} {}, instruction set {}", r.execution.threads,
+                          r.execution.threads == 1 ? "thread" : "threads",
+                          r.execution.instruction_set)}),
       {"threads", "", r.execution.threads, "number of threads"},
       {"instruction_set", "", r.execution.instruction_set, "instruction set of the kernels"}};
 }
@@ -278,11 +279,12 @@ Quantities run_quantities(const RunReport& r) {
   Quantities all = of_settings(r);
   if (!s.ensemble.settings.constant_energy())
     all.push_back(row("ensemble", description(s.ensemble.settings)));
+  append(all, of_averages(s));
   append(all, conservation_rows(s));
   append(all, of_conservation(s));
   append(all, of_shadow(s));
-  append(all, of_averages(s));
   append(all, of_costs(r));
+  all.push_back(of_step_bias(s));
   all.push_back(of_guarantee(r.guarantee));
   all.push_back({"warnings", "", list_of(r.warnings), "what is probably wrong"});
   return all;
