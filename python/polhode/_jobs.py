@@ -232,7 +232,7 @@ def analyze(trajectory: Path, *, run: Source = None, molecules: Mapping[str, int
         fit: two lags between which D is fitted: ("2 ps", "10 ps").
         pairs (list of str): of sites, for g(r): ["OW-OW", "OW-HW"].
         viscosity, temperature, electrostatics: as the options of the command line.
-        energies: energies file of the run, for the bias of the step; needs run.
+        energies: energies file of the run, for the time-step bias; needs run.
         output: prefix of the files with the curves; default: polhode-analysis.
         plot (str): "svg", "png" or "none"; Report.plot() draws, too.
         force, threads, progress, messages: as in run().

@@ -92,7 +92,7 @@ class Shadow(Sandbox):
         self.assertEqual(json.loads(self.polhode(*TUNE, "--json", "--threads", "1").out), report)
         text = self.polhode(*TUNE).out
         plain, gradient = report["families"]
-        for words in ("family of hoa2", "family of gier4", f"{plain['parameters']['eta']['value']:.5f}", gradient["scheme"]):
+        for words in ("hoa2", "gier4", f"{plain['parameters']['eta']['value']:.5f}", gradient["scheme"]):
             self.assertIn(words, text)
 
     def test_tuning_of_ones_own_parameters(self):

@@ -55,7 +55,7 @@ class Topologies(Sandbox):
 
     def test_a_model_with_a_massless_site_uses_atoms_of_a_data_file(self):
         text = '[system]\nmolecules = [{ model = "tip4p" }]\ninitial_configuration = "water.data"\n[forces]\ncutoff = "0.9 nm"\n'
-        self.assertIn("molecules         2\n", self.done("energy", text).out)
+        self.assertIn("molecules             2\n", self.done("energy", text).out)
 
     def test_molecules_of_a_topology_are_shown(self):
         shown = self.polhode("molecules", "topol.top").out

@@ -81,7 +81,7 @@ struct Quantity {
   bool detail = false;
 };
 
-/// The same as a detail.
+/// Makes a quantity a detail.
 Quantity detail(Quantity quantity);
 
 /// A row of the text that is not in JSON; a line of its own without a label.
@@ -131,8 +131,8 @@ std::string json_text(const Quantities& list);
 /// Several lists as a JSON array.
 std::string json_text(const std::vector<Quantities>& lists);
 
-/// The same, with rows of the text as its key "rows": objects with "label", "text", "meaning",
-/// "level" and "table", whose first row is the head.
+/// JSON of a list, with rows of the text as its key "rows": objects with "label", "text",
+/// "meaning", "level" and "table", whose first row is the head.
 std::string json_text(const Quantities& list, const std::vector<TextRow>& rows);
 
 /// A table of Markdown with the keys, their units and meanings.

@@ -39,7 +39,7 @@ Quantities of_point(const Candidate& candidate, const AdviserPoint& point) {
       {"blew_up", "", !there, "whether one of them blew up", "", "", "-"},
       {"usable", "", point.usable, "whether no run blew up and the energy does not drift"},
       {"R", "", R,
-       "rms fluctuation of the total energy over that of the potential; `R_error`: its "
+       "rms fluctuation of the total energy over the fluctuation of the potential; `R_error`: its "
        "standard error"},
       {"drift_per_molecule", "kJ/mol/ns", in_kJ_per_ns(drift.value), "energy drift per molecule"},
       {"drift_error", "[kJ/mol/ns]", in_kJ_per_ns(drift.error), "its standard error"},

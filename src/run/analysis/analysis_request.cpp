@@ -113,7 +113,7 @@ std::vector<RequestOption<Request>> Request::options() {
   return {
       {"run", &Request::run, "run file of the trajectory, for its molecules and electrostatics"},
       {"energies", &Request::energies,
-       "energies file of the run, for the bias of the step in g(r) and the dielectric constant; "
+       "energies file of the run, for the time-step bias in g(r) and the dielectric constant; "
        "needs the run file"},
       {"molecules", &Request::molecules,
        "instead of a run file: \"tip4p 512, na-tip4p-ew 4\", in the order of the file"},
@@ -158,7 +158,7 @@ AnalysisInput analysis_input(const Request& request, const std::string& trajecto
         run == nullptr ? "not known" : "given twice", request.run.name, request.molecules.name));
   if (request.energies && run == nullptr)
     throw Error(
-        fmt::format("{} is for the bias of the step, which depends on what the run held "
+        fmt::format("{} is for the time-step bias, which depends on what the run held "
                     "constant; give {} water.toml as well",
                     request.energies.name, request.run.name));
   AnalysisInput input{.trajectory = trajectory, .names = request.names.text};

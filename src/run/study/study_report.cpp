@@ -49,7 +49,8 @@ Quantities of_point(const EfficiencyPoint& p, bool usable) {
       {"stable", "", p.stable, "whether no run blew up"},
       {"usable", "", usable, "whether the step is before the end of the curve"},
       {"R", "%", over_runs(p, p.ratio),
-       "rms fluctuation of the total energy over that of the potential; `R_error`: its standard "
+       "rms fluctuation of the total energy over the fluctuation of the potential; `R_error`: its "
+       "standard "
        "error",
        "R"},
       {"drift", "kJ/mol/ps", over_runs(p, p.drift.rate),

@@ -69,11 +69,12 @@ Quantities table(const std::vector<Curve>& curves, const std::vector<Equipartiti
 }  // namespace
 
 Quantities excesses(const EfficiencyPoint& point) {
-  return {{"excess", "K", list_of(point.excess),
-           "temperature of rotation about each principal axis minus that of translation"},
-          {"configurational_excess", "K", list_of(point.configurational_excess),
-           "configurational minus kinetic temperature of translation, and of rotation about each "
-           "principal axis"}};
+  return {
+      {"excess", "K", list_of(point.excess),
+       "temperature of rotation about each principal axis minus the temperature of translation"},
+      {"configurational_excess", "K", list_of(point.configurational_excess),
+       "configurational minus kinetic temperature of translation, and of rotation about each "
+       "principal axis"}};
 }
 
 Quantities limits(const std::vector<EquipartitionFit>& fits) {
@@ -94,7 +95,8 @@ Quantities limits(const std::vector<EquipartitionFit>& fits) {
 Quantities temperature_tables(const std::vector<Curve>& curves,
                               const std::vector<EquipartitionFit>& fits) {
   Quantities tables = table(
-      curves, fits, "temperature of rotation about each principal axis minus that of translation",
+      curves, fits,
+      "temperature of rotation about each principal axis minus the temperature of translation",
       {"axis 1", "axis 2", "axis 3"},
       [](const EfficiencyPoint& p) -> const auto& { return p.excess; },
       [](const EquipartitionFit& fit) -> const auto& { return fit.axes; });

@@ -93,7 +93,7 @@ struct CanonicalPoint {
   Estimate correlation_time;                 ///< τ of U [ps]; not a number if unknown
   Estimate acceptance, weight;
   Estimate evaluations_per_sample() const;  ///< 2τ times the cost
-  /// That of a quantity; nothing if its bias is unknown.
+  /// Accuracy of a quantity; nothing if its bias is unknown.
   std::optional<Accuracy> accuracy(std::size_t quantity, BiasCriterion criterion) const;
   /// Above, if it is for any quantity; below, if it is for all; otherwise undecided.
   Accuracy accuracy(BiasCriterion criterion) const;

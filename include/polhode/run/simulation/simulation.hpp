@@ -76,7 +76,7 @@ class Simulation {
   Energies energies() const;
   /// Statistics of the trajectory's present segment so far.
   RunSummary summary();
-  /// The same as run() reports it, with its warnings, of a trajectory in memory.
+  /// Report of a trajectory in memory, with warnings, as from run().
   RunReport report();
 
   /// If the run file asks for an accuracy, lets the adviser choose the step, and the scheme unless

@@ -39,9 +39,9 @@ ForceNoise force_noise(const System& system, Workers& workers = Workers::serial(
 /// 5/9.
 double kick_weights(const Scheme& scheme, double lambda);
 
-/// The same with an inner scheme, whose n steps in a drift of a h have weights of a/n: the outer
-/// sum plus Σ a²/n times the inner one. Near and slow forces are both assumed to be as noisy as the
-/// total forces, although they share the noise of near pairs: an upper estimate.
+/// Kick weights with an inner scheme, whose n steps in a drift of a h have weights of a/n: the
+/// outer sum plus Σ a²/n times the inner one. Near and slow forces are both assumed to be as noisy
+/// as the total forces, although they share the noise of near pairs: an upper estimate.
 double kick_weights(const NestedScheme& scheme, double lambda);
 
 /// Variance per time of the random walk of the total energy that the noise drives [(kJ/mol)²/ps]:
@@ -49,8 +49,8 @@ double kick_weights(const NestedScheme& scheme, double lambda);
 double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                      double step);
 
-/// The same of rounding in double precision, an upper estimate: a step is about 16 roundings of
-/// every energy, 2⁻⁵³ of its size each.
+/// Variance per time of the random walk of rounding in double precision, an upper estimate: a step
+/// is about 16 roundings of every energy, 2⁻⁵³ of its size each.
 double double_walk(const Energies& energies, double step);
 
 /// The largest energy drift that rounding in double precision can cause [kJ/mol/ps]: all of these
