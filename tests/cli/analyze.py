@@ -156,7 +156,7 @@ class Analyze(Sandbox):
         peak = report["rdf"][0]["step_bias"]
         self.assertEqual(set(peak), {"peak_nm", "peak_height", "coordination"})
         text = self.done_analysis(*options).out
-        self.assertRegex(text, r"time-step bias    height -?0\.\d+ .*, without it \d+\.\d+; position -?0\.\d+ .*, without it 0\.\d+ nm")
+        self.assertRegex(text, r"time-step bias +height -?0\.\d+ .*, without it \d+\.\d+; position -?0\.\d+ .*, without it 0\.\d+ nm")
 
     def test_energies_that_do_not_belong_to_the_frames(self):
         self.done("run", edited(LONG, ("seed = 1", "seed = 2"), ('prefix = "out"', 'prefix = "other"')))

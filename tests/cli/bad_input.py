@@ -65,7 +65,7 @@ RUN_FILE = [
     ("step that is not finite", [('step = "2 fs"', 'step = "nan fs"')], ["nan fs", "finite", "run.toml:11"]),
     ("infinite cutoff", [('"1.0 nm"', '"inf nm"')], ["inf nm", "finite", "run.toml:7"]),
     ("number that is too large", [('"100 K"', '"1e999 K"')], ["1e999 K", "finite", "run.toml:4"]),
-    ("negative temperature", [('"100 K"', '"-1 K"')], ["-1 K", "above 0 K", "run.toml:4"]),
+    ("negative temperature", [('"100 K"', '"-1 K"')], ["-1 K", "0 K or more", "run.toml:4"]),
     ("zero count", [("count = 27", "count = 0")], ["count = 0", "1 or more", "run.toml:2"]),
     ("fractional count", [("count = 27", "count = 2.5")], ["2.5", "whole number", "run.toml:2"]),
     ("zero density", [('box = "2.5 nm"', 'density = "0 g/cm3"')], ["above 0 g/cm3", "run.toml:3"]),

@@ -172,7 +172,7 @@ class Formats(Sandbox):
             (["out-trajectory.xtc", "a.grp"], ["'a.grp' has no known extension", "'gro'"]),
             (["out-trajectory.gro", "out-trajectory.pdb"], ["exists and would be overwritten", "--force"]),
             (["out-trajectory.gro", "a.pdb", "--from", "1 ps"], ["no frame", "first and the last time"]),
-            (["out-trajectory.gro", "a.pdb", "--every", "0"], ["no 0th frame", "1 or more"]),
+            (["out-trajectory.gro", "a.pdb", "--every", "0"], ["from 1 to", "whole number"]),
             (["out-trajectory.gro", "a.pdb", "--from", "2 ps", "--to", "1 ps"], ["2 ps", "1 ps", "swap"]),
             (["run.toml", "a.pdb"], ["'run.toml' has no known extension"]),
         ]:

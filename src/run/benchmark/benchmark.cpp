@@ -78,6 +78,7 @@ System liquid_water(std::size_t molecules, const Callbacks& callbacks, Workers& 
   config.system.molecules[0].count = molecules;
   config.system.density = one.topology.mass() / one.state.box.volume();
   config.source = fmt::format("a box of {} waters", molecules);
+  config.given.clear();  // errors are about the box, not about a file
   System water = build_system(config);
   ForceField forces(water.topology, water.forces, water.state.box, workers);
   equilibrate(water, forces, 0.1, {.stop = callbacks.stop}, workers);
