@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -78,6 +79,9 @@ class PairEngine {
 /// An engine in the precision of the settings.
 struct AnyPairEngine {
   std::variant<PairEngine<double>, PairEngine<float>> in_precision;
+
+  template <class T>
+  explicit AnyPairEngine(PairEngine<T>&& engine) : in_precision(std::move(engine)) {}
 
   /// Calls a function of the engine.
   template <class Function>
