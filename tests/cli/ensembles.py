@@ -4,6 +4,7 @@
 import csv
 import json
 import math
+import re
 import unittest
 
 import sandbox
@@ -59,7 +60,8 @@ class Ensembles(Sandbox):
 
     def test_bias_of_the_step_at_constant_energy(self):
         """cov(A, E)/kT, as computed from the energies file."""
-        report = json.loads(self.done("run", edited(LIQUID, ('step = "5 fs"', 'step = "20 fs"'), ('sample = "10 fs"', 'sample = "20 fs"')), "--json").out)
+        coarse = edited(LIQUID, ('step = "5 fs"', 'step = "20 fs"'), ('sample = "10 fs"', 'sample = "20 fs"'))
+        report = json.loads(self.done("run", coarse, "--json").out)
         bias, energies = report["step_bias"], self.columns()
         kT = BOLTZMANN * report["temperature_K"]
         covariance = lambda x: mean([a * b for a, b in zip(x, energies["total"])]) - mean(x) * mean(energies["total"])
@@ -69,9 +71,15 @@ class Ensembles(Sandbox):
             self.assertAlmostEqual(bias[name]["value"] / value, 1, places=2)
             self.assertGreater(bias[name]["error"], 0)
         self.assertEqual(bias["temperature_rotation_all_K"]["value"], 0)  # atoms
-        text = self.done("run", LIQUID, "--force").out
+        text = self.done("run", coarse, "--force").out
         for words in ("time-step bias", "  potential energy    ", "kJ/mol per molecule, without it -"):
             self.assertIn(words, text)
+        self.assertLess(text.index("\nforce evaluations"), text.index("\npotential energy"), "details come first")
+        for label, key, average in (("pressure", "pressure_bar", report["pressure_bar"]),
+                                    ("T of translation", "temperature_translation_K", report["temperature_translation_K"])):
+            without = float(re.search(rf"\n  {label} .*without it (\S+)", text)[1])
+            self.assertAlmostEqual(without / (average - bias[key]["value"]), 1, places=4)
+            self.assertNotAlmostEqual(without / average, 1, places=4)
         self.assertIsNone(json.loads(self.done("run", NPT, "--json", "--force").out)["step_bias"])  # Langevin
 
     def test_temperature_of_half_steps(self):
