@@ -75,11 +75,9 @@ class Ensembles(Sandbox):
         for words in ("time-step bias", "  potential energy    ", "kJ/mol per molecule, without it -"):
             self.assertIn(words, text)
         self.assertLess(text.index("\nforce evaluations"), text.index("\npotential energy"), "details come first")
-        for label, key, average in (("pressure", "pressure_bar", report["pressure_bar"]),
-                                    ("T of translation", "temperature_translation_K", report["temperature_translation_K"])):
-            without = float(re.search(rf"\n  {label} .*without it (\S+)", text)[1])
-            self.assertAlmostEqual(without / (average - bias[key]["value"]), 1, places=4)
-            self.assertNotAlmostEqual(without / average, 1, places=4)
+        without = float(re.search(r"\n  pressure .*without it (\S+)", text)[1])
+        self.assertAlmostEqual(without / (report["pressure_bar"] - bias["pressure_bar"]["value"]), 1, places=4)
+        self.assertNotAlmostEqual(without / report["pressure_bar"], 1, places=4, msg="the bias is too small for this test")
         self.assertIsNone(json.loads(self.done("run", NPT, "--json", "--force").out)["step_bias"])  # Langevin
 
     def test_temperature_of_half_steps(self):
