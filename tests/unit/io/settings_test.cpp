@@ -26,8 +26,8 @@ namespace {
 std::string page_of(const std::string& table) {
   const bool ensemble =
       table == "thermostat" || table == "barostat" || table == "hybrid_monte_carlo";
-  return std::string(POLHODE_TEST_DATA) + "/../../docs/manual/" +
-         (ensemble ? "ensembles.md" : "run-files.md");
+  return ensemble ? POLHODE_TEST_DATA "/../../docs/manual/ensembles.md"
+                  : POLHODE_TEST_DATA "/../../docs/manual/run-files.md";
 }
 
 const std::string system_table =
