@@ -12,10 +12,10 @@
 
 namespace polhode::lammps {
 
-/// Position and attitude.
+/// Position and orientation.
 struct Pose {
   Vec3<double> q;
-  Quaternion<double> attitude;
+  Quaternion<double> orientation;
 };
 
 /// Everything about a body that the rest of its trajectory depends on, in the units of LAMMPS:
@@ -41,7 +41,7 @@ struct BodyColumns {
   Load load;            ///< of the last plain evaluation
   Load displaced_load;  ///< of the last evaluation at displaced positions
   Vec3Column kept_q;    ///< of a gradient kick in progress
-  QuaternionColumn kept_attitude;
+  QuaternionColumn kept_orientation;
   Vec3Column pair_f, pair_tau;    ///< from pair_style polhode, until they become part of a load
   Column<std::uint64_t> numbers;  ///< which select random numbers: the ids of the owner atoms
 
@@ -51,21 +51,21 @@ struct BodyColumns {
         load(topology.size()),
         displaced_load(topology.size()),
         kept_q(topology.size()),
-        kept_attitude(topology.size()),
+        kept_orientation(topology.size()),
         pair_f(topology.size()),
         pair_tau(topology.size()),
         numbers(topology.size()) {}
   std::size_t size() const { return state.size(); }
 
-  Pose pose(std::size_t i) const { return {state.q[i], state.attitude[i]}; }
+  Pose pose(std::size_t i) const { return {state.q[i], state.orientation[i]}; }
   BodyRecord record(std::size_t i) const {
-    return {pose(i),   state.p[i], state.ell[i], {kept_q[i], kept_attitude[i]},
+    return {pose(i),   state.p[i], state.ell[i], {kept_q[i], kept_orientation[i]},
             load.f[i], load.tau[i]};
   }
   void set(std::size_t i, const BodyRecord& body) {
-    state.q.set(i, body.pose.q), state.attitude.set(i, body.pose.attitude);
+    state.q.set(i, body.pose.q), state.orientation.set(i, body.pose.orientation);
     state.p.set(i, body.p), state.ell.set(i, body.ell);
-    kept_q.set(i, body.kept_pose.q), kept_attitude.set(i, body.kept_pose.attitude);
+    kept_q.set(i, body.kept_pose.q), kept_orientation.set(i, body.kept_pose.orientation);
     load.f.set(i, body.kept_f), load.tau.set(i, body.kept_tau);
   }
   /// Moves a body, for example by an edge of the box.
@@ -79,7 +79,7 @@ struct BodyColumns {
   Vec3<double> velocity(std::size_t i) const { return bodies.inverse_m[i] * state.p[i]; }
   /// ω = Sᵀ J⁻¹ S ℓ, lab.
   Vec3<double> angular_velocity(std::size_t i) const {
-    const Quaternion<double> a = state.attitude[i];
+    const Quaternion<double> a = state.orientation[i];
     return to_lab(a, scaled(bodies.inverse_J[i], to_body(a, state.ell[i])));
   }
 };

@@ -136,13 +136,13 @@ void FixPolhode::final_integrate() {
 void FixPolhode::begin_displacement(double xi) {
   BodyColumns& c = *columns_;
   c.kept_q = c.state.q;
-  c.kept_attitude = c.state.attitude;
+  c.kept_orientation = c.state.orientation;
   displace(c.state, c.bodies, c.load, 2 * xi * settings_.lambda * step() * step());
 }
 
 void FixPolhode::end_displacement() {
   columns_->state.q = columns_->kept_q;
-  columns_->state.attitude = columns_->kept_attitude;
+  columns_->state.orientation = columns_->kept_orientation;
 }
 
 /// The Ornstein-Uhlenbeck flow; the total momentum stays where all atoms are in bodies.
@@ -170,7 +170,7 @@ void FixPolhode::place_atoms() {
   for (int i = 0; i < atom->nlocal; ++i) {
     if (owner(i).body < 0) continue;
     const Pose p = pose(owner(i));
-    set(atom->x[i], p.q + to_lab(p.attitude, owner(i).site));
+    set(atom->x[i], p.q + to_lab(p.orientation, owner(i).site));
   }
 }
 

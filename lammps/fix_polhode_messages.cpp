@@ -137,8 +137,8 @@ int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_
     } else if (body >= 0 && message_ == Message::poses) {
       const Pose p = pose(body);
       to = put(to, p.q + shift);
-      *to++ = p.attitude.w;
-      to = put(to, p.attitude.vector());
+      *to++ = p.orientation.w;
+      to = put(to, p.orientation.vector());
     } else if (body >= 0) {
       const Motion m = motion(body);
       to = put(put(to, m.velocity), m.angular_velocity);
@@ -165,9 +165,9 @@ void FixPolhode::unpack_forward_comm(int count, int first, double* buffer) {
     GhostBody& body = ghost(body_of(i));
     if (message_ == Message::poses) {
       body.pose.q = take(from);
-      body.pose.attitude.w = *from++;
+      body.pose.orientation.w = *from++;
       const Vec3<double> v = take(from);
-      body.pose.attitude.x = v.x, body.pose.attitude.y = v.y, body.pose.attitude.z = v.z;
+      body.pose.orientation.x = v.x, body.pose.orientation.y = v.y, body.pose.orientation.z = v.z;
     } else {
       body.motion.velocity = take(from);
       body.motion.angular_velocity = take(from);

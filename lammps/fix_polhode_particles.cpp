@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // fix polhode: particles, each of which is a whole molecule. LAMMPS has their centres and
-// velocities as those of atoms, and their attitudes and angular momenta as columns of fix
+// velocities as those of atoms, and their orientations and angular momenta as columns of fix
 // property/atom.
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace polhode::lammps {
 namespace {
 
-constexpr const char* attitude_name = "attitude";
+constexpr const char* orientation_name = "orientation";
 constexpr const char* angular_momentum_name = "angular_momentum";
 // How accurately the mass of a particle must be that of its sites, which input files round.
 constexpr double same_mass = 1e-6;
@@ -75,7 +75,7 @@ int FixPolhode::kind_of_particle(int i) const {
 
 /// The body of a particle as LAMMPS has it, in its periodic image.
 BodyRecord FixPolhode::body_of_particle(int i, const Kind& kind) {
-  const double* const a = particle_column(attitude_name, 4)[i];
+  const double* const a = particle_column(orientation_name, 4)[i];
   const Vec3<double> x = vector(atom->x[i]);
   const Particle particle{x,
                           vector(atom->v[i]),
@@ -101,24 +101,28 @@ double** FixPolhode::particle_column(const char* name, int length) const {
   int is_double = 0, columns = 0;
   const int index = atom->find_custom(name, is_double, columns);
   if (index < 0 || is_double == 0 || columns != length)
-    error->all(FLERR,
-               "fix polhode: particles have attitudes and angular momenta, for which atoms have no "
-               "place; define 'fix ID all property/atom d2_{} 4 d2_{} 3' before them",
-               attitude_name, angular_momentum_name);
+    error->all(
+        FLERR,
+        "fix polhode: particles have orientations and angular momenta, for which atoms have no "
+        "place; define 'fix ID all property/atom d2_{} 4 d2_{} 3' before them{}",
+        orientation_name, angular_momentum_name,
+        atom->find_custom("attitude", is_double, columns) < 0
+            ? ""
+            : "; d2_attitude is called d2_orientation now");
   return atom->darray[index];
 }
 
-/// Attitudes and angular momenta as LAMMPS has them.
+/// Orientations and angular momenta as LAMMPS has them.
 void FixPolhode::set_particle_columns() {
   if (settings_.particles.empty()) return;
-  double** const attitude = particle_column(attitude_name, 4);
+  double** const orientation = particle_column(orientation_name, 4);
   double** const angular_momentum = particle_column(angular_momentum_name, 3);
   for (int i = 0; i < atom->nlocal; ++i) {
     if (body_of(i) < 0 || kind(i).particle == 0) continue;
     const auto body = static_cast<std::size_t>(body_of(i));
-    const Quaternion<double> a = attitude_of_particle(kind(i), columns_->pose(body));
-    attitude[i][0] = a.w;
-    set(attitude[i] + 1, a.vector());
+    const Quaternion<double> a = orientation_of_particle(kind(i), columns_->pose(body));
+    orientation[i][0] = a.w;
+    set(orientation[i] + 1, a.vector());
     set(angular_momentum[i], columns_->state.ell[body]);
   }
 }

@@ -35,12 +35,12 @@ Vec3<double> over_J(const Molecule& molecule, Vec3<double> L) {
 }
 
 // No angular momentum about an axis without inertia.
-Vec3<double> with_inertia(const Molecule& molecule, const Quaternion<double>& attitude,
+Vec3<double> with_inertia(const Molecule& molecule, const Quaternion<double>& orientation,
                           const Vec3<double>& ell) {
-  Vec3<double> L = to_body(attitude, ell);
+  Vec3<double> L = to_body(orientation, ell);
   for (std::size_t d = 0; d < 3; ++d)
     if (molecule.J[d] == 0) L[d] = 0;
-  return to_lab(attitude, L);
+  return to_lab(orientation, L);
 }
 
 // straighten() has its limit in nm, so the shape is scaled until this limit is ours.
@@ -169,23 +169,23 @@ BodyRecord fitted_body(const Kind& kind, const std::vector<SiteAtom>& atoms) {
     mass.push_back(atoms[k].mass);
     body.ell += atoms[k].mass * cross(lab.back(), atoms[k].v);
   }
-  body.pose.attitude = best_rotation(own, lab, mass);
-  body.ell = with_inertia(m, body.pose.attitude, body.ell);
+  body.pose.orientation = best_rotation(own, lab, mass);
+  body.ell = with_inertia(m, body.pose.orientation, body.ell);
   return body;
 }
 
 Vec3<double> position(const Kind& kind, std::size_t atom, const Pose& pose) {
-  return pose.q + to_lab(pose.attitude, kind.atom(atom));
+  return pose.q + to_lab(pose.orientation, kind.atom(atom));
 }
 
 Vec3<double> velocity(const Kind& kind, std::size_t atom, const BodyRecord& body) {
-  const Quaternion<double> a = body.pose.attitude;
+  const Quaternion<double> a = body.pose.orientation;
   const Vec3<double> omega = to_lab(a, over_J(kind.molecule, to_body(a, body.ell)));
   return body.p / kind.molecule.mass + cross(omega, to_lab(a, kind.atom(atom)));
 }
 
 double rotational_energy(const Kind& kind, const BodyRecord& body) {
-  const Vec3<double> L = to_body(body.pose.attitude, body.ell);
+  const Vec3<double> L = to_body(body.pose.orientation, body.ell);
   return dot(L, over_J(kind.molecule, L)) / 2;
 }
 
@@ -221,32 +221,32 @@ BodyRecord updated_body(const Kind& kind, const std::vector<SiteAtom>& atoms,
 
 BodyRecord body_of_particle(const Kind& kind, const Particle& particle, const BodyRecord* before,
                             std::int64_t id) {
-  const double length = std::sqrt(norm2(particle.attitude));
+  const double length = std::sqrt(norm2(particle.orientation));
   if (!(std::abs(length - 1) < 1e-3))
-    throw Error("particle " + std::to_string(id) + " has an attitude of length " +
-                four_digits(length) +
-                "; it must be a unit quaternion (w, x, y, z), so give d2_attitude a value for each "
-                "particle");
+    throw Error(
+        "particle " + std::to_string(id) + " has an orientation of length " + four_digits(length) +
+        "; it must be a unit quaternion (w, x, y, z), so give d2_orientation a value for each "
+        "particle");
   const Molecule& m = kind.molecule;
   BodyRecord body;
-  body.pose = {particle.x, normalized(particle.attitude) * kind.frame};
+  body.pose = {particle.x, normalized(particle.orientation) * kind.frame};
   body.p = m.mass * particle.v;
-  body.ell = with_inertia(m, body.pose.attitude, particle.ell);
+  body.ell = with_inertia(m, body.pose.orientation, particle.ell);
   if (before == nullptr) return body;
   const auto same = [](const Vec3<double>& x, const Vec3<double>& y, double scale) {
     return norm(x - y) <= unchanged * scale;
   };
-  const Quaternion<double> turn = conjugate(before->pose.attitude) * body.pose.attitude;
+  const Quaternion<double> turn = conjugate(before->pose.orientation) * body.pose.orientation;
   BodyRecord joined = *before;
   if (!same(body.pose.q, before->pose.q, kind.extent)) joined.pose.q = body.pose.q;
-  if (norm(turn.vector()) > unchanged) joined.pose.attitude = body.pose.attitude;
+  if (norm(turn.vector()) > unchanged) joined.pose.orientation = body.pose.orientation;
   if (!same(body.p, before->p, norm(body.p))) joined.p = body.p;
   if (!same(body.ell, before->ell, norm(body.ell))) joined.ell = body.ell;
   return joined;
 }
 
-Quaternion<double> attitude_of_particle(const Kind& kind, const Pose& pose) {
-  return pose.attitude * conjugate(kind.frame);
+Quaternion<double> orientation_of_particle(const Kind& kind, const Pose& pose) {
+  return pose.orientation * conjugate(kind.frame);
 }
 
 }  // namespace polhode::lammps

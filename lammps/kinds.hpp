@@ -30,7 +30,7 @@ struct Kind {
   Molecule molecule;       ///< its sites in the same order
   int particle = 0;        ///< the type of its particles; 0: each of its sites is an atom
   // Of particles: the charges of their sites, and the rotation from the principal frame to that of
-  // the molecule file, in which LAMMPS has their attitudes.
+  // the molecule file, in which LAMMPS has their orientations.
   std::vector<double> charges;
   Quaternion<double> frame{};
   std::int64_t first = 0;  ///< the molecule that its shape was taken from
@@ -79,17 +79,17 @@ void check_shape(const Kind& kind, std::int64_t number, const std::vector<SiteAt
 BodyRecord updated_body(const Kind& kind, const std::vector<SiteAtom>& atoms,
                         const BodyRecord& before);
 
-/// A particle as LAMMPS has it; the attitude is that of the molecule in its file.
+/// A particle as LAMMPS has it; the orientation is that of the molecule in its file.
 struct Particle {
   Vec3<double> x{}, v{};
-  Quaternion<double> attitude;
+  Quaternion<double> orientation;
   Vec3<double> ell{};
 };
-Quaternion<double> attitude_of_particle(const Kind& kind, const Pose& pose);
+Quaternion<double> orientation_of_particle(const Kind& kind, const Pose& pose);
 
 /// The body of a particle: the one given, in the image of the particle, as far as it agrees with it
 /// to 1e-9, otherwise with the numbers of the particle.
-/// @throws Error  if the attitude is not that of a rotation; `id` is that of the particle
+/// @throws Error  if the orientation is not that of a rotation; `id` is that of the particle
 BodyRecord body_of_particle(const Kind& kind, const Particle& particle, const BodyRecord* before,
                             std::int64_t id);
 

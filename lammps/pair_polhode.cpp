@@ -223,12 +223,12 @@ void PairPolhode::place_bodies() {
   State& state = forces_->state();
   for (std::size_t i = 0; i < own.size(); ++i) {
     state.q.set(i, nm * own.q[i]);
-    state.attitude.set(i, own.attitude[i]);
+    state.orientation.set(i, own.orientation[i]);
   }
   for (std::size_t g = 0; g < ghost_order_.size(); ++g) {
     const Pose pose = fix_->pose_of_ghost(ghost_order_[g]);
     state.q.set(own.size() + g, nm * pose.q);
-    state.attitude.set(own.size() + g, pose.attitude);
+    state.orientation.set(own.size() + g, pose.orientation);
   }
 }
 

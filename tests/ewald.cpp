@@ -86,7 +86,7 @@ PointCharges point_charges(const Topology& topology, const State& state) {
     const InteractionSites sites(part.molecule);
     for (std::size_t n = 0; n < part.count; ++n, ++body)
       for (std::size_t k = 0; k < sites.charged; ++k) {
-        charges.r.push_back(state.q[body] + to_lab(state.attitude[body], sites.sites[k].r));
+        charges.r.push_back(state.q[body] + to_lab(state.orientation[body], sites.sites[k].r));
         charges.q.push_back(sites.sites[k].charge);
         charges.body.push_back(body);
       }

@@ -21,7 +21,7 @@ struct Scene {
   State state;
 };
 
-inline Quaternion<double> random_attitude(std::mt19937_64& random) {
+inline Quaternion<double> random_orientation(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   const double w = normal(random), x = normal(random), y = normal(random), z = normal(random);
   return normalized(Quaternion<double>{w, x, y, z});
@@ -42,11 +42,11 @@ inline Scene populated(const Topology& topology, const Vec3<double>& box,
   for (std::size_t i = 0; i < topology.size(); ++i) {
     scene.state.q.set(i, places[i] + vector(jitter));
     scene.state.p.set(i, vector(std::sqrt(2.5 * scene.bodies.m[i])));  // kT of 300 K
-    scene.state.attitude.set(i, random_attitude(random));
+    scene.state.orientation.set(i, random_orientation(random));
     const Vec3<double> J = scene.bodies.J[i];
     const Vec3<double> L =
         scaled(vector(std::sqrt(2.5)), {std::sqrt(J.x), std::sqrt(J.y), std::sqrt(J.z)});
-    scene.state.ell.set(i, to_lab(scene.state.attitude[i], L));
+    scene.state.ell.set(i, to_lab(scene.state.orientation[i], L));
   }
   return scene;
 }
@@ -85,7 +85,7 @@ inline ForceSettings no_truncation() { return {.cutoff = 19, .switch_from = 18};
 
 inline std::vector<Pose<double>> poses(const State& state) {
   std::vector<Pose<double>> all;
-  for (std::size_t i = 0; i < state.size(); ++i) all.push_back({state.q[i], state.attitude[i]});
+  for (std::size_t i = 0; i < state.size(); ++i) all.push_back({state.q[i], state.orientation[i]});
   return all;
 }
 

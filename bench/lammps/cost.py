@@ -70,8 +70,8 @@ atom_style atomic
 atom_modify map yes
 neighbor 1.0 bin
 pair_style {style}
-fix attitudes all property/atom d2_attitude 4 d2_angular_momentum 3
-read_data particles.data fix attitudes NULL Attitudes nocoeff
+fix orientations all property/atom d2_orientation 4 d2_angular_momentum 3
+read_data particles.data fix orientations NULL Orientations nocoeff
 pair_coeff 1 1 0.155 3.1536
 pair_coeff 2*4 2*4 0 0
 fix rigid all {fix}

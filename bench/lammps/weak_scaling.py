@@ -39,11 +39,11 @@ def replicated(data, copies):
     """A data file of particles, copied along the edges of its box."""
     head, _, rest = data.partition("\nAtoms # atomic\n\n")
     atoms, _, rest = rest.partition("\nVelocities\n\n")
-    velocities, _, attitudes = rest.partition("\nAttitudes\n\n")
+    velocities, _, orientations = rest.partition("\nOrientations\n\n")
     edges = [float(line.split()[1]) for line in head.splitlines() if line.endswith("hi")]
     shifts = [(i * edges[0], j * edges[1], k * edges[2]) for i in range(copies[0]) for j in range(copies[1])
               for k in range(copies[2])]
-    rows = [[line.split() for line in part.splitlines()] for part in (atoms, velocities, attitudes)]
+    rows = [[line.split() for line in part.splitlines()] for part in (atoms, velocities, orientations)]
     count = len(rows[0])
     for d, letter in enumerate("xyz"):
         head = re.sub(rf"0 \S+ {letter}lo", f"0 {copies[d] * edges[d]!r} {letter}lo", head)
@@ -52,7 +52,7 @@ def replicated(data, copies):
         for row in rows[0]:
             x = [repr(float(word) + s) for word, s in zip(row[2:], shift)]
             text += " ".join([str(int(row[0]) + n * count), row[1], *x]) + "\n"
-    for title, part in (("Velocities", rows[1]), ("Attitudes", rows[2])):
+    for title, part in (("Velocities", rows[1]), ("Orientations", rows[2])):
         text += f"\n{title}\n\n"
         for n in range(len(shifts)):
             text += "".join(" ".join([str(int(row[0]) + n * count), *row[1:]]) + "\n" for row in part)

@@ -38,7 +38,7 @@ Tops water_tops(double angle) {
     w *= 0.98 * angle / norm(w);  // |ω| moves along the polhode
     const Quaternion<double> q = normalized(
         Quaternion<double>{normal(random), normal(random), normal(random), normal(random)});
-    tops.attitude.set(n, q);
+    tops.orientation.set(n, q);
     tops.ell.set(n, to_lab(q, scaled(J, w)));
     tops.inverse_J.set(n, {1 / J.x, 1 / J.y, 1 / J.z});
   }

@@ -7,9 +7,9 @@
 namespace polhode::bench {
 
 struct Tops {
-  QuaternionColumn attitude;
+  QuaternionColumn orientation;
   Vec3Column ell, inverse_J;
-  explicit Tops(std::size_t count) : attitude(count), ell(count), inverse_J(count) {}
+  explicit Tops(std::size_t count) : orientation(count), ell(count), inverse_J(count) {}
   std::size_t size() const { return ell.size(); }
 };
 

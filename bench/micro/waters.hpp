@@ -21,7 +21,7 @@ inline System waters(std::size_t copies) {
                               static_cast<double>(box / copies % copies),
                               static_cast<double>(box / (copies * copies))};
       all.state.q.set(box * n + i, one.state.q[i] + scaled(cell, one.state.box.edge));
-      all.state.attitude.set(box * n + i, one.state.attitude[i]);
+      all.state.orientation.set(box * n + i, one.state.orientation[i]);
     }
   return all;
 }

@@ -131,7 +131,7 @@ def memory(simulations):
         simulation = polhode.Simulation(molecules="argon", count=1000, density="1 g/cm3", seed=k, threads=1)
         view = simulation.state.positions
         simulation.step()
-        state = sum(a.nbytes for a in (view, simulation.state.momenta, simulation.state.attitudes, simulation.state.angular_momenta))
+        state = sum(a.nbytes for a in (view, simulation.state.momenta, simulation.state.orientations, simulation.state.angular_momenta))
     print(f"\nafter {simulations} simulations of 1000 atoms {(resident() - before) / 1024:.0f} kB more than after the first hundred; "
           f"the state of one has {state / 1024:.0f} kB", flush=True)
 

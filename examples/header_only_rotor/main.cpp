@@ -24,18 +24,18 @@ double energy(const Vec3<double>& J, const Vec3<double>& L) {
 /// Rotates the nut by `steps` steps; returns the largest relative error of the energy.
 double carry(RotorMethod method, const Vec3<double>& J, const Vec3<double>& ell, double step,
              int steps) {
-  Quaternion<double> attitude;  // body → lab
+  Quaternion<double> orientation;  // body → lab
   double worst = 0;
   int flips = 0;
   bool up = true;
   for (int n = 0; n < steps; ++n) {
-    const Vec3<double> L = to_body(attitude, ell);
+    const Vec3<double> L = to_body(orientation, ell);
     worst = std::fmax(worst, std::abs(energy(J, L) / energy(J, ell) - 1));
     if ((L.y > 0) != up) {
       up = !up;
       ++flips;
     }
-    attitude = normalized(attitude * free_rotation(J, L, step, method).rotation);
+    orientation = normalized(orientation * free_rotation(J, L, step, method).rotation);
   }
   std::printf("%-10s %3d flips, largest relative energy error %.1e\n",
               method == RotorMethod::series ? "exact" : "NO_SQUISH", flips, worst);

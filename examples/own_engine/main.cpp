@@ -27,25 +27,25 @@ constexpr Vec3 mu{0.04, 0.0, 0.0};                 // dipole in the body frame [
 constexpr double E = 300, g = 3, stiffness = 800;  // [kJ/mol/e/nm], [1/nm], [kJ/mol/nm²]
 
 BodyLoad load(const RigidBody& body) {
-  const Vec3 dipole = polhode::to_lab(body.attitude, mu);
+  const Vec3 dipole = polhode::to_lab(body.orientation, mu);
   const Vec3 field{0, 0, E * (1 + g * body.q.z)};
   return {-stiffness * body.q + Vec3{0, 0, g * E * dipole.z}, polhode::cross(dipole, field)};
 }
 
 double energy(const RigidBody& body) {
-  const Vec3 dipole = polhode::to_lab(body.attitude, mu);
+  const Vec3 dipole = polhode::to_lab(body.orientation, mu);
   return body.kinetic_energy() + stiffness * polhode::norm2(body.q) / 2 -
          E * (1 + g * body.q.z) * dipole.z;
 }
 
 double largest_error(const polhode::Scheme& scheme, double h, int steps) {
-  std::array bodies{
-      RigidBody{.m = 18.0,
-                .J = {0.00615, 0.01155, 0.01770},
-                .q = {0.02, -0.01, 0.03},
-                .p = {3, 1, -2},
-                .attitude = polhode::normalized(polhode::Quaternion<double>{0.8, 0.2, 0.5, -0.1}),
-                .ell = {0.10, 0.08, -0.12}}};
+  std::array bodies{RigidBody{
+      .m = 18.0,
+      .J = {0.00615, 0.01155, 0.01770},
+      .q = {0.02, -0.01, 0.03},
+      .p = {3, 1, -2},
+      .orientation = polhode::normalized(polhode::Quaternion<double>{0.8, 0.2, 0.5, -0.1}),
+      .ell = {0.10, 0.08, -0.12}}};
   polhode::BodyFlows flows(bodies, [](auto all, auto loads) {
     std::transform(all.begin(), all.end(), loads.begin(), load);
   });

@@ -20,10 +20,12 @@ class Guarded:
     Class attributes:
         _instead (dict): what to do, for the names of attributes.
         _remedy (str): the same for all others that exist.
+        _renamed (dict): today's name of attributes that had another one.
     """
 
     __slots__ = ()
     _instead: dict[str, str] = {}
+    _renamed: dict[str, str] = {}
     _remedy = "it is a result, or follows from other things"
 
     def __setattr__(self, name, value):
@@ -36,8 +38,16 @@ class Guarded:
             raise AttributeError(f"{kind}.{name} cannot be set: {self._instead[name]}")
         if name in dir(self):
             raise AttributeError(f"{kind}.{name} cannot be set: {self._remedy}")
+        if name in self._renamed:
+            raise AttributeError(f"{kind}.{name} is called {self._renamed[name]}")
         names = [n for n in dir(self) if not n.startswith("_")]
         raise AttributeError(f"a {kind} has no attribute '{name}'{_core.did_you_mean(name, names)}")
+
+    def __getattr__(self, name):
+        kind = type(self).__name__.lstrip("_")
+        if name in self._renamed:
+            raise AttributeError(f"{kind}.{name} is called {self._renamed[name]}")
+        raise AttributeError(f"a {kind} has no attribute '{name}'")
 
 
 class Record(Guarded):

@@ -88,7 +88,7 @@ class Simulation(Guarded):
 
     @property
     def state(self) -> State:
-        """State: views of positions, momenta, attitudes and angular momenta."""
+        """State: views of positions, momenta, orientations and angular momenta."""
         return State(self._core, self.settings)
 
     @property

@@ -28,6 +28,7 @@ class State(Guarded):
     _remedy = "write 'with simulation.state.change() as state:', and there state.positions = ..."
     _instead = {"box": "it is that of the settings or of the initial configuration, and a barostat changes it",
                 "time": "it is that of the trajectory"}
+    _renamed = {"attitudes": "orientations"}
 
     def __init__(self, core, settings):
         self._core = core
@@ -44,9 +45,9 @@ class State(Guarded):
         return self._core.momenta
 
     @property
-    def attitudes(self) -> np.ndarray:
-        """Attitudes (n, 4), unit quaternions (w, x, y, z) that rotate body to lab."""
-        return self._core.attitudes
+    def orientations(self) -> np.ndarray:
+        """Orientations (n, 4), unit quaternions (w, x, y, z) that rotate body to lab."""
+        return self._core.orientations
 
     @property
     def angular_momenta(self) -> np.ndarray:
@@ -71,9 +72,9 @@ class State(Guarded):
 
     def change(self) -> _Change:
         """A context in which the state can be changed: its target has the writable arrays
-        `positions`, `momenta`, `attitudes` and `angular_momenta`, to be changed in place or assigned.
+        `positions`, `momenta`, `orientations` and `angular_momenta`, to be changed in place or assigned.
 
-        At its end attitudes are normalized, and a segment of the trajectory begins, with new forces
+        At its end orientations are normalized, and a segment of the trajectory begins, with new forces
         and statistics; steps are counted on. If an exception leaves the block, or a number is wrong, the state is
         as it was before. The arrays must not be kept: later writes have no defined effect.
 
@@ -113,10 +114,11 @@ class _Change(Guarded):
 
     __slots__ = ("_core", "_settings", "_arrays")
     _instead = State._instead
+    _renamed = State._renamed
 
     positions = _column(0, "positions", "Centres of mass (n, 3) [nm].")
     momenta = _column(1, "momenta", "Momenta (n, 3) [u nm/ps].")
-    attitudes = _column(2, "attitudes", "Attitudes (n, 4), quaternions (w, x, y, z).")
+    orientations = _column(2, "orientations", "Orientations (n, 4), quaternions (w, x, y, z).")
     angular_momenta = _column(3, "angular_momenta", "Angular momenta (n, 3) [u nm²/ps].")
 
     def __init__(self, core, settings):

@@ -40,7 +40,7 @@ def free_rotation(J: ArrayLike, L: ArrayLike, t: ArrayLike,
             all of them; "no-squish" and "symmetric-product", of second order.
 
     Returns:
-        (rotation, L): quaternions (..., 4), (w, x, y, z), with attitude(t) = attitude(0) *
+        (rotation, L): quaternions (..., 4), (w, x, y, z), with orientation(t) = orientation(0) *
         rotation, body to lab; and angular momenta in the body frame (..., 3).
 
     Raises:
@@ -89,7 +89,7 @@ def top(J: ArrayLike, L: ArrayLike, step: float = 0.0, length: float = 0.0, *,
     Returns:
         numpy.ndarray: structured, one row per sample: "t"; for each of "exact", "series" and
         "no_squish" a "_rotation" (4) and an "_L" (3); for the last two an "_energy_error" and a
-        "_momentum_error", relative, and an "_angle" to the exact attitude [rad].
+        "_momentum_error", relative, and an "_angle" to the exact orientation [rad].
     """
     J, L = _triple(J, "J"), _triple(L, "L")
     rows, _ = _core.top(J, L, float(step), float(length))

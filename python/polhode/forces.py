@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Forces of one's own: from a Python function, added to those of the force field.
 
-A function ``f(q, attitude)``, or ``f(q, attitude, box)``, is called with
+A function ``f(q, orientation)``, or ``f(q, orientation, box)``, is called with
 
 - ``q`` (n, 3): centres of mass [nm], unwrapped;
-- ``attitude`` (n, 4): unit quaternions (w, x, y, z) that rotate body to lab;
+- ``orientation`` (n, 4): unit quaternions (w, x, y, z) that rotate body to lab;
 - ``box`` (3): edges [nm];
 
 and returns ``force, torque, energy`` or ``force, torque, energy, virial``:
@@ -69,9 +69,9 @@ class ExternalForces(Guarded):
         """bool: whether it returns a virial, too."""
         return self._virial
 
-    def __call__(self, q, attitude, box):
+    def __call__(self, q, orientation, box):
         """The result of the function, checked: force, torque, energy, virial."""
-        arguments = (q, attitude, np.array(box)) if self._takes_box else (q, attitude)
+        arguments = (q, orientation, np.array(box)) if self._takes_box else (q, orientation)
         result = self.function(*arguments)
         wanted = 4 if self.virial else 3
         if not isinstance(result, (tuple, list)) or len(result) != wanted:

@@ -10,7 +10,7 @@
 
 namespace polhode::python {
 
-/// Forces by a Python function: called with positions (n, 3) [nm], attitudes (n, 4) and box (3)
+/// Forces by a Python function: called with positions (n, 3) [nm], orientations (n, 4) and box (3)
 /// [nm], which are copies; it returns forces (n, 3), torques (n, 3), an energy, and a virial (3, 3)
 /// or None, as checked arrays of doubles. The reference to it is weak: the caller keeps the
 /// function.

@@ -72,8 +72,8 @@ std::shared_ptr<const ExternalForces> external_forces(const nb::callable& functi
       throw Error(
           fmt::format("the forces '{}' no longer exist; keep the settings that have them", name));
     const Vec3<double>& edge = state.box.edge;
-    const nb::object result =
-        called(rows_of(state.q), rows_of(state.attitude), nb::make_tuple(edge.x, edge.y, edge.z));
+    const nb::object result = called(rows_of(state.q), rows_of(state.orientation),
+                                     nb::make_tuple(edge.x, edge.y, edge.z));
     add_result(nb::cast<nb::tuple>(result), load);
   };
   return std::make_shared<const ExternalForces>(std::move(forces));

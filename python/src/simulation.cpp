@@ -103,7 +103,7 @@ auto view_of(Member State::*member) {
   };
 }
 
-/// Writable views of positions, momenta, attitudes and angular momenta.
+/// Writable views of positions, momenta, orientations and angular momenta.
 nb::tuple begin_change(SimulationPointer s) {
   const InUse use(s.p->in_use);
   if (s.p->before_change) throw Error("the state is already being changed; leave that block first");
@@ -111,7 +111,7 @@ nb::tuple begin_change(SimulationPointer s) {
   State& state = s.p->simulation.state_to_change();
   const nb::object owner = nb::borrow(s.h);
   return nb::make_tuple(writable(state.q, owner), writable(state.p, owner),
-                        writable(state.attitude, owner), writable(state.ell, owner));
+                        writable(state.orientation, owner), writable(state.ell, owner));
 }
 
 /// @param keep  false: the state as it was before
@@ -187,7 +187,7 @@ void write_state(const OwnedSimulation& s, const std::string& path, bool massles
 void bind_state(nb::class_<OwnedSimulation>& c) {
   c.def_prop_ro("positions", view_of(&State::q))
       .def_prop_ro("momenta", view_of(&State::p))
-      .def_prop_ro("attitudes", view_of(&State::attitude))
+      .def_prop_ro("orientations", view_of(&State::orientation))
       .def_prop_ro("angular_momenta", view_of(&State::ell))
       .def_prop_ro("box",
                    [](const OwnedSimulation& s) {

@@ -67,7 +67,7 @@ nb::tuple top(const Triple& J, const Triple& L, double step, double length) {
     rows.push_back(s.t);
     add(rows, s.exact.rotation, s.exact.L);
     for (const TopTrack* track : {&s.series, &s.no_squish}) {
-      add(rows, track->attitude, track->L);
+      add(rows, track->orientation, track->L);
       rows.insert(rows.end(), {track->energy_error, track->momentum_error, track->angle});
     }
   }

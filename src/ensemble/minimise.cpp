@@ -30,8 +30,8 @@ Products products(const State& state, const Bodies& bodies, const Load& load) {
   Products sum;
   for (std::size_t i = 0; i < state.size(); ++i) {
     const Vec3<double> p = state.p[i], f = load.f[i];
-    const Vec3<double> L = to_body(state.attitude[i], state.ell[i]);
-    const Vec3<double> tau = to_body(state.attitude[i], load.tau[i]);
+    const Vec3<double> L = to_body(state.orientation[i], state.ell[i]);
+    const Vec3<double> tau = to_body(state.orientation[i], load.tau[i]);
     const Vec3<double> omega = scaled(bodies.inverse_J[i], L);
     const double inverse_m = bodies.inverse_m[i];
     sum.power += inverse_m * dot(f, p) + dot(tau, omega);
@@ -105,7 +105,7 @@ class Fire {
   void cap_moves() {
     for (std::size_t i = 0; i < state_.size(); ++i) {
       const Vec3<double> p = state_.p[i], ell = state_.ell[i];
-      const Vec3<double> omega = scaled(bodies_.inverse_J[i], to_body(state_.attitude[i], ell));
+      const Vec3<double> omega = scaled(bodies_.inverse_J[i], to_body(state_.orientation[i], ell));
       const double moved = step_ * bodies_.inverse_m[i] * norm(p);
       const double turned = step_ * extents_[bodies_.part[i]] * norm(omega);
       state_.p.set(i, share(moved, max_move_) * p);

@@ -20,7 +20,7 @@ State displaced(const State& state, const Vec3Column& dq, const Vec3Column& dthe
   for (std::size_t i = 0; i < state.size(); ++i) {
     moved.q.add(i, by * dq[i]);
     const Vec3<double> turn = by * dtheta[i];
-    moved.attitude.set(i, normalized(state.attitude[i] * rotation_quaternion(turn)));
+    moved.orientation.set(i, normalized(state.orientation[i] * rotation_quaternion(turn)));
   }
   return moved;
 }

@@ -32,7 +32,7 @@ ConfigurationalSample configurational_sample(const State& state, const Bodies& b
   ConfigurationalSample sample{squared_force(state, bodies, load), {}};
   for (std::size_t i = 0; i < state.size(); ++i) {
     // A rotation about its own axis leaves the axis where it is: no frame term.
-    const Vec3<double> tau = to_body(state.attitude[i], slope.tau[i]);
+    const Vec3<double> tau = to_body(state.orientation[i], slope.tau[i]);
     sample.curvature[0] -= dot(dq[i], slope.f[i]);
     for (std::size_t k = 0; k < 3; ++k) sample.curvature[1 + k] -= dtheta[i][k] * tau[k];
   }

@@ -57,7 +57,7 @@ void TotalDipole::add(const State& state, const std::optional<StepError>& error)
   std::size_t i = 0;
   for (std::size_t part = 0; part < count_.size(); ++part)
     for (const std::size_t end = i + count_[part]; i < end; ++i)
-      M += to_lab(state.attitude[i], dipole_[part]);
+      M += to_lab(state.orientation[i], dipole_[part]);
   const double V = state.box.volume();
   blocks_.add(std::array{M.x, M.y, M.z, norm2(M), V});
   if (error) response_.add(*error, std::array{M.x, M.y, M.z, norm2(M), V, error->kinetic});

@@ -26,7 +26,7 @@ class Field {
       : sites_(molecule.sites), cubic_(900 * anharmonic), quartic_(5000 * anharmonic) {}
 
   void operator()(const State& state, Load& load) const {
-    const FieldValue<double> value = of(state.q[0], state.attitude[0]);
+    const FieldValue<double> value = of(state.q[0], state.orientation[0]);
     load.van_der_waals = value.energy;
     load.coulomb = 0;
     load.f.set(0, value.f);
@@ -34,7 +34,7 @@ class Field {
   }
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
                               Load& derivative) const {
-    const Quaternion<double> a = state.attitude[0];
+    const Quaternion<double> a = state.orientation[0];
     const Vec3<double> v = dtheta[0];
     const Quaternion<double> da = scaled(a * Quaternion<double>{0, v.x, v.y, v.z}, 0.5);
     const FieldValue<Dual<double>> value = of<Dual<double>>(
@@ -50,13 +50,13 @@ class Field {
     Real energy{};
   };
   template <class Real>
-  FieldValue<Real> of(const Vec3<Real>& q, const Quaternion<Real>& attitude) const {
+  FieldValue<Real> of(const Vec3<Real>& q, const Quaternion<Real>& orientation) const {
     const auto as_real = [](const Vec3<double>& v) { return Vec3<Real>{v.x, v.y, v.z}; };
     const Vec3<Real> stiffness = as_real(stiffness_), skew = as_real(skew_);
     FieldValue<Real> value;
     for (std::size_t k = 0; k < sites_.size(); ++k) {
       const Real weight = 1 + 0.3 * static_cast<double>(k);
-      const Vec3<Real> arm = to_lab(attitude, as_real(sites_[k].r));
+      const Vec3<Real> arm = to_lab(orientation, as_real(sites_[k].r));
       const Vec3<Real> x = q + arm;
       const Real along = dot(x, skew), x2 = norm2(x);
       value.energy += weight * (dot(x, scaled(stiffness, x)) / 2.0 +
@@ -78,7 +78,7 @@ State start() {
   State state(1, Box{{100, 100, 100}});
   state.q.set(0, {0.05, -0.04, 0.06});
   state.p.set(0, {2.0, 1.0, -1.5});
-  state.attitude.set(0, normalized(Quaternion<double>{0.8, 0.3, -0.4, 0.2}));
+  state.orientation.set(0, normalized(Quaternion<double>{0.8, 0.3, -0.4, 0.2}));
   state.ell.set(0, {0.12, -0.2, 0.16});
   return state;
 }

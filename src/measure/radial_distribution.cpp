@@ -269,7 +269,7 @@ void RadialDistribution::add(const State& state, Workers& workers,
   for (std::size_t part = 0; part < sites_.size(); ++part)
     for (const std::size_t end = i + bodies_[part]; i < end; ++i)
       for (const auto& [r, kind] : sites_[part])
-        placed.push_back({wrapped(state.q[i] + to_lab(state.attitude[i], r), state.box),
+        placed.push_back({wrapped(state.q[i] + to_lab(state.orientation[i], r), state.box),
                           static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(kind)});
   const CellList sites(placed, state.box, cutoff_);
 

@@ -55,7 +55,7 @@ void Reorientation::add(const State& state, Workers& workers) {
     for (std::size_t k = 0; k < part.axes.size(); ++k)
       part.correlations[k].add(
           [&](std::size_t i) {
-            return to_lab(state.attitude[part.first + i], part.axes[k].direction);
+            return to_lab(state.orientation[part.first + i], part.axes[k].direction);
           },
           workers);
 }

@@ -16,14 +16,14 @@ ErrorBrackets error_brackets(const State& state, const Bodies& bodies, const Loa
   Vec3Column v(state.size()), omega(state.size());  // omega in the body frame
   for (std::size_t i = 0; i < state.size(); ++i) {
     v.set(i, bodies.inverse_m[i] * state.p[i]);
-    omega.set(i, scaled(bodies.inverse_J[i], to_body(state.attitude[i], state.ell[i])));
+    omega.set(i, scaled(bodies.inverse_J[i], to_body(state.orientation[i], state.ell[i])));
   }
   Load slope;
   forces.directional_derivative(state, v, omega, slope);
   const ByMotion<double> squares = squared_force(state, bodies, load);
   ErrorBrackets brackets{0, std::accumulate(squares.begin(), squares.end(), 0.0)};
   for (std::size_t i = 0; i < state.size(); ++i) {
-    const Quaternion<double> a = state.attitude[i];
+    const Quaternion<double> a = state.orientation[i];
     const Vec3<double> acceleration =  // of a free body: J⁻¹ (L × ω)
         scaled(bodies.inverse_J[i], cross(to_body(a, state.ell[i]), omega[i]));
     brackets.second_derivative -= dot(v[i], slope.f[i]) + dot(omega[i], to_body(a, slope.tau[i])) +

@@ -28,7 +28,7 @@ void VelocityCorrelation::add(const State& state, Workers& workers) {
     if (!turning_axes(part).empty())
       angular_[part].add(
           [&](std::size_t i) {
-            const Quaternion<double>& S = state.attitude[first + i];
+            const Quaternion<double>& S = state.orientation[first + i];
             const Vec3<double> w =
                 scaled(bodies_.inverse_J[first + i], to_body(S, state.ell[first + i]));
             return linear_body(part) ? to_lab(S, w) : w;

@@ -16,7 +16,7 @@ namespace polhode {
 namespace {
 
 // Uses of random numbers: each has its own stream.
-enum Stream : std::uint64_t { shuffling, attitudes, momenta };
+enum Stream : std::uint64_t { shuffling, orientations, momenta };
 
 // Cells along each edge: the edge with the longest cells gets one more until all bodies fit.
 std::array<std::size_t, 3> cells(std::size_t bodies, const Vec3<double>& edge) {
@@ -61,7 +61,7 @@ State lattice(const Topology& topology, const Box& box, std::uint64_t seed) {
                 " nm; it must be longer than 0 nm");
   const auto n = cells(topology.size(), box.edge);
   const auto place = draw_lattice_points(topology, n[0] * n[1] * n[2], Random(seed, shuffling));
-  Random random(seed, attitudes);
+  Random random(seed, orientations);
   State state(topology.size(), box);
   for (std::size_t i = 0; i < state.size(); ++i) {
     const std::array cell = {place[i] % n[0], place[i] / n[0] % n[1], place[i] / (n[0] * n[1])};
@@ -69,7 +69,7 @@ State lattice(const Topology& topology, const Box& box, std::uint64_t seed) {
     for (std::size_t k = 0; k < 3; ++k)
       q[k] = (static_cast<double>(cell[k]) + 0.5) * box.edge[k] / static_cast<double>(n[k]);
     state.q.set(i, q);
-    state.attitude.set(i, random.attitude());
+    state.orientation.set(i, random.orientation());
   }
   return state;
 }
@@ -86,12 +86,12 @@ void draw_momenta(State& state, const Topology& topology, double temperature, st
     const Vec3<double> J = bodies.J[i];
     state.p.set(i, std::sqrt(bodies.m[i] * kT) * normal3());
     const Vec3<double> width{std::sqrt(J.x * kT), std::sqrt(J.y * kT), std::sqrt(J.z * kT)};
-    state.ell.set(i, to_lab(state.attitude[i], scaled(width, normal3())));
+    state.ell.set(i, to_lab(state.orientation[i], scaled(width, normal3())));
   }
   remove_total_momentum(state, bodies);
   double twice_energy = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Vec3<double> L = to_body(state.attitude[i], state.ell[i]);
+    const Vec3<double> L = to_body(state.orientation[i], state.ell[i]);
     twice_energy +=
         norm2(state.p[i]) * bodies.inverse_m[i] + dot(L, scaled(bodies.inverse_J[i], L));
   }

@@ -13,7 +13,7 @@ namespace polhode {
 /// The cubic box in which all molecules have a given mass density [u/nm³].
 Box cubic_box(const Topology& topology, double density);
 
-/// Centres on a lattice as nearly cubic as the box allows, with uniformly random attitudes. The
+/// Centres on a lattice as nearly cubic as the box allows, with uniformly random orientations. The
 /// components of a mixture are shuffled over the lattice; the bodies of each component are numbered
 /// in lattice order. All momenta are zero.
 /// @throws Error  if an edge of the box is not positive

@@ -84,9 +84,9 @@ class Formats(Sandbox):
             self.assertEqual(list(file["h5md"].attrs["version"]), [1, 1])
             self.assertEqual(file["particles/all/position/value"].attrs["unit"], "nm")
             self.assertEqual(file["observables/potential_energy/value"].attrs["unit"], "kJ mol-1")
-            numpy.testing.assert_array_equal(file["particles/bodies/attitude/time"][:], times)
-            attitude = file["particles/bodies/attitude/value"][:]
-            numpy.testing.assert_allclose((attitude**2).sum(axis=2), 1, atol=1e-14)
+            numpy.testing.assert_array_equal(file["particles/bodies/orientation/time"][:], times)
+            orientation = file["particles/bodies/orientation/value"][:]
+            numpy.testing.assert_allclose((orientation**2).sum(axis=2), 1, atol=1e-14)
             mass = file["particles/all/mass"][:4]
             self.assertEqual(mass[3], 0)
             # The centre of the first water equals that of its sites, up to whole box edges.

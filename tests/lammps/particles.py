@@ -45,13 +45,13 @@ class Particles(RunTest):
         whole = self.lammps(moved.replace("run 60", "restart 10 state.*\nrun 30\nwrite_data middle.data\nrun 30"))[1]
         style = script[script.index("pair_style"):script.index("atom_modify")]  # not in restart files
         head, _, tail = script.partition("read_data")
-        resumed = head.replace(style, "").replace("atom_style atomic\n", "").replace("fix attitudes", "read_restart state.20\nfix attitudes")
+        resumed = head.replace(style, "").replace("atom_style atomic\n", "").replace("fix orientations", "read_restart state.20\nfix orientations")
         resumed = resumed.replace("atom_modify map yes\n", "") + style.rstrip() + "\n" + tail.partition("\n")[2].replace("run 60", "run 40")
         for ranks in (1, 2):
             again = self.lammps(resumed, ranks)[0]  # from the middle of a step of the scheme
             for name in self.PARTICLE_COLUMNS:
                 self.assert_close([whole[name][-1]], [again[name][-1]], 1e-11, name)
-        again = self.lammps(script.replace("run.data", "middle.data").replace("Attitudes", "attitudes").replace("run 60", "run 30"), 2)[0]
+        again = self.lammps(script.replace("run.data", "middle.data").replace("Orientations", "orientations").replace("run 60", "run 30"), 2)[0]
         for name in self.PARTICLE_COLUMNS:
             self.assert_close(whole[name], again[name], 1e-10, name)  # write_data has 15 digits
 
@@ -73,47 +73,47 @@ class Particles(RunTest):
         velocities = [" ".join(row) for row in section(particles, "Velocities")[:32]]
         of_atoms = {row[0]: row[1:] for row in section(atoms, "Velocities")}
         velocities += [" ".join([str(33 + k), *of_atoms[i]]) for k, i in enumerate(ids)]
-        attitudes = [" ".join(row) for row in section(particles, "Attitudes")[:32]]
-        attitudes += [f"{33 + k} 1 0 0 0 0 0 0" for k in range(len(ids))]
+        orientations = [" ".join(row) for row in section(particles, "Orientations")[:32]]
+        orientations += [f"{33 + k} 1 0 0 0 0 0 0" for k in range(len(ids))]
         head = particles.partition("\nAtoms # atomic")[0].replace("64 atoms", f"{len(lines)} atoms")
-        self.write("run.data", "\n".join([head, "Atoms # full", "", *lines, "", "Velocities", "", *velocities, "", "Attitudes", "", *attitudes, ""]))
-        script = script.replace("atom_style atomic", "atom_style full").replace("fix attitudes all", "special_bonds lj/coul 0 0 0\nfix attitudes all")
+        self.write("run.data", "\n".join([head, "Atoms # full", "", *lines, "", "Velocities", "", *velocities, "", "Orientations", "", *orientations, ""]))
+        script = script.replace("atom_style atomic", "atom_style full").replace("fix orientations all", "special_bonds lj/coul 0 0 0\nfix orientations all")
         plain = self.lammps(re.sub(r"\nthermo \d+", "\nthermo 15", (self.folder / "atoms.in").read_text()))[0]
         for ranks in (1, 2):
             both = self.lammps(script, ranks)[0]
             self.assert_close(both["E_pair"], plain["E_pair"], 1e-11)
 
     def test_the_axes_of_a_molecule_file(self):
-        """Attitudes are those of the file, also where its axes are not principal ones: the same molecules with turned axes."""
+        """Orientations are those of the file, also where its axes are not principal ones: the same molecules with turned axes."""
         script = self.particles(every=10).replace("run 20", "run 20\nwrite_data end.data")
         plain = self.lammps(script)[0]
-        end = self.attitudes("end.data", "attitudes")
+        end = self.orientations("end.data", "orientations")
         molecule = (self.folder / "run-1.molecule").read_text()
         head, _, rest = molecule.partition("Coords\n\n")
         coordinates, _, rest = rest.partition("\n\n")
         turned = "\n".join("{0} {3} {1} {2}".format(*line.split()) for line in coordinates.splitlines())  # x to y to z to x
         self.write("run-1.molecule", f"{head}Coords\n\n{turned}\n\n{rest}")
         data = (self.folder / "run.data").read_text()
-        head = data[:data.index("\nAttitudes")]
+        head = data[:data.index("\nOrientations")]
         lines = [" ".join(map(repr, [number, *times(a, TURNED_BACK), *ell]))
-                 for number, (a, ell) in self.attitudes("run.data", "Attitudes").items()]
-        self.write("run.data", head + "\nAttitudes\n\n" + "\n".join(lines) + "\n")
+                 for number, (a, ell) in self.orientations("run.data", "Orientations").items()]
+        self.write("run.data", head + "\nOrientations\n\n" + "\n".join(lines) + "\n")
         other = self.lammps(script)[0]
         for name in self.PARTICLE_COLUMNS:
             self.assert_close(plain[name], other[name], 1e-11, name)
-        for number, (a, _) in self.attitudes("end.data", "attitudes").items():
+        for number, (a, _) in self.orientations("end.data", "orientations").items():
             expected = times(end[number][0], TURNED_BACK)
             self.assertAlmostEqual(abs(sum(x * y for x, y in zip(a, expected))), 1, delta=1e-12)
 
-    def test_attitudes_that_are_set(self):
-        turned = "set atom 7 d2_attitude[1] 0.5\nset atom 7 d2_attitude[2] 0.5\nset atom 7 d2_attitude[3] 0.5\nset atom 7 d2_attitude[4] 0.5\n"
+    def test_orientations_that_are_set(self):
+        turned = "set atom 7 d2_orientation[1] 0.5\nset atom 7 d2_orientation[2] 0.5\nset atom 7 d2_orientation[3] 0.5\nset atom 7 d2_orientation[4] 0.5\n"
         script = self.particles().replace("run 20", "run 0")
         before, after = self.lammps(script + turned + "run 0\n", 2)
         first = self.lammps(script.replace("fix rigid all", turned + "fix rigid all"))[0]
         self.assert_close(after["E_pair"], first["E_pair"], 1e-12)
         self.assertGreater(abs(after["E_pair"][0] - before["E_pair"][0]), 1e-3)
 
-    def attitudes(self, name, section):
+    def orientations(self, name, section):
         """Quaternion and angular momentum of each particle in a data file."""
         text = (self.folder / name).read_text().partition(f"\n{section}")[2]  # and perhaps a comment
         lines = text.partition("\n\n")[2].partition("\n\n")[0].splitlines()
@@ -123,7 +123,7 @@ class Particles(RunTest):
 
     def test_particles_as_atoms_for_analysis(self):
         script = self.particles(every=5, scheme="bcss3", step=2, length=20)
-        dump = ("dump all all custom 15 run.dump id type xu yu zu vx vy vz d2_attitude[1] d2_attitude[2] d2_attitude[3] d2_attitude[4] "
+        dump = ("dump all all custom 15 run.dump id type xu yu zu vx vy vz d2_orientation[1] d2_orientation[2] d2_orientation[3] d2_orientation[4] "
                 "d2_angular_momentum[1] d2_angular_momentum[2] d2_angular_momentum[3]\ndump_modify all time yes units yes format float %.17g\n")
         table = self.lammps(script.replace("run 30", dump + "run 30"), 2)[0]
         self.polhode("convert", "run.dump", "all.xyz", "--particles", "run.toml", "--force")
@@ -143,7 +143,7 @@ class Particles(RunTest):
                                ("labels", "1 1 # OW", "1 OW"), ("many", "1 1 # OW", "1 9"), ("heavy", "2 2 # HW1", "2 1")):
             self.assertIn(old, molecule)
             self.write(f"{name}.molecule", molecule.replace(old, new))
-        properties = "fix attitudes all property/atom d2_attitude 4 d2_angular_momentum 3\n"
+        properties = "fix orientations all property/atom d2_orientation 4 d2_angular_momentum 3\n"
         cases = [
             (base.replace("particle 4", "particle 9"), ["number from 1 to 4"]),
             (base.replace("particle 4", 'particle 4 "run-1.molecule" particle 4'), ["given twice"]),
@@ -154,16 +154,19 @@ class Particles(RunTest):
             (base.replace("run-1.molecule", "labels.molecule"), ["labels.molecule:", "labels are not read"]),
             (base.replace("run-1.molecule", "many.molecule"), ["has sites of type 9"]),
             (base.replace("run-1.molecule", "heavy.molecule"), ["both must be the same"]),
-            (base.replace("fix rigid all", "set atom 7 d2_attitude[2] 3\nfix rigid all"), ["particle 7 has an attitude of length"]),
-            (base.replace(properties, "").replace(" fix attitudes NULL Attitudes", "").replace("run.data", "plain.data"),
+            (base.replace("fix rigid all", "set atom 7 d2_orientation[2] 3\nfix rigid all"), ["particle 7 has an orientation of length"]),
+            (base.replace(properties, "").replace(" fix orientations NULL Orientations", "").replace("run.data", "plain.data"),
              ["define 'fix ID all property/atom"]),
+            (base.replace("orientation", "attitude").replace("Orientation", "Attitude").replace("run.data", "old.data"),
+             ["d2_attitude is called d2_orientation now"]),
             (base.replace("pair_style polhode", "pair_style lj/cut 5.8 #").replace("pair_coeff", "pair_coeff * * 0 1 #"),
              ["use pair_style polhode"]),
             (base.replace("electrostatics reaction-field", "electrostatics pme").replace("molecule-switch", "site-switch").replace("dielectric 78.5", ""),
              ["knows no charges within particles"]),
         ]
         data = (self.folder / "run.data").read_text()
-        self.write("plain.data", data[:data.index("\nAttitudes")])
+        self.write("plain.data", data[:data.index("\nOrientations")])
+        self.write("old.data", data.replace("Orientations", "Attitudes"))
         for text, words in cases:
             with self.subTest(words=words):
                 self.refused(text, words)

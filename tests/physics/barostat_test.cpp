@@ -139,7 +139,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a move scales centres of mass, keeps attitudes, and returns to the bit if rejected") {
+TEST_CASE("a move scales centres of mass, keeps orientations, and returns to the bit if rejected") {
   const scenes::Scene scene = scenes::lattice({{"tip4p", 8}}, 0.4, 3, 5);
   for (const BoxMoves& type : {BoxMoves(CellRescaling{}), BoxMoves(VolumeMoves{})}) {
     // Energies that grow steeply with any change: moves are rejected unless they are small.
@@ -162,7 +162,7 @@ TEST_CASE("a move scales centres of mass, keeps attitudes, and returns to the bi
     for (std::size_t i = 0; i < state.size(); ++i) {
       CHECK(state.q[i].x == doctest::Approx(s * scene.state.q[i].x).epsilon(1e-14));
       CHECK(state.q[i].z == scene.state.q[i].z);
-      CHECK(state.attitude[i] == scene.state.attitude[i]);
+      CHECK(state.orientation[i] == scene.state.orientation[i]);
       const double momentum = std::holds_alternative<CellRescaling>(type) ? 1 / s : 1;
       CHECK(state.p[i].y == doctest::Approx(momentum * scene.state.p[i].y).epsilon(1e-14));
     }

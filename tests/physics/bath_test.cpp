@@ -53,7 +53,7 @@ void no_forces(const State&, Load&) {}
 bool equal(const State& a, const State& b) {
   for (std::size_t i = 0; i < a.size(); ++i)
     if (a.q[i] != b.q[i] || a.p[i] != b.p[i] || a.ell[i] != b.ell[i] ||
-        a.attitude[i] != b.attitude[i])
+        a.orientation[i] != b.orientation[i])
       return false;
   return a.time == b.time;
 }
@@ -64,7 +64,7 @@ double largest_difference(const Vec3Column& a, const Vec3Column& b) {
   return largest;
 }
 
-// The angle between two attitudes is twice that of their quaternions.
+// The angle between two orientations is twice that of their quaternions.
 double largest_angle(const QuaternionColumn& a, const QuaternionColumn& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -203,9 +203,9 @@ TEST_CASE("free bodies in a bath that damps go through the free motion ever slow
     for (int n = 0; n < steps; ++n)
       tau += h * (std::exp(-gamma * n * h) + std::exp(-gamma * (n + 1) * h)) / 2;
     CHECK(largest_difference(state.q, moved(tau).q) < 1e-14);
-    CHECK(largest_angle(state.attitude, moved(tau).attitude) < 1e-13);
+    CHECK(largest_angle(state.orientation, moved(tau).orientation) < 1e-13);
     flight[finer] = largest_difference(state.q, exact.q);
-    rotation[finer] = largest_angle(state.attitude, exact.attitude);
+    rotation[finer] = largest_angle(state.orientation, exact.orientation);
     scale(state, std::exp(gamma * length));
     CHECK(largest_difference(state.p, scene.state.p) < 80 * 0x1p-52 * 20);  // momenta up to 20
     CHECK(largest_difference(state.ell, scene.state.ell) < 80 * 0x1p-52);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The canonical distribution of attitudes in an orientational well, for every kind of top.
+// The canonical distribution of orientations in an orientational well, for every kind of top.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -30,7 +30,7 @@ struct Well {
     for (std::size_t i = 0; i < state.size(); ++i) {
       Vec3<double> torque;
       const auto pull = [&](const Vec3<double>& e) {
-        const Vec3<double> a = to_lab(state.attitude[i], e);
+        const Vec3<double> a = to_lab(state.orientation[i], e);
         load.van_der_waals -= depth * dot(a, e);
         torque += depth * cross(a, e);
       };
@@ -62,7 +62,7 @@ struct Well {
 
 scenes::Scene tops(const std::string& molecule, std::size_t count) {
   scenes::Scene scene = scenes::lattice({{molecule, count}}, 1, 100, 1);
-  for (std::size_t i = 0; i < count; ++i) scene.state.attitude.set(i, {});  // the minimum of U
+  for (std::size_t i = 0; i < count; ++i) scene.state.orientation.set(i, {});  // the minimum of U
   return scene;
 }
 
@@ -81,7 +81,7 @@ bool linear(const scenes::Scene& scene) { return scene.bodies.J[0].x == 0; }
 }  // namespace
 
 // A deviation of 4 standard errors, known to 20 %, occurs by chance in 1 of 1,000 checks.
-TEST_CASE("hybrid Monte Carlo samples attitudes exactly, with steps that are often rejected") {
+TEST_CASE("hybrid Monte Carlo samples orientations exactly, with steps that are often rejected") {
   for (const char* molecule : molecules)
     for (const double refresh : {1.0, 0.5}) {
       CAPTURE(std::string(molecule));
@@ -112,7 +112,7 @@ TEST_CASE("hybrid Monte Carlo samples attitudes exactly, with steps that are oft
 
 // The bias of a short step, by the harmonic law for the fastest libration: (ωh)²/4 of the thermal
 // energy, and of the kinetic energy.
-TEST_CASE("in a bath, attitudes and momenta about each axis are canonical for short steps") {
+TEST_CASE("in a bath, orientations and momenta about each axis are canonical for short steps") {
   constexpr double omega_h = 0.15, bias = omega_h * omega_h / 4;
   for (const char* molecule : molecules)
     for (const char* scheme : {"obabo", "baoab"}) {
@@ -136,11 +136,11 @@ TEST_CASE("in a bath, attitudes and momenta about each axis are canonical for sh
         for (std::size_t i = 0; i < state.size(); ++i) {
           State one(1, state.box);
           Load load(1);
-          one.attitude.set(0, state.attitude[i]);
+          one.orientation.set(0, state.orientation[i]);
           well(one, load);
           const double value = -load.potential() / depth;
           u += value / n, squares += value * value / n;
-          const Vec3<double> L = to_body(state.attitude[i], state.ell[i]);
+          const Vec3<double> L = to_body(state.orientation[i], state.ell[i]);
           for (std::size_t c = 0; c < 3; ++c)
             if (scene.bodies.J[i][c] > 0)
               kinetic[c] += L[c] * L[c] / (scene.bodies.J[i][c] * kT * n);
@@ -169,7 +169,7 @@ TEST_CASE("a linear molecule in a bath has no momentum about its axis after 10,0
   State state = scene.state;
   integrator.advance(state, h, 10000);
   for (std::size_t i = 0; i < state.size(); ++i) {
-    const Vec3<double> L = to_body(state.attitude[i], state.ell[i]);
+    const Vec3<double> L = to_body(state.orientation[i], state.ell[i]);
     CAPTURE(L.x / norm(state.ell[i]));
     const double thermal = std::sqrt(scene.bodies.J[i].y * kT);
     CHECK(std::abs(L.x) < 10 * 8 * std::numeric_limits<double>::epsilon() * thermal);

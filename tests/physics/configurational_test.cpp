@@ -36,7 +36,7 @@ ByMotion<double> curvature_of_energy(const scenes::Scene& scene, ForceField& for
     const auto moved = [&](double sign) {
       State state = scene.state;
       state.q.set(i, state.q[i] + sign * dq);
-      state.attitude.set(i, state.attitude[i] * rodrigues(sign * dtheta));
+      state.orientation.set(i, state.orientation[i] * rodrigues(sign * dtheta));
       return potential(state);
     };
     const double e2 = norm2(dq) + norm2(dtheta);
@@ -109,7 +109,7 @@ double sampled(scenes::Scene& scene, ForceField& forces, double T, int states, c
     for (std::size_t i = 0; i < state.size(); ++i) {
       state.p.set(i, std::sqrt(kT * scene.bodies.m[i]) * vector());
       const Vec3<double> L = std::sqrt(kT) * scaled(root(scene.bodies.J[i]), vector());
-      state.ell.set(i, to_lab(state.attitude[i], L));
+      state.ell.set(i, to_lab(state.orientation[i], L));
     }
     const State before = state;
     const double start = energy();

@@ -17,7 +17,7 @@ using namespace polhode;
 
 namespace {
 
-// Centres by about a nm, attitudes by about 10 rad: both then move sites equally.
+// Centres by about a nm, orientations by about 10 rad: both then move sites equally.
 struct Displacement {
   Vec3Column dq, dtheta;
 
@@ -42,7 +42,7 @@ struct Displacement {
   State of(State state, double t) const {
     for (std::size_t i = 0; i < state.size(); ++i) {
       state.q.set(i, state.q[i] + t * dq[i]);
-      state.attitude.set(i, state.attitude[i] * rodrigues(t * dtheta[i]));
+      state.orientation.set(i, state.orientation[i] * rodrigues(t * dtheta[i]));
     }
     return state;
   }
@@ -64,11 +64,11 @@ double rms_difference(const Vec3Column& a, const Vec3Column& b) {
   return std::sqrt(sum / double(a.size()));
 }
 
-// The work of forces and torques along a displacement, attitudes in the lab frame.
+// The work of forces and torques along a displacement, orientations in the lab frame.
 double work(const Load& load, const State& state, const Displacement& u) {
   double sum = 0;
   for (std::size_t i = 0; i < state.size(); ++i)
-    sum += dot(load.f[i], u.dq[i]) + dot(load.tau[i], to_lab(state.attitude[i], u.dtheta[i]));
+    sum += dot(load.f[i], u.dq[i]) + dot(load.tau[i], to_lab(state.orientation[i], u.dtheta[i]));
   return sum;
 }
 
@@ -227,7 +227,7 @@ TEST_CASE("the derivative does not depend on earlier evaluations") {
   forces(u.of(scene.state, 1e-4), load);
   check();
   State turned = scene.state;
-  turned.attitude.set(3, turned.attitude[3] * rodrigues({0, 0.1, 0}));
+  turned.orientation.set(3, turned.orientation[3] * rodrigues({0, 0.1, 0}));
   forces(turned, load);
   check();
 }
@@ -251,7 +251,7 @@ TEST_CASE("the derivative is symmetric except for the commutator of rotations") 
       double commutator = 0, scale = 0;
       for (std::size_t i = 0; i < state.size(); ++i) {
         const auto lab = [&](const Displacement& d) {
-          return to_lab(state.attitude[i], d.dtheta[i]);
+          return to_lab(state.orientation[i], d.dtheta[i]);
         };
         commutator += dot(cross(lab(u), lab(v)), load.tau[i]);
         scale += norm(along_v.f[i]) * norm(u.dq[i]) + norm(along_v.tau[i]) * norm(lab(u));

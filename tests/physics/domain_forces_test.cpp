@@ -81,7 +81,7 @@ Load sum_of_domains(const scenes::Scene& scene, const ForceSettings& settings,
     DomainForces forces(d.own, d.ghosts, settings, period);
     for (std::size_t i = 0; i < d.bodies.size(); ++i) {
       forces.state().q.set(i, scene.state.q[d.bodies[i]] + d.shifts[i]);
-      forces.state().attitude.set(i, scene.state.attitude[d.bodies[i]]);
+      forces.state().orientation.set(i, scene.state.orientation[d.bodies[i]]);
     }
     Load load;
     forces(load, true);
@@ -184,7 +184,7 @@ TEST_CASE("bodies of a domain may move between evaluations, and it may be empty"
     for (DomainForces* each : {&forces, &anew})
       for (std::size_t i = 0; i < scene.state.size(); ++i) {
         each->state().q.set(i, scale * scene.state.q[i]);
-        each->state().attitude.set(i, scene.state.attitude[i]);
+        each->state().orientation.set(i, scene.state.orientation[i]);
       }
     forces(load, true);
     anew(fresh, true);

@@ -116,7 +116,7 @@ inline Terms terms_of(const scenes::Scene& scene, const ForceSettings& settings)
       for (const Site& a : a_molecule.sites)
         for (const Site& b : b_molecule.sites) {
           const double r =
-              norm(R + to_lab(state.attitude[j], b.r) - to_lab(state.attitude[i], a.r));
+              norm(R + to_lab(state.orientation[j], b.r) - to_lab(state.orientation[i], a.r));
           if (!by_molecule && r > settings.cutoff) continue;
           const double end = by_molecule ? norm(R) : by_site ? r : 0;  // argument of the switch
           const double bend = !by_site || w(end).slope == 0 ? 0 : 7.5 * end / (width * width);

@@ -32,7 +32,7 @@ TEST_CASE("force and torque are minus the gradient of the energy, for every law 
         Vec3<double> e{};
         e[k] = 1;
         dq.set(i, e);
-        dtheta.set(i, to_body(scene.state.attitude[i], e));
+        dtheta.set(i, to_body(scene.state.orientation[i], e));
         const auto along = [&](const Vec3Column& by, const Vec3Column& turn) {
           return reference_derivative(scene.topology, law.settings, scene.state, by, turn);
         };
@@ -59,8 +59,8 @@ TEST_CASE("the directional derivative is the slope of forces and torques") {
     Vec3Column dq(n), dtheta(n);
     for (std::size_t i = 0; i < n; ++i) {
       dq.set(i, scene.bodies.inverse_m[i] * load.f[i]);
-      dtheta.set(i,
-                 scaled(scene.bodies.inverse_J[i], to_body(scene.state.attitude[i], load.tau[i])));
+      dtheta.set(
+          i, scaled(scene.bodies.inverse_J[i], to_body(scene.state.orientation[i], load.tau[i])));
     }
     Load slope;
     forces.directional_derivative(scene.state, dq, dtheta, slope);
@@ -127,7 +127,7 @@ TEST_CASE(
       shifted.q.set(i, scene.state.q[i] + Vec3<double>{0.123, -4.56, 0.789} +
                            scaled(images, scene.state.box.edge));
       turned.q.set(i, to_lab(quarter, scene.state.q[i]));
-      turned.attitude.set(i, quarter * scene.state.attitude[i]);
+      turned.orientation.set(i, quarter * scene.state.orientation[i]);
     }
     const Load by_shift = load_of(scene.topology, settings, shifted),
                by_turn = load_of(scene.topology, settings, turned);

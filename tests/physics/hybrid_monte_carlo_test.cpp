@@ -123,7 +123,7 @@ TEST_CASE("hybrid Monte Carlo samples rotors in a field exactly, with gradient k
       const auto field = [&](const State& state, Load& load) {
         load.van_der_waals = 0;
         for (std::size_t i = 0; i < state.size(); ++i) {
-          const Vec3<double> e = to_lab(state.attitude[i], axis);
+          const Vec3<double> e = to_lab(state.orientation[i], axis);
           load.van_der_waals -= a * kT * e.z;
           load.tau.set(i, a * kT * cross(e, Vec3<double>{0, 0, 1}));
         }

@@ -61,9 +61,10 @@ Liquid salt_water() {
   for (std::size_t n = 0; n < 2 * ions; ++n) {  // from all over the box
     const std::size_t from = n * waters / (2 * ions), to = waters + n;
     const Vec3<double> q = salt.state.q[from];
-    const Quaternion<double> attitude = salt.state.attitude[from];
+    const Quaternion<double> orientation = salt.state.orientation[from];
     salt.state.q.set(from, salt.state.q[to]), salt.state.q.set(to, q);
-    salt.state.attitude.set(from, salt.state.attitude[to]), salt.state.attitude.set(to, attitude);
+    salt.state.orientation.set(from, salt.state.orientation[to]),
+        salt.state.orientation.set(to, orientation);
   }
   return salt;
 }
@@ -114,7 +115,7 @@ TEST_CASE("the chosen mesh has the required accuracy, and not much more") {
   }
 }
 
-// The error estimate where its assumptions hold: molecules with random positions and attitudes.
+// The error estimate where its assumptions hold: molecules with random positions and orientations.
 TEST_CASE("the expected error of a mesh is that of randomly placed bodies") {
   Liquid gas = water();
   std::mt19937_64 random(7);
@@ -122,7 +123,7 @@ TEST_CASE("the expected error of a mesh is that of randomly placed bodies") {
   for (std::size_t i = 0; i < gas.state.size(); ++i) {
     const Vec3<double> at{even(random), even(random), even(random)};
     gas.state.q.set(i, scaled(at, gas.state.box.edge));
-    gas.state.attitude.set(i, scenes::random_attitude(random));
+    gas.state.orientation.set(i, scenes::random_orientation(random));
   }
   for (const auto& [points, order, exponent] :
        {std::tuple{16, 4, 5}, {20, 5, 6}, {24, 6, 7}, {20, 7, 6}, {16, 8, 8}}) {

@@ -221,7 +221,7 @@ TEST_CASE("force and torque are minus the slope of the energy, for every model")
         e[k] = 1;
         const auto moved = [&](State& state, double c) { state.q.add(i, c * e); };
         const auto turned = [&](State& state, double c) {
-          state.attitude.set(i, rotation_quaternion(c * e) * state.attitude[i]);
+          state.orientation.set(i, rotation_quaternion(c * e) * state.orientation[i]);
         };
         CHECK(std::abs(slope(moved, 1e-4) + load.f[i][k]) < 1e-8 * largest(load.f));
         CHECK(std::abs(slope(turned, 1e-3) + load.tau[i][k]) < 1e-8 * largest(load.f));

@@ -112,7 +112,7 @@ TEST_CASE("orientational correlations of a uniform rotation") {
   State state(3, Box{{2, 2, 2}});
   const double angle = 0.13;
   for (int frame = 0; frame < 90; ++frame) {
-    for (std::size_t i = 0; i < 3; ++i) state.attitude.set(i, turn({0, 0, angle * frame}));
+    for (std::size_t i = 0; i < 3; ++i) state.orientation.set(i, turn({0, 0, angle * frame}));
     reorientation.add(state);
   }
   REQUIRE(reorientation.axes(0).size() == 4);
@@ -138,10 +138,11 @@ TEST_CASE("relaxation times of rotational diffusion") {
   Reorientation reorientation(topology, 121);
   State state(100, Box{{2, 2, 2}});
   Random random(9);
-  for (std::size_t i = 0; i < 100; ++i) state.attitude.set(i, random.attitude());
+  for (std::size_t i = 0; i < 100; ++i) state.orientation.set(i, random.orientation());
   for (int frame = 0; frame < 3000; ++frame) {
     for (std::size_t i = 0; i < 100; ++i)
-      state.attitude.set(i, normalized(turn(normal3(random, std::sqrt(s2))) * state.attitude[i]));
+      state.orientation.set(
+          i, normalized(turn(normal3(random, std::sqrt(s2))) * state.orientation[i]));
     reorientation.add(state);
   }
   const double cos1 = (1 - s2) * std::exp(-s2 / 2), cos2 = (1 - 4 * s2) * std::exp(-2 * s2);
@@ -186,8 +187,8 @@ TEST_CASE("velocities with an exponential autocorrelation") {
       const Vec3<double> J = bodies.J[i];
       L[i] = keep * L[i] +
              scaled(normal3(random, width), {std::sqrt(J.x), std::sqrt(J.y), std::sqrt(J.z)});
-      state.attitude.set(i, random.attitude());
-      state.ell.set(i, to_lab(state.attitude[i], L[i]));
+      state.orientation.set(i, random.orientation());
+      state.ell.set(i, to_lab(state.orientation[i], L[i]));
     }
     if (frame >= 0) velocity.add(state);
   }
@@ -225,13 +226,13 @@ TEST_CASE("the angular velocity of linear bodies needs no rotation about their o
   Random random(9);
   std::vector<Quaternion<double>> axes;
   for (std::size_t i = 0; i < 8; ++i) {
-    axes.push_back(random.attitude());
+    axes.push_back(random.orientation());
     state.ell.set(i, to_lab(axes[i], Vec3<double>{0, random.normal(), random.normal()}));
   }
   for (int frame = 0; frame < 40; ++frame) {
     for (std::size_t i = 0; i < 8; ++i) {
       const double half = units::pi * random.uniform();
-      state.attitude.set(i, axes[i] * Quaternion<double>{std::cos(half), std::sin(half), 0, 0});
+      state.orientation.set(i, axes[i] * Quaternion<double>{std::cos(half), std::sin(half), 0, 0});
     }
     velocity.add(state);
   }
@@ -257,7 +258,7 @@ TEST_CASE("the dielectric constant of known fluctuations") {
     const Vec3<double> across =
         std::abs(body.x) > mu / 2 ? Vec3<double>{0, units::pi, 0} : Vec3<double>{units::pi, 0, 0};
     for (std::size_t i = 0; i < 50; ++i)
-      state.attitude.set(i, frame % 2 == 0 ? Quaternion<double>{} : turn(across));
+      state.orientation.set(i, frame % 2 == 0 ? Quaternion<double>{} : turn(across));
     flips.add(state);
   }
   const double y = 4 * units::pi * units::coulomb * 2500 * mu * mu /
@@ -274,7 +275,7 @@ TEST_CASE("the dielectric constant of known fluctuations") {
   TotalDipole free(topology);
   Random random(8);
   for (int frame = 0; frame < 4000; ++frame) {
-    for (std::size_t i = 0; i < 50; ++i) state.attitude.set(i, random.attitude());
+    for (std::size_t i = 0; i < 50; ++i) state.orientation.set(i, random.orientation());
     free.add(state);
   }
   // M² of 4000 frames in three directions: 1 within √(2/12000).

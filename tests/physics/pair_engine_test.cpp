@@ -204,9 +204,9 @@ TEST_CASE("unrolled shapes of molecules equal the general path") {
   }
 }
 
-// Scaling box and centres by 1 + x at constant attitudes scales every R by the same factor, so that
-// dU/dx = −Σ R·f = −tr(virial). In a drop far from its images that is a displacement of the bodies
-// alone, along which dual numbers yield dU to rounding.
+// Scaling box and centres by 1 + x at constant orientations scales every R by the same factor, so
+// that dU/dx = −Σ R·f = −tr(virial). In a drop far from its images that is a displacement of the
+// bodies alone, along which dual numbers yield dU to rounding.
 TEST_CASE(
     "the trace of the virial is minus the derivative of the energy with respect to the logarithm "
     "of the length scale") {

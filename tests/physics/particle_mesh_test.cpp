@@ -31,9 +31,9 @@ State moved(State state, std::size_t body, const Vec3<double>& by) {
 }
 State turned(State state, std::size_t body, const Vec3<double>& axis, double angle) {
   const double s = std::sin(angle / 2);
-  state.attitude.set(body,
-                     Quaternion<double>{std::cos(angle / 2), s * axis.x, s * axis.y, s * axis.z} *
-                         state.attitude[body]);
+  state.orientation.set(
+      body, Quaternion<double>{std::cos(angle / 2), s * axis.x, s * axis.y, s * axis.z} *
+                state.orientation[body]);
   return state;
 }
 
@@ -124,14 +124,14 @@ TEST_CASE("the energy of a mesh does not depend on which edge of a slab is the l
     for (std::size_t i = 0; i < state.size(); ++i) {
       const Vec3<double> q = state.q[i];
       state.q.set(i, {q.z, q.x, q.y});
-      state.attitude.set(i, turn * state.attitude[i]);
+      state.orientation.set(i, turn * state.orientation[i]);
     }
   }
   CHECK(std::abs(energies[0]) > 1);
   for (const double energy : energies) CHECK(energy == doctest::Approx(energies[0]).epsilon(1e-11));
 }
 
-// Centres and box are scaled alike, attitudes kept. Along one edge alone the shape of the box
+// Centres and box are scaled alike, orientations kept. Along one edge alone the shape of the box
 // changes, which the influence function's correction follows only to the accuracy of the mesh.
 TEST_CASE("the virial of a mesh is the derivative of its energy with respect to the volume") {
   const scenes::Scene scene = charged_mixture();

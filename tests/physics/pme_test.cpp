@@ -109,7 +109,7 @@ TEST_CASE("forces with a coarse mesh are minus the gradient of the energy with t
   forces(scene.state, load);
   double slope = 0;
   for (std::size_t i = 0; i < scene.state.size(); ++i) {
-    const Vec3<double> tau = to_body(scene.state.attitude[i], load.tau[i]);
+    const Vec3<double> tau = to_body(scene.state.orientation[i], load.tau[i]);
     slope -= norm2(load.f[i]) * scene.bodies.inverse_m[i] +
              dot(tau, scaled(scene.bodies.inverse_J[i], tau));
   }
@@ -126,9 +126,9 @@ TEST_CASE("forces with a coarse mesh are minus the gradient of the energy with t
   CHECK(std::abs(numeric - slope) < rounding + 1e-7 * std::abs(slope));
 }
 
-// The virial is the change of the energy when centres move with the box at constant attitudes. Its
-// trace equals the derivative of the energy with the same mesh; single components are as accurate
-// as the mesh.
+// The virial is the change of the energy when centres move with the box at constant orientations.
+// Its trace equals the derivative of the energy with the same mesh; single components are as
+// accurate as the mesh.
 TEST_CASE("the virial is the change of the energy when the box is strained") {
   const scenes::Scene scene = charged_mixture();
   ForceSettings settings = ewald(0.7, {{32, 32, 32}, 7, 6});

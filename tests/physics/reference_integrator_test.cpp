@@ -24,7 +24,7 @@ std::vector<RigidBody> bodies_of(const scenes::Scene& scene) {
                       .J = scene.bodies.J[i],
                       .q = scene.state.q[i],
                       .p = scene.state.p[i],
-                      .attitude = scene.state.attitude[i],
+                      .orientation = scene.state.orientation[i],
                       .ell = scene.state.ell[i]});
   return bodies;
 }
@@ -35,7 +35,7 @@ auto forces_of(const scenes::Scene& scene, ForceField& field) {
              std::span<const RigidBody> bodies, std::span<BodyLoad> loads) mutable {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       state.q.set(i, bodies[i].q);
-      state.attitude.set(i, bodies[i].attitude);
+      state.orientation.set(i, bodies[i].orientation);
     }
     field(state, load);
     for (std::size_t i = 0; i < loads.size(); ++i) loads[i] = {load.f[i], load.tau[i]};
@@ -84,10 +84,10 @@ TEST_CASE("the integrator is the schemes of the paper, body by body") {
           [](const RigidBody& b) { return b.ell; });
     check(
         [](const State& s, auto i) {
-          return to_lab(s.attitude[i], Vec3<double>{1, 2, 3});
+          return to_lab(s.orientation[i], Vec3<double>{1, 2, 3});
         },
         [](const RigidBody& b) {
-          return to_lab(b.attitude, Vec3<double>{1, 2, 3});
+          return to_lab(b.orientation, Vec3<double>{1, 2, 3});
         });
     CHECK(flows.evaluations() >= static_cast<int>(integrator.force_evaluations()));
   }

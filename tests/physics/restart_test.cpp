@@ -50,8 +50,8 @@ Bits bits(const State& state, const Trajectory& t) {
            s.stretches.samples,
            s.stretches.stretches};
   add(all, state.q), add(all, state.p), add(all, state.ell), add(all, state.time);
-  add(all, state.attitude.w), add(all, state.attitude.x);
-  add(all, state.attitude.y), add(all, state.attitude.z);
+  add(all, state.orientation.w), add(all, state.orientation.x);
+  add(all, state.orientation.y), add(all, state.orientation.z);
   const Energies& e = s.energies.first;
   for (const double x : {e.time, e.van_der_waals, e.coulomb, e.translation, e.rotation[0],
                          e.rotation[1], e.rotation[2], e.pressure, s.shadow.first, s.shadow.start,

@@ -144,7 +144,7 @@ TEST_CASE("forces of all short-range laws are minus the gradient of the energy")
         Vec3Column dq(n), none(n), dtheta(n);
         const Vec3<double> e{0.6, -0.48, 0.64};
         dq.set(i, e);
-        dtheta.set(i, to_body(scene.state.attitude[i], e));
+        dtheta.set(i, to_body(scene.state.orientation[i], e));
         const auto slope = [&](const Vec3Column& by, const Vec3Column& turn) {
           return reference_derivative(scene.topology, settings, scene.state, by, turn).potential();
         };

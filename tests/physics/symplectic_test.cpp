@@ -19,13 +19,13 @@ using namespace polhode;
 
 namespace {
 
-// A tangent vector of a body's phase space: of centre, attitude (a lab-frame rotation), momentum
+// A tangent vector of a body's phase space: of centre, orientation (a lab-frame rotation), momentum
 // and angular momentum.
 struct Tangent {
   Vec3<double> q, theta, p, ell;
 };
 
-// The form Σ dq∧dp + θ∧dℓ − dℓ(θ, θ): of Θ = ℓ·θ with the rotations θ = dA A⁻¹ of attitudes A,
+// The form Σ dq∧dp + θ∧dℓ − dℓ(θ, θ): of Θ = ℓ·θ with the rotations θ = dA A⁻¹ of orientations A,
 // whose differential is dθ(a, b) = a × b, the form −dΘ is a_θ·b_ℓ − b_θ·a_ℓ − ℓ·(a_θ × b_θ).
 double form(const State& at, const std::vector<Tangent>& a, const std::vector<Tangent>& b) {
   double sum = 0;
@@ -56,9 +56,9 @@ Tangent unit(std::size_t direction) {
 
 State moved(State state, std::size_t body, std::size_t direction, double t) {
   const Tangent by = unit(direction);
-  const Quaternion<double> a = state.attitude[body];
+  const Quaternion<double> a = state.orientation[body];
   state.q.add(body, t * by.q);
-  state.attitude.set(body, a * rodrigues(to_body(a, t * by.theta)));
+  state.orientation.set(body, a * rodrigues(to_body(a, t * by.theta)));
   state.p.add(body, t * by.p);
   state.ell.add(body, t * by.ell);
   return state;
@@ -68,7 +68,7 @@ State moved(State state, std::size_t body, std::size_t direction, double t) {
 std::vector<Tangent> difference(const State& to, const State& from) {
   std::vector<Tangent> result;
   for (std::size_t i = 0; i < to.size(); ++i) {
-    const Quaternion<double> turn = to.attitude[i] * conjugate(from.attitude[i]);
+    const Quaternion<double> turn = to.orientation[i] * conjugate(from.orientation[i]);
     const Vec3<double> half = (turn.w < 0 ? -1.0 : 1.0) * turn.vector();
     const double sine = norm(half);
     const double factor = sine > 0 ? 2 * std::asin(sine) / sine : 2;

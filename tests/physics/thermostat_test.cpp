@@ -37,7 +37,7 @@ scenes::Scene tops(std::size_t each) {
 template <class F>
 void each_deviate(const scenes::Scene& scene, const State& state, double width, const F& f) {
   for (std::size_t i = 0; i < state.size(); ++i) {
-    const Vec3<double> L = to_body(state.attitude[i], state.ell[i]), J = scene.bodies.J[i];
+    const Vec3<double> L = to_body(state.orientation[i], state.ell[i]), J = scene.bodies.J[i];
     for (std::size_t k = 0; k < 3; ++k) {
       f(3 * scene.bodies.part[i], state.p[i][k] / std::sqrt(scene.bodies.m[i]) / width);
       if (J[k] > 0) f(3 * scene.bodies.part[i] + 1, L[k] / std::sqrt(J[k]) / width);
@@ -93,7 +93,7 @@ TEST_CASE(
   CHECK(sums[10].n == 0);    // argon: none
 }
 
-// The part of the old momentum that is left is c, to the rounding of attitudes.
+// The part of the old momentum that is left is c, to the rounding of orientations.
 TEST_CASE("the flow O lets momenta decay as exp(-γt), translation and rotation each with its own") {
   const scenes::Scene scene = tops(50);
   constexpr double t = 0.3;

@@ -92,11 +92,20 @@ class OfTheState(unittest.TestCase):
     def test_a_wrong_shape_is_refused_and_leaves_the_state(self):
         s = polhode.Simulation(WATER)
         before = bits(s)
-        for name, shape in (("positions", (5, 3)), ("positions", (3,)), ("momenta", ()), ("attitudes", (64, 3))):
+        for name, shape in (("positions", (5, 3)), ("positions", (3,)), ("momenta", ()), ("orientations", (64, 3))):
             with self.assertRaisesRegex(polhode.Error, "has the shape"):
                 with s.state.change() as state:
                     setattr(state, name, np.zeros(shape))
         self.assertEqual(bits(s), before)
+
+
+    def test_an_old_name_tells_the_new_one(self):
+        s = polhode.Simulation(WATER)
+        with self.assertRaisesRegex(AttributeError, "State.attitudes is called orientations"):
+            s.state.attitudes
+        with self.assertRaisesRegex(AttributeError, "is called orientations"):
+            with s.state.change() as state:
+                state.attitudes = np.zeros((64, 4))
 
 
 class OfSettings(unittest.TestCase):
@@ -119,7 +128,7 @@ class OfSettings(unittest.TestCase):
                 self.fail(f"{change}: {e}")
             other = polhode.Simulation(WATER, **change)
             with other.state.change() as state:
-                for name in ("positions", "momenta", "attitudes", "angular_momenta"):
+                for name in ("positions", "momenta", "orientations", "angular_momenta"):
                     setattr(state, name, getattr(s.state, name))
             # The list of neighbours is older in one of them, so sums of forces are in another order: rounding.
             s.step(3), other.step(3)

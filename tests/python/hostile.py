@@ -112,7 +112,7 @@ for k in range(20):
     s = polhode.Simulation(molecules="argon", count=500, density="1 g/cm3", seed=k)
     with s.state.change() as state:
         views += [state.positions[::2], state.momenta]
-    views += [s.state.positions, s.masses[::3], s.state.attitudes[1:]]
+    views += [s.state.positions, s.masses[::3], s.state.orientations[1:]]
     s.step(1)
     del s, state
 gc.collect()

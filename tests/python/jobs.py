@@ -112,7 +112,7 @@ class Verbs(InFolder):
         """A dump of one particle has the sites of a molecule around its centre."""
         run = dict(system={"molecules": [{"model": "spce", "count": 1}], "density": "1e-3 g/cm3"})
         Path("a.dump").write_text("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 30\n0 30\n0 30\n"
-                                  "ITEM: ATOMS id xu yu zu d2_attitude[1] d2_attitude[2] d2_attitude[3] d2_attitude[4]\n"
+                                  "ITEM: ATOMS id xu yu zu d2_orientation[1] d2_orientation[2] d2_orientation[3] d2_orientation[4]\n"
                                   "1 15 15 15 0.7071067811865476 0 0 0.7071067811865476\n", encoding="utf-8")
         self.assertEqual(polhode.convert("a.dump", "a.xyz", particles=run), 1)
         sites = [[float(word) for word in line.split()[1:4]] for line in Path("a.xyz").read_text().splitlines()[2:]]

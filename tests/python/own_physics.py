@@ -18,13 +18,13 @@ TOP = {"name": "top", "source": "-", "site": [
 FEW = {"molecules": [{"model": TOP, "count": 4}], "box": "6 nm", "temperature": "300 K", "seed": 2}
 
 
-def field(q, attitude):
+def field(q, orientation):
     """A periodic field on the centres, and one that turns the first body axis: U = k (1 - cos),
     U = g e·z. They act on the dynamics with a time scale of a tenth of a ps."""
     k, wave, g = 40.0, 2 * np.pi / 6, 25.0
     energy = k * (1 - np.cos(wave * q)).sum()
     force = -k * wave * np.sin(wave * q)
-    w, x, y, z = attitude.T
+    w, x, y, z = orientation.T
     axis = np.stack([w*w + x*x - y*y - z*z, 2*(x*y + w*z), 2*(x*z - w*y)], axis=-1)
     pull = np.array([0, 0, -g])  # minus the gradient with respect to the axis
     return force, np.cross(axis, pull), energy + g * axis[:, 2].sum()
@@ -54,8 +54,8 @@ class Forces(unittest.TestCase):
             self.assertAlmostEqual(np.log2(ratio), order, delta=0.15, msg=scheme)
 
     def test_a_wrong_sign_of_the_torque_is_seen(self):
-        def wrong(q, attitude):
-            force, torque, energy = field(q, attitude)
+        def wrong(q, orientation):
+            force, torque, energy = field(q, orientation)
             return force, -torque, energy
 
         s = polhode.Simulation({"system": FEW}, cutoff="1 nm", forces=wrong, scheme="hoa2",
@@ -75,7 +75,7 @@ class Forces(unittest.TestCase):
         # The same Lennard-Jones argon by NumPy, with the minimum image and no cutoff to cross.
         sigma, epsilon = 0.34, 0.9977
 
-        def lennard_jones(q, attitude, box):
+        def lennard_jones(q, orientation, box):
             d = q[:, None] - q[None]
             d -= box * np.round(d / box)
             r2 = (d**2).sum(-1) + np.eye(len(q))
@@ -123,7 +123,7 @@ class Forces(unittest.TestCase):
             s.step(1)
 
     def test_exceptions_of_a_function_arrive_as_they_are(self):
-        def broken(q, attitude):
+        def broken(q, orientation):
             raise KeyError("mine")
 
         s = polhode.Simulation(WATER, forces=broken)
@@ -134,8 +134,8 @@ class Forces(unittest.TestCase):
     def test_arrays_are_the_functions_own(self):
         kept = []
 
-        def keep(q, attitude):
-            kept.append((q, attitude))
+        def keep(q, orientation):
+            kept.append((q, orientation))
             return np.zeros(q.shape), None, 0.0
 
         s = polhode.Simulation(WATER, forces=keep)
@@ -158,7 +158,7 @@ class Forces(unittest.TestCase):
 
         threads = set()
 
-        def soft(q, attitude):
+        def soft(q, orientation):
             threads.add(threading.get_ident())
             return np.zeros(q.shape), None, 0.0
 
@@ -238,7 +238,7 @@ class Leaks(unittest.TestCase):
         code = """
 import gc, weakref, numpy as np, polhode
 class F:
-    def __call__(self, q, attitude): return np.zeros(q.shape), None, 0.0
+    def __call__(self, q, orientation): return np.zeros(q.shape), None, 0.0
 f = F()
 watch = weakref.ref(f)
 s = polhode.Simulation(molecules="argon", count=8, box="3 nm", cutoff="1 nm", forces=f)
@@ -257,7 +257,7 @@ print("dropped")
 import gc, weakref, numpy as np, polhode
 settings = {"molecules": "argon", "count": 8, "box": "3 nm", "cutoff": "1 nm"}
 def make():
-    def f(q, attitude):
+    def f(q, orientation):
         return np.zeros(q.shape), None, float(s.steps if s else 0)
     s = None
     s = polhode.Simulation(polhode.settings(forces=f, **settings), step="2 fs")
@@ -268,7 +268,7 @@ watched = make()
 gc.collect()
 print([w() for w in watched])
 
-def f(q, attitude):
+def f(q, orientation):
     return np.zeros(q.shape), None, 0.0
 s = polhode.Simulation(forces=f, **settings)
 state, settings = s.state, s.settings

@@ -21,7 +21,7 @@ from package import WATER, program, python
 def bits(simulation):
     state = simulation.state
     return b"".join(np.ascontiguousarray(a).tobytes() for a in
-                    (state.positions, state.momenta, state.attitudes, state.angular_momenta))
+                    (state.positions, state.momenta, state.orientations, state.angular_momenta))
 
 
 class SameBits(unittest.TestCase):
@@ -85,7 +85,7 @@ class Views(unittest.TestCase):
         s = polhode.Simulation(WATER)
         q = s.state.positions
         self.assertEqual(q.shape, (64, 3))
-        self.assertEqual(s.state.attitudes.shape, (64, 4))
+        self.assertEqual(s.state.orientations.shape, (64, 4))
         self.assertFalse(q.flags.owndata)
         before = q.copy()
         s.step(5)
@@ -138,7 +138,7 @@ class Views(unittest.TestCase):
         self.assertLess(np.abs(s.state.momenta - p).max(), 3 * np.abs(f).max() * h)
         again = polhode.Simulation(WATER)
         with again.state.change() as state:
-            for name in ("positions", "momenta", "attitudes", "angular_momenta"):
+            for name in ("positions", "momenta", "orientations", "angular_momenta"):
                 getattr(state, name)[...] = getattr(s.state, name)
         s_twin = polhode.Simulation(WATER)
         s_twin.step(2)
@@ -163,7 +163,7 @@ class Views(unittest.TestCase):
         s = polhode.Simulation(WATER)
         s.step(1)
         before = bits(s)
-        for name, value in (("positions", np.nan), ("momenta", np.inf), ("attitudes", 0.0),
+        for name, value in (("positions", np.nan), ("momenta", np.inf), ("orientations", 0.0),
                             ("positions", 1e300)):
             with self.assertRaises(polhode.Error) as caught:
                 with s.state.change() as state:
@@ -177,12 +177,12 @@ class Views(unittest.TestCase):
         self.assertEqual(bits(s), before)
         s.step(1)
 
-    def test_attitudes_are_normalized(self):
+    def test_orientations_are_normalized(self):
         s = polhode.Simulation(WATER)
         with s.state.change() as state:
-            state.attitudes[...] *= 2
+            state.orientations[...] *= 2
         # Rounding of the root and the division, and of four squares and their sum: below 9 halves of an ulp.
-        self.assertLess(np.abs((s.state.attitudes**2).sum(1) - 1).max(), 9 * 2**-53)
+        self.assertLess(np.abs((s.state.orientations**2).sum(1) - 1).max(), 9 * 2**-53)
 
     def test_arrays_of_a_change_cannot_be_written_later(self):
         s = polhode.Simulation(WATER)

@@ -67,9 +67,9 @@ inline Quaternion<double> quaternion(const Mat3<double>& A) {
   return {q.w / length, q.x / length, q.y / length, q.z / length};
 }
 
-/// The attitude that carries the body-frame arms to the lab-frame ones.
-inline Quaternion<double> attitude(const std::vector<Site>& sites,
-                                   const std::vector<Vec3<double>>& arms) {
+/// The orientation that carries the body-frame arms to the lab-frame ones.
+inline Quaternion<double> orientation(const std::vector<Site>& sites,
+                                      const std::vector<Vec3<double>>& arms) {
   std::size_t a = 0, b = 0;  // the farthest site, and the one farthest from its axis
   for (std::size_t k = 0; k < sites.size(); ++k)
     if (norm(sites[k].r) > norm(sites[a].r)) a = k;
@@ -103,9 +103,9 @@ inline Scene rebuild(const json& file, const Box& box) {
       }
       centre = centre / part.molecule.mass;
       for (auto& arm : arms) arm -= centre;
-      const Quaternion<double> turn = attitude(sites, arms);
+      const Quaternion<double> turn = orientation(sites, arms);
       scene.state.q.set(i, centre);
-      scene.state.attitude.set(i, turn);
+      scene.state.orientation.set(i, turn);
       for (std::size_t k = 0; k < sites.size(); ++k)
         off = std::max(off, largest(to_lab(turn, sites[k].r) - arms[k]));
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Free rotations of a column of bodies, over packs: the series and NO_SQUISH do the same work, from
-// attitude and lab-frame angular momentum to the new attitude of length one.
+// orientation and lab-frame angular momentum to the new orientation of length one.
 #include "../rotor.hpp"
 
 #include "base/pack.hpp"
@@ -14,21 +14,22 @@ using Real = Pack<double>;
 
 void turn_by_series(bench::Tops& tops, double t) {
   for (std::size_t i = 0; i < tops.size(); i += Real::width) {
-    const Quaternion<Real> attitude = load_pack<Real>(tops.attitude, i);
-    const Vec3<Real> L = to_body(attitude, load_pack<Real>(tops.ell, i));
+    const Quaternion<Real> orientation = load_pack<Real>(tops.orientation, i);
+    const Vec3<Real> L = to_body(orientation, load_pack<Real>(tops.ell, i));
     const Vec3<Real> inverse_J = load_pack<Real>(tops.inverse_J, i);
-    store_pack(normalized(attitude * series_rotation(inverse_J, L, Real(t))), tops.attitude, i);
+    store_pack(normalized(orientation * series_rotation(inverse_J, L, Real(t))), tops.orientation,
+               i);
   }
 }
 
 void turn_by_no_squish(bench::Tops& tops, double t) {
   for (std::size_t i = 0; i < tops.size(); i += Real::width) {
-    Quaternion<Real> q = load_pack<Real>(tops.attitude, i);
+    Quaternion<Real> q = load_pack<Real>(tops.orientation, i);
     const Vec3<Real> L = to_body(q, load_pack<Real>(tops.ell, i)) * Real(2);
     const Vec3<Real> inverse_J = load_pack<Real>(tops.inverse_J, i);
     Quaternion<Real> p = q * Quaternion<Real>{Real(0), L.x, L.y, L.z};
     no_squish_step(q, p, inverse_J, Real(t), [](Real x) { return small_sine_cosine(x); });
-    store_pack(normalized(q), tops.attitude, i);
+    store_pack(normalized(q), tops.orientation, i);
   }
 }
 

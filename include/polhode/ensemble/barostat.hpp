@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Barostats: moves of the edges of the box that keep a pressure. Centres of mass are scaled,
-// attitudes are not, so molecules stay rigid.
+// orientations are not, so molecules stay rigid.
 #pragma once
 
 #include <cstdint>

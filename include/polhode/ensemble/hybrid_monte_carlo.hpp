@@ -32,7 +32,7 @@ struct HybridMonteCarloMemory {
 
 /// @throws Error  unless the scheme is a palindrome, so that it is reversible, without a bath.
 ///                Drifts and kicks keep volume in phase space, gradient kicks by finite difference
-///                included: each changes momenta by a function of positions and attitudes
+///                included: each changes momenta by a function of positions and orientations
 void check_hybrid(const Scheme& scheme);
 
 /// The decisions between trajectories of a scheme. Momenta of a trajectory begin as √(1 − φ) p +

@@ -56,7 +56,7 @@ using MinimisationWatch = std::function<bool(std::size_t steps, const Steepness&
 /// shrinks, with momenta 0. Moves are capped, so overlapping molecules come apart slowly.
 ///
 /// Momenta are 0 afterwards. A state that is within the bounds already keeps its positions and
-/// attitudes, bit by bit. The result has the same bits for any number of threads, if `evaluate`
+/// orientations, bit by bit. The result has the same bits for any number of threads, if `evaluate`
 /// has.
 /// @throws RunError  if a force is not finite
 Minimisation minimise(State& state, const Topology& topology, const Bodies& bodies,

@@ -44,7 +44,7 @@ class DomainForces {
   static bool is_long_enough(double edge, const Topology& topology, const ForceSettings& settings);
 
   /// Where the bodies are: own ones, then ghosts, each in the order of their topology. Set q and
-  /// attitude before each evaluation; the rest is not used.
+  /// orientation before each evaluation; the rest is not used.
   State& state() { return state_; }
   std::size_t own_bodies() const { return own_bodies_; }
 

@@ -11,7 +11,7 @@
 namespace polhode {
 
 /// Forces that are added to those of a force field. They must be a function of positions,
-/// attitudes and box alone, since an evaluation is reused until one of these changes.
+/// orientations and box alone, since an evaluation is reused until one of these changes.
 struct ExternalForces {
   std::string name;  ///< in messages, and in checkpoints, which are of the same name only
   /// Adds forces, torques, the energy (Load::external), and the virial if they have one.

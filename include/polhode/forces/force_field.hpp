@@ -63,9 +63,9 @@ class ForceField {
   void forces_alone(const State& state, Load& load) { evaluate(state, load, false); }
 
   /// The exact derivative of forces and torques along a displacement of all bodies: centres move by
-  /// dq [nm], attitudes rotate by the body-frame vectors dtheta [rad]. f and tau of the result are
-  /// per unit of the displacement, in the lab frame; its energies and virial are 0. Uses the same
-  /// list and loops as the forces; cheapest at the state of the last evaluation, whose mesh
+  /// dq [nm], orientations rotate by the body-frame vectors dtheta [rad]. f and tau of the result
+  /// are per unit of the displacement, in the lab frame; its energies and virial are 0. Uses the
+  /// same list and loops as the forces; cheapest at the state of the last evaluation, whose mesh
   /// potential is reused. Does not allocate after the first call.
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
                               Load& slope);

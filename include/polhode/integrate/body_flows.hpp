@@ -15,15 +15,15 @@ namespace polhode {
 
 /// A rigid body. Any consistent units will do; ours are nm, ps, u.
 struct RigidBody {
-  double m = 1;                   ///< mass [u]
-  Vec3<double> J{1, 1, 1};        ///< principal moments of inertia [u nm²]; no two of them 0
-  Vec3<double> q{}, p{};          ///< centre of mass [nm] and momentum [u nm/ps], lab
-  Quaternion<double> attitude{};  ///< body → lab
-  Vec3<double> ell{};             ///< angular momentum about the centre [u nm²/ps], lab
+  double m = 1;                      ///< mass [u]
+  Vec3<double> J{1, 1, 1};           ///< principal moments of inertia [u nm²]; no two of them 0
+  Vec3<double> q{}, p{};             ///< centre of mass [nm] and momentum [u nm/ps], lab
+  Quaternion<double> orientation{};  ///< body → lab
+  Vec3<double> ell{};                ///< angular momentum about the centre [u nm²/ps], lab
 
   /// Of translation and rotation [kJ/mol].
   double kinetic_energy() const {
-    const Vec3<double> L = to_body(attitude, ell);
+    const Vec3<double> L = to_body(orientation, ell);
     return norm2(p) / (2 * m) + dot(L, over_J(L)) / 2;
   }
   /// J⁻¹ v for a vector in the body frame; 0 along an axis without inertia.
@@ -59,8 +59,8 @@ class BodyFlows {
   void drift(double t) {
     for (RigidBody& b : bodies_) {
       b.q += (t / b.m) * b.p;
-      const Vec3<double> L = to_body(b.attitude, b.ell);
-      b.attitude = normalized(b.attitude * free_rotation(b.J, L, t).rotation);
+      const Vec3<double> L = to_body(b.orientation, b.ell);
+      b.orientation = normalized(b.orientation * free_rotation(b.J, L, t).rotation);
     }
     current_ = false;
   }
@@ -82,9 +82,9 @@ class BodyFlows {
     const double c = 2 * xi_h2 * lambda_;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const RigidBody& b = displaced_[i] = bodies_[i];
-      const Vec3<double> turn = c * b.over_J(to_body(b.attitude, load_[i].tau));
+      const Vec3<double> turn = c * b.over_J(to_body(b.orientation, load_[i].tau));
       displaced_[i].q += (c / b.m) * load_[i].f;
-      displaced_[i].attitude = normalized(b.attitude * rodrigues(turn));
+      displaced_[i].orientation = normalized(b.orientation * rodrigues(turn));
     }
     forces_(std::span<const RigidBody>(displaced_), std::span(displaced_load_));
     ++evaluations_;

@@ -22,7 +22,7 @@ void kick(State& state, const Bodies& bodies, const Load& load, double t,
           Workers& workers = Workers::serial());
 
 /// The direction along which a gradient kick needs the derivative of the forces: f/m for each
-/// centre and J⁻¹ S τ for each attitude, body frame. ∇W is twice the derivative of f and τ along
+/// centre and J⁻¹ S τ for each orientation, body frame. ∇W is twice the derivative of f and τ along
 /// it.
 void gradient_direction(const State& state, const Bodies& bodies, const Load& load, Vec3Column& dq,
                         Vec3Column& dtheta, Workers& workers = Workers::serial());

@@ -217,7 +217,7 @@ class Integrator {
   /// lab frame [vanzon2008, Eqs. 6 and 7].
   void finite_difference_kick(State& state, double t, double xi_h2) {
     shifted_.q = state.q;
-    shifted_.attitude = state.attitude;
+    shifted_.orientation = state.orientation;
     shifted_.box = state.box;
     displace(shifted_, bodies_, load_, 2 * lambda_ * xi_h2, workers_);
     forces_alone(forces_, shifted_, gradient_load_);

@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-/// The rotation R(v) = exp(−[v]×) as a body → lab quaternion factor: attitude · rodrigues(v)
+/// The rotation R(v) = exp(−[v]×) as a body → lab quaternion factor: orientation · rodrigues(v)
 /// rotates a body by the body-frame vector v [vanzon2008, below Eq. 7]; S̃ = R(v) S.
 inline Quaternion<double> rodrigues(const Vec3<double>& v) {
   const double half = norm(v) / 2;

@@ -15,7 +15,7 @@ namespace polhode {
 /// What a stage does. Code that depends on the flow uses a `switch` without `default`, so that the
 /// compiler reports every switch in which a new flow is missing.
 enum class Flow {
-  drift,  ///< free flight and free rotation: changes positions and attitudes
+  drift,  ///< free flight and free rotation: changes positions and orientations
   kick,   ///< forces and torques act: changes momenta
   bath,   ///< a heat bath acts: changes momenta, without any forces
 };

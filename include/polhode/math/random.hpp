@@ -74,8 +74,8 @@ class Random {
     return r * std::cos(2 * units::pi * uniform());
   }
 
-  /// Uniformly distributed attitude: a normal 4-vector has no preferred direction.
-  Quaternion<double> attitude() {
+  /// Uniformly distributed orientation: a normal 4-vector has no preferred direction.
+  Quaternion<double> orientation() {
     const double w = normal(), x = normal(), y = normal(), z = normal();
     return normalized(Quaternion<double>{w, x, y, z});
   }

@@ -15,8 +15,8 @@ struct Load {
   double mesh = 0;           ///< the reciprocal-space (mesh) part of coulomb [kJ/mol]
   double external = 0;       ///< of ExternalForces [kJ/mol]
   /// Σ R ⊗ f over pairs of bodies, R between their centres and f the force on the second [kJ/mol];
-  /// in general −dU/dε for a strain ε that moves the centres and keeps the attitudes. The pressure
-  /// tensor is (Σ p ⊗ p/m + virial)/V.
+  /// in general −dU/dε for a strain ε that moves the centres and keeps the orientations. The
+  /// pressure tensor is (Σ p ⊗ p/m + virial)/V.
   Mat3<double> virial{};
 
   Load() = default;

@@ -8,16 +8,16 @@
 namespace polhode {
 
 struct State {
-  Vec3Column q;               ///< centres of mass [nm], lab, unwrapped
-  Vec3Column p;               ///< momenta [u nm/ps], lab
-  QuaternionColumn attitude;  ///< body → lab; its transposed matrix is S
-  Vec3Column ell;             ///< angular momenta about the centres [u nm²/ps], lab
+  Vec3Column q;                  ///< centres of mass [nm], lab, unwrapped
+  Vec3Column p;                  ///< momenta [u nm/ps], lab
+  QuaternionColumn orientation;  ///< body → lab; its transposed matrix is S
+  Vec3Column ell;                ///< angular momenta about the centres [u nm²/ps], lab
   Box box;          ///< [nm]; it may change at any time, so code that needs it reads it here
   double time = 0;  ///< [ps]
 
   State() = default;
   State(std::size_t bodies, const Box& box)
-      : q(bodies), p(bodies), attitude(bodies), ell(bodies), box(box) {}
+      : q(bodies), p(bodies), orientation(bodies), ell(bodies), box(box) {}
   std::size_t size() const { return q.size(); }
 };
 

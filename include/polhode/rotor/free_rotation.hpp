@@ -46,7 +46,7 @@ inline FreeRotation series_or_closed_rotation(const Vec3<double>& J, const Vec3<
   return {r, top.in_units_of_caller(momentum_after(r, top.L))};
 }
 
-/// The rotation of a free rigid body: attitude(t) = attitude(0) * rotation, and its L(t).
+/// The rotation of a free rigid body: orientation(t) = orientation(0) * rotation, and its L(t).
 ///
 /// @param J  principal moments [u nm²], any order; one may be zero (linear body)
 /// @param L  body-frame angular momentum [u nm²/ps], zero along a vanishing moment

@@ -12,7 +12,7 @@ namespace polhode {
 
 /// State of a free body after a time t.
 struct FreeRotation {
-  /// attitude(t) = attitude(0) * rotation; its matrix_S() is the P(t) of the papers.
+  /// orientation(t) = orientation(0) * rotation; its matrix_S() is the P(t) of the papers.
   Quaternion<double> rotation;
   /// Body-frame angular momentum at t, P(t) L(0).
   Vec3<double> L;

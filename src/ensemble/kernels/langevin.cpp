@@ -76,13 +76,13 @@ LangevinSums langevin(State& state, const Bodies& bodies, const LangevinTerms& t
     const Vec3<Real> new_p = scaled_by(p, Real(terms.c)) + xi;
     store_pack(new_p, state.p, i);
 
-    const Quaternion<Real> attitude = load_pack<Real>(state.attitude, i);
-    const Vec3<Real> L = to_body(attitude, load_pack<Real>(state.ell, i));  // L = S ell
+    const Quaternion<Real> orientation = load_pack<Real>(state.orientation, i);
+    const Vec3<Real> L = to_body(orientation, load_pack<Real>(state.ell, i));  // L = S ell
     const Vec3<Real> chi = scaled_by(
         scaled(roots(load_pack<Real>(bodies.J, i)), Vec3<Real>{b.second, c.first, c.second}),
         Real(terms.rotational_noise));
     const Vec3<Real> new_L = scaled_by(L, Real(terms.rotational_c)) + chi;
-    store_pack(to_lab(attitude, new_L), state.ell, i);
+    store_pack(to_lab(orientation, new_L), state.ell, i);
 
     const Vec3<Real> inverse_J = load_pack<Real>(bodies.inverse_J, i);
     heat += without_padding((norm2(new_p) - norm2(p)) * Real::load(&bodies.inverse_m[i]) +

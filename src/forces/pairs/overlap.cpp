@@ -87,7 +87,7 @@ void each_site(const Topology& topology, const State& state, Visit visit) {
       if (can_overlap(site)) sites.push_back(site.r);
     for (std::size_t copy = 0; copy < count; ++copy, ++i) {
       const Vec3<double> q = state.q[i];
-      const Mat3<double> to_lab = transpose(matrix_S(state.attitude[i]));
+      const Mat3<double> to_lab = transpose(matrix_S(state.orientation[i]));
       for (const Vec3<double>& site : sites) {
         const Vec3<double> r = q + to_lab * site;
         if (!std::isfinite(norm2(r)))

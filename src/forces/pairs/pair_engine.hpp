@@ -40,8 +40,8 @@ class PairEngine {
   void operator()(const State& state, Load& load, bool energies);
 
   /// The derivative of forces and torques along a displacement of all bodies: centres move by dq
-  /// [nm], attitudes rotate by dtheta [rad], body frame. Energies and virial are set to 0. The list
-  /// is reused, and so is the mesh potential if this was the state of the last evaluation.
+  /// [nm], orientations rotate by dtheta [rad], body frame. Energies and virial are set to 0. The
+  /// list is reused, and so is the mesh potential if this was the state of the last evaluation.
   void derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta, Load& slope);
 
   const NeighbourList& neighbours() const { return list_; }

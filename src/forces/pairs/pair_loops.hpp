@@ -73,7 +73,7 @@ struct DisplaceJob {
   const Slots& slots;
   const std::vector<Vec3<double>>& sites;  ///< as in PlaceJob
   std::size_t first, end;
-  const Vec3Column &dq, &dtheta;  ///< of centres [nm], lab; of attitudes [rad], body frame
+  const Vec3Column &dq, &dtheta;  ///< of centres [nm], lab; of orientations [rad], body frame
   SiteRecords<T>& displacements;
 };
 

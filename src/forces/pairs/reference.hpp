@@ -14,11 +14,11 @@
 
 namespace polhode {
 
-/// Position and attitude of a body; with dual numbers, their displacement as well.
+/// Position and orientation of a body; with dual numbers, their displacement as well.
 template <class Real>
 struct Pose {
   Vec3<Real> q;
-  Quaternion<Real> attitude;
+  Quaternion<Real> orientation;
 };
 
 template <class Real>
@@ -43,7 +43,7 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
   for (std::size_t i = 0; i < n; ++i)
     for (const Site& site : sites[bodies.part[i]])
       arms[i].push_back(
-          to_lab(poses[i].attitude, Vec3<Real>{Real(site.r.x), Real(site.r.y), Real(site.r.z)}));
+          to_lab(poses[i].orientation, Vec3<Real>{Real(site.r.x), Real(site.r.y), Real(site.r.z)}));
 
   ReferenceLoad<Real> load{std::vector<Vec3<Real>>(n), std::vector<Vec3<Real>>(n), {}};
   const Vec3<Real> edge{Real(box.edge.x), Real(box.edge.y), Real(box.edge.z)};
@@ -99,14 +99,14 @@ ReferenceLoad<Real> reference_load(const Topology& topology, const ForceSettings
   }
 }
 
-/// The derivative of the result along a displacement: centres move by dq, attitudes rotate by
+/// The derivative of the result along a displacement: centres move by dq, orientations rotate by
 /// dtheta, body frame.
 inline Load reference_derivative(const Topology& topology, const ForceSettings& settings,
                                  const State& state, const Vec3Column& dq,
                                  const Vec3Column& dtheta) {
   std::vector<Pose<Dual<double>>> poses(state.size());
   for (std::size_t i = 0; i < state.size(); ++i) {
-    const Quaternion<double> a = state.attitude[i];
+    const Quaternion<double> a = state.orientation[i];
     const Vec3<double> v = dtheta[i];
     const Quaternion<double> da = scaled(a * Quaternion<double>{0, v.x, v.y, v.z}, 0.5);
     poses[i] = {dual(state.q[i], dq[i]), {{a.w, da.w}, {a.x, da.x}, {a.y, da.y}, {a.z, da.z}}};

@@ -70,16 +70,16 @@ void drift(State& state, const Bodies& bodies, double t, std::size_t first, std:
     const Vec3<Real> q = load_pack<Real>(state.q, i);
     store_pack(q + (Real(t) * Real::load(&bodies.inverse_m[i])) * p, state.q, i);  // q + t p/m
 
-    const Quaternion<Real> attitude = load_pack<Real>(state.attitude, i);
+    const Quaternion<Real> orientation = load_pack<Real>(state.orientation, i);
     const Vec3<Real> inverse_J = load_pack<Real>(bodies.inverse_J, i);
-    const Vec3<Real> L = to_body(attitude, load_pack<Real>(state.ell, i));  // L = S ell
+    const Vec3<Real> L = to_body(orientation, load_pack<Real>(state.ell, i));  // L = S ell
     const Real angle2 = norm2(scaled(inverse_J, L)) * Real(t * t);
     const Quaternion<Real> P = any(angle2 > Real(max_by_series * max_by_series))
                                    ? closed_rotations(bodies.J, L, t, i)
                                    : series_rotation(inverse_J, L, Real(t));
     // S <- P(t) S. The product is normalized in every step, so |q| - 1 is one rounding error,
     // whatever the number of steps.
-    store_pack(normalized(attitude * P), state.attitude, i);
+    store_pack(normalized(orientation * P), state.orientation, i);
   }
 }
 
@@ -92,11 +92,12 @@ void kick(State& state, const Bodies& bodies, const Load& load, double t, std::s
     const Vec3<Real> inverse_J = load_pack<Real>(bodies.inverse_J, i);  // 0 without inertia
     const Mask<Real> slim = none >= inverse_J.x || none >= inverse_J.y || none >= inverse_J.z;
     if (any(slim)) {
-      const Quaternion<Real> attitude = load_pack<Real>(state.attitude, i);
-      const Vec3<Real> L = to_body(attitude, ell);  // L = S ell
-      const Vec3<Real> clean = to_lab(attitude, Vec3<Real>{select(inverse_J.x > none, L.x, none),
-                                                           select(inverse_J.y > none, L.y, none),
-                                                           select(inverse_J.z > none, L.z, none)});
+      const Quaternion<Real> orientation = load_pack<Real>(state.orientation, i);
+      const Vec3<Real> L = to_body(orientation, ell);  // L = S ell
+      const Vec3<Real> clean =
+          to_lab(orientation, Vec3<Real>{select(inverse_J.x > none, L.x, none),
+                                         select(inverse_J.y > none, L.y, none),
+                                         select(inverse_J.z > none, L.z, none)});
       ell = {select(slim, clean.x, ell.x), select(slim, clean.y, ell.y),
              select(slim, clean.z, ell.z)};
     }
@@ -109,7 +110,7 @@ void gradient_direction(const State& state, const Bodies& bodies, const Load& lo
   for (std::size_t i = first; i < end; i += Real::width) {
     store_pack(Real::load(&bodies.inverse_m[i]) * load_pack<Real>(load.f, i), dq, i);
     const Vec3<Real> torque =
-        to_body(load_pack<Real>(state.attitude, i), load_pack<Real>(load.tau, i));  // S tau
+        to_body(load_pack<Real>(state.orientation, i), load_pack<Real>(load.tau, i));  // S tau
     store_pack(scaled(load_pack<Real>(bodies.inverse_J, i), torque), dtheta, i);
   }
 }
@@ -120,10 +121,10 @@ void displace(State& state, const Bodies& bodies, const Load& load, double c, st
     const Real c_over_m = Real(c) * Real::load(&bodies.inverse_m[i]);
     store_pack(load_pack<Real>(state.q, i) + c_over_m * load_pack<Real>(load.f, i), state.q, i);
 
-    const Quaternion<Real> attitude = load_pack<Real>(state.attitude, i);
-    const Vec3<Real> torque = to_body(attitude, load_pack<Real>(load.tau, i));  // S tau
+    const Quaternion<Real> orientation = load_pack<Real>(state.orientation, i);
+    const Vec3<Real> torque = to_body(orientation, load_pack<Real>(load.tau, i));  // S tau
     const Vec3<Real> v = Real(c) * scaled(load_pack<Real>(bodies.inverse_J, i), torque);
-    store_pack(attitude * rodrigues_pack(v), state.attitude, i);
+    store_pack(orientation * rodrigues_pack(v), state.orientation, i);
   }
 }
 

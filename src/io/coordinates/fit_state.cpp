@@ -104,15 +104,15 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
     mass.push_back(sites[k].mass);
     ell += sites[k].mass * cross(lab.back(), match[k]->v);
   }
-  const Quaternion<double> attitude =
+  const Quaternion<double> orientation =
       molecule.top == Top::atom ? Quaternion<double>{} : best_rotation(body, lab, mass);
   // No angular momentum about an axis without inertia.
-  Vec3<double> L = to_body(attitude, ell);
+  Vec3<double> L = to_body(orientation, ell);
   for (std::size_t k = 0; k < 3; ++k)
     if (molecule.J[k] == 0) L[k] = 0;
   for (std::size_t k = 0; k < sites.size(); ++k) {
     if (match[k] == nullptr) continue;
-    const double off = norm(whole(*match[k]) - q - to_lab(attitude, sites[k].r));
+    const double off = norm(whole(*match[k]) - q - to_lab(orientation, sites[k].r));
     if (sites[k].mass == 0) {
       fitted.massless_deviation = std::max(fitted.massless_deviation, off);
       continue;
@@ -128,8 +128,8 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
   }
   state.q.set(i, q);
   state.p.set(i, p);
-  state.attitude.set(i, attitude);
-  state.ell.set(i, to_lab(attitude, L));
+  state.orientation.set(i, orientation);
+  state.ell.set(i, to_lab(orientation, L));
 }
 
 // A molecule can be made whole by minimum images only if it is shorter than half of the box.

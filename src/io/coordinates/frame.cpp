@@ -79,12 +79,12 @@ void each_atom(const State& state, const Topology& topology, MasslessSites massl
     for (std::size_t copy = 0; copy < count; ++copy, ++i) {
       const Vec3<double> q = state.q[i];
       const Vec3<double> home = wrapped(q, state.box);
-      const Vec3<double> L = to_body(state.attitude[i], state.ell[i]);
+      const Vec3<double> L = to_body(state.orientation[i], state.ell[i]);
       const Vec3<double> J = molecule.J;
       const Vec3<double> omega =
-          to_lab(state.attitude[i], {over(L.x, J.x), over(L.y, J.y), over(L.z, J.z)});
+          to_lab(state.orientation[i], {over(L.x, J.x), over(L.y, J.y), over(L.z, J.z)});
       for (std::size_t k = 0; k < sites.size(); ++k) {
-        const Vec3<double> x = to_lab(state.attitude[i], sites[k]);
+        const Vec3<double> x = to_lab(state.orientation[i], sites[k]);
         visit({.kind = first_kind + static_cast<std::uint32_t>(k),
                .residue = static_cast<int>(i % 100000) + 1,
                .r = home + x,

@@ -42,7 +42,7 @@ class CheckpointWriter {
   void operator()(const std::string& text);
   void operator()(const Vec3<double>& v);
   void operator()(const Vec3Column& vectors) { columns(vectors, 3); }
-  void operator()(const QuaternionColumn& attitudes) { columns(attitudes, 4); }
+  void operator()(const QuaternionColumn& orientations) { columns(orientations, 4); }
   /// Writes length and checksum; nothing may follow.
   void end();
 
@@ -69,7 +69,7 @@ class CheckpointReader {
   void operator()(std::string& text);
   void operator()(Vec3<double>& v);
   void operator()(Vec3Column& vectors) { columns(vectors, 3); }
-  void operator()(QuaternionColumn& attitudes) { columns(attitudes, 4); }
+  void operator()(QuaternionColumn& orientations) { columns(orientations, 4); }
   /// @throws DamagedCheckpoint  unless everything has been read
   void end() const;
 

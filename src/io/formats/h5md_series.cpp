@@ -20,7 +20,8 @@ constexpr std::array names_of_series = {step,
                                         "particles/all/position",
                                         "particles/all/velocity",
                                         "particles/bodies/position",
-                                        "particles/bodies/attitude",
+                                        "particles/bodies/orientation",
+                                        "particles/bodies/attitude",  // up to version 0.1
                                         "particles/bodies/momentum",
                                         "particles/bodies/angular_momentum"};
 

@@ -171,6 +171,11 @@ class H5mdWriter : public FrameWriter {
       throw Error(fmt::format(
           "'{}' has no positions to append to; restore the file that the run wrote, or start over",
           path_));
+    if (series_.contains("particles/bodies/attitude"))
+      throw Error(fmt::format(
+          "'{}' has 'particles/bodies/attitude', which is called 'orientation' now; resume the run "
+          "with the version of polhode that began it, or start over",
+          path_));
     frames_ = frames;
   }
 
@@ -323,7 +328,7 @@ class H5mdWriter : public FrameWriter {
                            H5P_DEFAULT));
       const hsize_t n = state->size();
       begin_series("particles/bodies/position", H5T_IEEE_F64LE, {n, 3}, "nm");
-      begin_series("particles/bodies/attitude", H5T_IEEE_F64LE, {n, 4}, "");
+      begin_series("particles/bodies/orientation", H5T_IEEE_F64LE, {n, 4}, "");
       begin_series("particles/bodies/momentum", H5T_IEEE_F64LE, {n, 3}, "u nm ps-1");
       begin_series("particles/bodies/angular_momentum", H5T_IEEE_F64LE, {n, 3}, "u nm2 ps-1");
     }
@@ -424,7 +429,7 @@ class H5mdWriter : public FrameWriter {
   }
 
   void append(const State& state) {
-    std::vector<double> q, attitude, p, ell;
+    std::vector<double> q, orientation, p, ell;
     const auto add = [](std::vector<double>& to, const Vec3<double>& v) {
       to.insert(to.end(), {v.x, v.y, v.z});
     };
@@ -432,11 +437,11 @@ class H5mdWriter : public FrameWriter {
       add(q, state.q[i]);
       add(p, state.p[i]);
       add(ell, state.ell[i]);
-      const Quaternion<double> a = state.attitude[i];
-      attitude.insert(attitude.end(), {a.w, a.x, a.y, a.z});
+      const Quaternion<double> a = state.orientation[i];
+      orientation.insert(orientation.end(), {a.w, a.x, a.y, a.z});
     }
     put("particles/bodies/position", q);
-    put("particles/bodies/attitude", attitude);
+    put("particles/bodies/orientation", orientation);
     put("particles/bodies/momentum", p);
     put("particles/bodies/angular_momentum", ell);
   }

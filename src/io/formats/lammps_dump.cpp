@@ -23,7 +23,7 @@ struct DumpColumn {
     position,
     scaled,
     velocity,
-    attitude,
+    orientation,
     angular_momentum,
     other
   } what = What::other;
@@ -42,7 +42,8 @@ DumpColumn column(std::string_view name) {
     if (name == 'v' + letter) return {What::velocity, d};
   }
   for (std::size_t d = 0; d < 4; ++d) {
-    if (name == fmt::format("d2_attitude[{}]", d + 1)) return {What::attitude, d};
+    for (const char* property : {"orientation", "attitude"})  // the second up to version 0.1
+      if (name == fmt::format("d2_{}[{}]", property, d + 1)) return {What::orientation, d};
     if (d < 3 && name == fmt::format("d2_angular_momentum[{}]", d + 1))
       return {What::angular_momentum, d};
   }
@@ -51,7 +52,7 @@ DumpColumn column(std::string_view name) {
 
 // What the columns of a particle have besides those of an atom.
 struct ParticleColumns {
-  Quaternion<double> attitude;
+  Quaternion<double> orientation;
   Vec3<double> ell;
 };
 
@@ -159,7 +160,7 @@ class LammpsDumpReader : public FrameReader {
     using What = DumpColumn::What;
     columns_.clear();
     std::array<bool, 3> position{}, velocity{}, angular_momentum{};
-    std::array<bool, 4> attitude{};
+    std::array<bool, 4> orientation{};
     has_ids_ = false;
     const auto take = [&](auto& met, std::size_t d, std::string_view name) {
       if (std::exchange(met[d], true))
@@ -171,7 +172,7 @@ class LammpsDumpReader : public FrameReader {
       if (c.what == What::id && std::exchange(has_ids_, true))
         lines_.refuse("there are two columns id; delete one of them");
       if (c.what == What::velocity) take(velocity, c.d, name);
-      if (c.what == What::attitude) take(attitude, c.d, name);
+      if (c.what == What::orientation) take(orientation, c.d, name);
       if (c.what == What::angular_momentum) take(angular_momentum, c.d, name);
       if (c.what == What::position || c.what == What::scaled) position[c.d] = true;
     }
@@ -184,9 +185,10 @@ class LammpsDumpReader : public FrameReader {
                         "{0}s or {0}su",
                         "xyz"[d]));
     has_velocities_ = velocity[0] && (!topology_ || angular_momentum[0]);
-    if (topology_ && !(attitude[0] && attitude[1] && attitude[2] && attitude[3]))
+    if (topology_ && !(orientation[0] && orientation[1] && orientation[2] && orientation[3]))
       lines_.refuse(
-          "particles have attitudes, in the columns d2_attitude[1] to d2_attitude[4] of 'dump "
+          "particles have orientations, in the columns d2_orientation[1] to d2_orientation[4] of "
+          "'dump "
           "custom'");
   }
 
@@ -223,10 +225,10 @@ class LammpsDumpReader : public FrameReader {
         atom.r[c.d] = frame.box.edge[c.d] * lines_.number(word, "position");
       if (c.what == What::velocity && has_velocities_)
         atom.v[c.d] = units_.length / units_.time * lines_.number(word, "velocity");
-      if (c.what == What::attitude) {
-        double* const part[] = {&particle.attitude.w, &particle.attitude.x, &particle.attitude.y,
-                                &particle.attitude.z};
-        *part[c.d] = lines_.number(word, "attitude");
+      if (c.what == What::orientation) {
+        double* const part[] = {&particle.orientation.w, &particle.orientation.x,
+                                &particle.orientation.y, &particle.orientation.z};
+        *part[c.d] = lines_.number(word, "orientation");
       }
       if (c.what == What::angular_momentum)
         particle.ell[c.d] =
@@ -240,12 +242,12 @@ class LammpsDumpReader : public FrameReader {
   }
 
   ParticleColumns checked(const ParticleColumns& particle) const {
-    const double length2 = norm2(particle.attitude);
+    const double length2 = norm2(particle.orientation);
     if (!(std::abs(length2 - 1) < 1e-3))
       lines_.refuse(
-          fmt::format("the attitude has the length {:g}; it must be a quaternion of length 1",
+          fmt::format("the orientation has the length {:g}; it must be a quaternion of length 1",
                       std::sqrt(length2)));
-    return {normalized(particle.attitude), particle.ell};
+    return {normalized(particle.orientation), particle.ell};
   }
 
   // The sites of the molecules that the particles are.
@@ -259,7 +261,7 @@ class LammpsDumpReader : public FrameReader {
     const Bodies bodies(*topology_);
     for (std::size_t i = 0; i < state.size(); ++i) {
       state.q.set(i, frame.atoms[i].r);
-      state.attitude.set(i, particles_[i].attitude);
+      state.orientation.set(i, particles_[i].orientation);
       if (!frame.has_velocities) continue;
       state.p.set(i, bodies.m[i] * frame.atoms[i].v);
       state.ell.set(i, particles_[i].ell);

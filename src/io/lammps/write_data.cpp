@@ -148,7 +148,7 @@ void write_lammps_particles(std::ostream& out, const std::string& title, const S
   }
   fmt::print(out, "\n{}\n\n", lammps_particle_section);
   for (std::size_t i = 0; i < state.size(); ++i) {
-    const Quaternion<double> a = state.attitude[i];
+    const Quaternion<double> a = state.orientation[i];
     const Vec3<double> ell = in_real_units(state.ell[i] / angstrom);
     fmt::print(out, "{} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", i + 1, a.w, a.x,
                a.y, a.z, ell.x, ell.y, ell.z);

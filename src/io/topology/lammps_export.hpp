@@ -43,11 +43,11 @@ void write_lammps_data(std::ostream& out, const std::string& title, const State&
                        const Topology& topology, const LammpsTypes& types);
 
 /// The data file of the same system with one particle a molecule, of atom_style atomic: particles
-/// have types of their own, behind those of the sites, and their attitudes and angular momenta are
-/// in a section for `fix property/atom`.
+/// have types of their own, behind those of the sites, and their orientations and angular momenta
+/// are in a section for `fix property/atom`.
 void write_lammps_particles(std::ostream& out, const std::string& title, const State& state,
                             const Topology& topology, const LammpsTypes& types);
-inline constexpr std::string_view lammps_particle_section = "Attitudes";
+inline constexpr std::string_view lammps_particle_section = "Orientations";
 
 /// The molecule file of a part's molecule, in its principal frame.
 void write_lammps_molecule(std::ostream& out, const Topology& topology, std::size_t part,

@@ -20,7 +20,8 @@ KineticSums kinetic_sums(const State& state, const Bodies& bodies, std::size_t f
   for (std::size_t i = first; i < end; i += Real::width) {
     const auto here = first_lanes<double>(std::min(Real::width, end - i));  // excludes padding
     const auto without_padding = [&](Real term) { return select(here, term, Real(0)); };
-    const Vec3<Real> L = to_body(load_pack<Real>(state.attitude, i), load_pack<Real>(state.ell, i));
+    const Vec3<Real> L =
+        to_body(load_pack<Real>(state.orientation, i), load_pack<Real>(state.ell, i));
     const Vec3<Real> inverse_J = load_pack<Real>(bodies.inverse_J, i);
     const Vec3<Real> p = load_pack<Real>(state.p, i);
     translation += without_padding(norm2(p) * Real::load(&bodies.inverse_m[i]));

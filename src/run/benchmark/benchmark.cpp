@@ -61,7 +61,7 @@ System side_by_side(System water, std::size_t n) {
           const Vec3<double> tiles{static_cast<double>(x), static_cast<double>(y),
                                    static_cast<double>(z)};
           water.state.q.set(to, one.q[i] + scaled(tiles, one.box.edge));
-          water.state.attitude.set(to, one.attitude[i]);
+          water.state.orientation.set(to, one.orientation[i]);
         }
   draw_momenta(water, 1);
   return water;

@@ -28,7 +28,7 @@ class WaterPairs {
     const State& state = water.state;
     const InteractionSites sites(water.topology.parts[0].molecule);
     const auto arm = [&](std::size_t body, std::size_t k) {
-      return to_lab(state.attitude[body], sites.sites[k].r);
+      return to_lab(state.orientation[body], sites.sites[k].r);
     };
     for (std::size_t k = 0; k < 4; ++k)
       for (std::size_t d = 0; d < 3; ++d) own_[3 * k + d] = static_cast<T>(arm(0, k)[d]);

@@ -147,7 +147,7 @@ class Script {
                "units real\natom_style {}\n{}"
                "read_data \"{}.data\" {}\n",
                config_.source, particles_ ? "atomic" : "full", pairs.style + molecule_styles(),
-               prefix, particles_ ? attitudes() : "nocoeff");
+               prefix, particles_ ? orientations() : "nocoeff");
     out_ << pairs.coefficients;
     if (molecules_have_sites()) fmt::print(out_, "bond_coeff *\n");
     if (has_mesh(system_.forces)) fmt::print(out_, "kspace_style pppm {:g}\n", kspace_accuracy);
@@ -167,13 +167,13 @@ class Script {
     if (particles_)
       text +=
           "atom_modify map yes\n"
-          "fix attitudes all property/atom d2_attitude 4 d2_angular_momentum 3\n";
+          "fix orientations all property/atom d2_orientation 4 d2_angular_momentum 3\n";
     return text + fmt::format("dielectric {:.17g} # the Coulomb constant of polhode\n",
                               lammps_dielectric());
   }
 
-  static std::string attitudes() {
-    return fmt::format("fix attitudes NULL {} nocoeff", lammps_particle_section);
+  static std::string orientations() {
+    return fmt::format("fix orientations NULL {} nocoeff", lammps_particle_section);
   }
 
   void integrate(const Scheme& scheme) const {

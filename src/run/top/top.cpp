@@ -24,7 +24,7 @@ void measure(TopTrack& track, const Vec3<double>& J, const Vec3<double>& L0,
   const double E = energy(L0), l = norm(L0);
   track.energy_error = E == 0 ? 0 : energy(track.L) / E - 1;
   track.momentum_error = l == 0 ? 0 : norm(track.L) / l - 1;
-  const Quaternion<double> off = conjugate(exact.rotation) * track.attitude;
+  const Quaternion<double> off = conjugate(exact.rotation) * track.orientation;
   track.angle = 2 * std::atan2(norm(off.vector()), std::abs(off.w));
 }
 
@@ -44,7 +44,7 @@ void integrate(TopTrajectory& trajectory, const Vec3<double>& J, const Vec3<doub
     if (trajectory.interrupted) return;
     const auto advance = [&](TopTrack& track, RotorMethod method) {
       const FreeRotation r = free_rotation(J, track.L, step, method);
-      track.attitude = normalized(track.attitude * r.rotation);
+      track.orientation = normalized(track.orientation * r.rotation);
       track.L = r.L;
     };
     advance(now.series, RotorMethod::series);
@@ -133,14 +133,15 @@ Quantities quantities(const TopTrajectory& top) {
       };
       error("energy", track->energy_error);
       error("|L|", track->momentum_error);
-      error("attitude", track->angle);
+      error("orientation", track->angle);
     }
   }
-  return {{"", "", samples, "",
-           fmt::format("step {:.6g}: the top initially turns by {:.3g} per step; L of the closed "
-                       "form; errors of energy\nand |L| step by step are relative, attitude is the "
-                       "angle [rad] from the closed form",
-                       top.step, top.angle)}};
+  return {
+      {"", "", samples, "",
+       fmt::format("step {:.6g}: the top initially turns by {:.3g} per step; L of the closed "
+                   "form; errors of energy\nand |L| step by step are relative, orientation is the "
+                   "angle [rad] from the closed form",
+                   top.step, top.angle)}};
 }
 
 }  // namespace polhode

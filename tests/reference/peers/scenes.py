@@ -92,7 +92,7 @@ class Scene:
 
 
 def liquid(counts, box, seed, sweeps, radius=None):
-    """A plausible disordered configuration: lattice, random attitudes, then simple Metropolis moves.
+    """A plausible disordered configuration: lattice, random orientations, then simple Metropolis moves.
 
     With a radius the bodies stay within it, in open space."""
     rng = np.random.default_rng(seed)
@@ -106,9 +106,9 @@ def liquid(counts, box, seed, sweeps, radius=None):
                        for k in range(cells[2])])
     points = points[rng.permutation(len(points))[:n]]
     q = (points + 0.5) / cells * edges - (0 if box else edges / 2)
-    attitude = rng.normal(size=(n, 4))
+    orientation = rng.normal(size=(n, 4))
     place = lambda i, c, a: c + scene.models[i].r @ rotation(a).T
-    scene.sites = np.concatenate([place(i, q[i], attitude[i]) for i in range(n)])
+    scene.sites = np.concatenate([place(i, q[i], orientation[i]) for i in range(n)])
 
     def energy(i, c, block):
         near = scene.image(q - c)
@@ -124,17 +124,17 @@ def liquid(counts, box, seed, sweeps, radius=None):
     for _ in range(sweeps):
         for i in range(n):
             c = q[i] + rng.uniform(-0.03, 0.03, 3)
-            a = attitude[i] / np.linalg.norm(attitude[i]) + rng.normal(size=4) * 0.1
+            a = orientation[i] / np.linalg.norm(orientation[i]) + rng.normal(size=4) * 0.1
             if radius and np.linalg.norm(c) > radius:
                 continue
             block = place(i, c, a)
             change = energy(i, c, block) - energy(i, q[i], scene.sites[scene.parts[i]])
             if change < 0 or rng.random() < np.exp(-change / THERMAL):
-                q[i], attitude[i] = c, a
+                q[i], orientation[i] = c, a
                 scene.sites[scene.parts[i]] = block
     if box:
         q -= np.floor(q / edges) * edges
-        scene.sites = np.concatenate([place(i, q[i], attitude[i]) for i in range(n)])
+        scene.sites = np.concatenate([place(i, q[i], orientation[i]) for i in range(n)])
     return scene
 
 

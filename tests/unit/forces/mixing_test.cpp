@@ -42,7 +42,7 @@ double energy(const Molecule& a, const Molecule& b, double r, const Mixing& mixi
   Load load;
   forces(state, load);
   std::vector<Pose<double>> poses;
-  for (std::size_t i = 0; i < 2; ++i) poses.push_back({state.q[i], state.attitude[i]});
+  for (std::size_t i = 0; i < 2; ++i) poses.push_back({state.q[i], state.orientation[i]});
   const double plain = reference_load(topology, settings, state.box, poses).van_der_waals;
   // Float: three roundings of 2⁻²⁴ in r², which count six times in r¹², and of the strengths.
   CHECK(load.van_der_waals ==

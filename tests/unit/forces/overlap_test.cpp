@@ -37,7 +37,7 @@ std::string expected(const Topology& topology, const State& state) {
   for (std::size_t i = 0; i < state.size(); ++i)
     for (const Site& site : topology.parts[bodies.part[i]].molecule.sites)
       if (site.mass > 0 || site.epsilon > 0)
-        points.push_back({i, state.q[i] + to_lab(state.attitude[i], site.r)});
+        points.push_back({i, state.q[i] + to_lab(state.orientation[i], site.r)});
   for (std::size_t b = 0; b < points.size(); ++b)
     for (std::size_t a = 0; a < b; ++a) {
       if (points[a].body == points[b].body) continue;
@@ -68,7 +68,7 @@ TEST_CASE("overlaps equal those of a sum over all pairs, in boxes of any size an
       for (std::size_t i = 0; i < state.size(); ++i) {
         const double x = uniform(random), y = uniform(random), z = uniform(random);
         state.q.set(i, scaled(edge, Vec3<double>{x, y, z}));
-        state.attitude.set(i, scenes::random_attitude(random));
+        state.orientation.set(i, scenes::random_orientation(random));
       }
       const std::string must = expected(topology, state);
       const std::string is = verdict(topology, state);

@@ -53,7 +53,7 @@ struct Crowd {
       bodies.inverse_J.set(n, {inverse(J.x), inverse(J.y), inverse(J.z)});
       const Quaternion<double> q = normalized(
           Quaternion<double>{normal(random), normal(random), normal(random), normal(random)});
-      state.attitude.set(n, q);
+      state.orientation.set(n, q);
       state.ell.set(n, to_lab(q, scaled(J, w)));
       state.q.set(n, vector());
       state.p.set(n, vector());
@@ -75,7 +75,7 @@ TEST_CASE("drift rotates every body of a pack freely") {
     const Crowd before;
     drift(crowd.state, crowd.bodies, 1.0);
     for (std::size_t n = 0; n < count; ++n) {
-      const Quaternion<double> q = before.state.attitude[n];
+      const Quaternion<double> q = before.state.orientation[n];
       const Vec3<double> L = to_body(q, before.state.ell[n]), J = before.bodies.J[n];
       Vec3<double> clean = L;  // a rod has no L along its axis
       for (std::size_t k = 0; k < 3; ++k)
@@ -84,8 +84,8 @@ TEST_CASE("drift rotates every body of a pack freely") {
       const double angle = norm(scaled(before.bodies.inverse_J[n], L));
       const double bound = 16 * 0x1p-53 * (1 + 6 * (1 + angle));
       CAPTURE(n);
-      CHECK(distance(crowd.state.attitude[n], q * exact.rotation) <= bound);
-      CHECK(std::abs(norm2(crowd.state.attitude[n]) - 1) <= 8 * 0x1p-53);
+      CHECK(distance(crowd.state.orientation[n], q * exact.rotation) <= bound);
+      CHECK(std::abs(norm2(crowd.state.orientation[n]) - 1) <= 8 * 0x1p-53);
       CHECK(crowd.state.ell[n] == before.state.ell[n]);
       CHECK(norm(crowd.state.q[n] - before.state.q[n] -
                  before.state.p[n] * before.bodies.inverse_m[n]) <= 8 * 0x1p-53);
@@ -93,8 +93,8 @@ TEST_CASE("drift rotates every body of a pack freely") {
   });
 }
 
-// Exactly on the separatrix, far beyond the series: attitudes are the identity, so that L = S ell
-// is exact. The other lanes rotate regularly.
+// Exactly on the separatrix, far beyond the series: orientations are the identity, so that L = S
+// ell is exact. The other lanes rotate regularly.
 TEST_CASE("drift handles bodies on the separatrix in packs with others") {
   for_each_instruction_set([] {
     for (const double t : {20.0, 250.0, 25000.0, -1e5}) {
@@ -104,7 +104,7 @@ TEST_CASE("drift handles bodies on the separatrix in packs with others") {
         const Vec3<double> J{12, 15, 20}, L{n % 2 == 0 ? 1.0 : -1.0, double(n % 5) - 2, 1};
         crowd.bodies.J.set(n, J);
         crowd.bodies.inverse_J.set(n, {1 / J.x, 1 / J.y, 1 / J.z});
-        crowd.state.attitude.set(n, {1, 0, 0, 0});
+        crowd.state.orientation.set(n, {1, 0, 0, 0});
         crowd.state.ell.set(n, L);
       }
       const Crowd before = crowd;
@@ -116,7 +116,7 @@ TEST_CASE("drift handles bodies on the separatrix in packs with others") {
         // As for the truth table's rows there: three angles of |ω t| and a few roundings.
         const double bound = 16 * 0x1p-53 * (1 + 3 * std::abs(t) * 0.25);
         CAPTURE(n);
-        CHECK(distance(crowd.state.attitude[n], exact.rotation) <= bound);
+        CHECK(distance(crowd.state.orientation[n], exact.rotation) <= bound);
       }
     }
   });
@@ -136,8 +136,8 @@ TEST_CASE("drift agrees between instruction sets") {
     for (std::size_t n = 0; n < count; ++n) {
       const double angle =
           2 * norm(scaled(crowd.bodies.inverse_J[n],
-                          to_body(reference.state.attitude[n], reference.state.ell[n])));
-      CHECK(distance(crowd.state.attitude[n], reference.state.attitude[n]) <=
+                          to_body(reference.state.orientation[n], reference.state.ell[n])));
+      CHECK(distance(crowd.state.orientation[n], reference.state.orientation[n]) <=
             20 * 16 * 0x1p-53 * (1 + 6 * angle));
     }
   });
@@ -164,8 +164,8 @@ TEST_CASE("kicks give no angular momentum about an axis without inertia") {
     int rods = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3<double> inverse_J = crowd.bodies.inverse_J[i];
-      const Vec3<double> L = to_body(crowd.state.attitude[i], crowd.state.ell[i]);
-      const Vec3<double> plain = to_body(crowd.state.attitude[i], ell[i]);
+      const Vec3<double> L = to_body(crowd.state.orientation[i], crowd.state.ell[i]);
+      const Vec3<double> plain = to_body(crowd.state.orientation[i], ell[i]);
       CAPTURE(i);
       const bool whole = inverse_J.x > 0 && inverse_J.y > 0 && inverse_J.z > 0;
       if (whole) CHECK(norm(crowd.state.ell[i] - ell[i]) < 200 * 0x1p-52 * norm(ell[i]) + 1e-13);
@@ -192,8 +192,8 @@ TEST_CASE("drift forward and back is the identity") {
     for (std::size_t n = 0; n < count; ++n) {
       const double angle =
           0.7 * norm(scaled(before.bodies.inverse_J[n],
-                            to_body(before.state.attitude[n], before.state.ell[n])));
-      CHECK(distance(crowd.state.attitude[n], before.state.attitude[n]) <=
+                            to_body(before.state.orientation[n], before.state.ell[n])));
+      CHECK(distance(crowd.state.orientation[n], before.state.orientation[n]) <=
             2 * 16 * 0x1p-53 * (1 + 6 * (1 + angle)));
     }
   });
@@ -206,6 +206,6 @@ TEST_CASE("drift returns for infinite and undefined angular momenta") {
     Crowd crowd;
     crowd.state.ell.set(2, {bad, 0.1, 0.2});
     drift(crowd.state, crowd.bodies, 1.0);
-    CHECK(std::isfinite(crowd.state.attitude[40].w));
+    CHECK(std::isfinite(crowd.state.orientation[40].w));
   }
 }

@@ -78,13 +78,13 @@ void turn(State& state, Random& random) {
     const double a = random.normal(), b = random.normal(), c = random.normal();
     const Quaternion<double> by =
         normalized(Quaternion<double>{1, angle * a / 2, angle * b / 2, angle * c / 2});
-    state.attitude.set(i, normalized(by * state.attitude[i]));
+    state.orientation.set(i, normalized(by * state.orientation[i]));
   }
 }
 
 State tops(std::size_t bodies, Random& random) {
   State state(bodies, Box{{2, 2, 2}});
-  for (std::size_t i = 0; i < bodies; ++i) state.attitude.set(i, random.attitude());
+  for (std::size_t i = 0; i < bodies; ++i) state.orientation.set(i, random.orientation());
   return state;
 }
 

@@ -29,7 +29,7 @@ double kinetic_energy(const State& state, const Topology& topology) {
   const Bodies bodies(topology);
   double twice = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Vec3<double> L = to_body(state.attitude[i], state.ell[i]);
+    const Vec3<double> L = to_body(state.orientation[i], state.ell[i]);
     twice += norm2(state.p[i]) * bodies.inverse_m[i] + dot(L, scaled(bodies.inverse_J[i], L));
   }
   return twice / 2;

@@ -46,12 +46,13 @@ std::string particle_dump(const State& state, const Topology& topology) {
       << 1e3 * state.time << "\nITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n"
       << state.size() << "\nITEM: BOX BOUNDS pp pp pp\n";
   for (std::size_t d = 0; d < 3; ++d) out << "0 " << 10 * state.box.edge[d] << '\n';
-  out << "ITEM: ATOMS id type xu yu zu vx vy vz d2_attitude[1] d2_attitude[2] d2_attitude[3] "
-         "d2_attitude[4] d2_angular_momentum[1] d2_angular_momentum[2] d2_angular_momentum[3]\n";
+  out << "ITEM: ATOMS id type xu yu zu vx vy vz d2_orientation[1] d2_orientation[2] "
+         "d2_orientation[3] "
+         "d2_orientation[4] d2_angular_momentum[1] d2_angular_momentum[2] d2_angular_momentum[3]\n";
   for (std::size_t i = state.size(); i-- > 0;) {
     const Vec3<double> q = 10 * state.q[i], v = 0.01 * (bodies.inverse_m[i] * state.p[i]);
     const Vec3<double> ell = 0.1 * state.ell[i];
-    const Quaternion<double> a = state.attitude[i];
+    const Quaternion<double> a = state.orientation[i];
     out << i + 1 << " 1";
     for (const double x : {q.x, q.y, q.z, v.x, v.y, v.z, a.w, a.x, a.y, a.z, ell.x, ell.y, ell.z})
       out << ' ' << x;
@@ -156,8 +157,12 @@ TEST_CASE("wrong dump files of particles") {
     open_particle_frames(file.path, molecules)->next(frame);
   };
   for (const auto& [from, to] :
-       {std::pair{"d2_attitude[3]", "d2_attitude[9]"}, {"d2_attitude[1] ", "c_1 "}})
-    check_error([&] { read(replaced(text, from, to), topology); }, {"particles have attitudes"});
+       {std::pair{"d2_orientation[3]", "d2_orientation[9]"}, {"d2_orientation[1] ", "c_1 "}})
+    check_error([&] { read(replaced(text, from, to), topology); }, {"particles have orientations"});
+  std::string old = text;  // the name up to version 0.1 is read
+  for (char d = '1'; d <= '4'; ++d)
+    old = replaced(old, fmt::format("d2_orientation[{}]", d), fmt::format("d2_attitude[{}]", d));
+  CHECK_NOTHROW(read(old, topology));
   check_error(
       [&] {
         read(text, {{{read_molecule("tip4p"), 3}}});

@@ -14,14 +14,14 @@ using namespace polhode;
 
 namespace {
 
-// Bodies at random positions, many edges away from the box, with random attitudes.
+// Bodies at random positions, many edges away from the box, with random orientations.
 State gas(const Topology& topology, const Vec3<double>& edge, std::uint64_t seed) {
   State state(topology.size(), Box{edge});
   Random random(seed);
   for (std::size_t i = 0; i < state.size(); ++i) {
     const double x = random.uniform(), y = random.uniform(), z = random.uniform();
     state.q.set(i, scaled(edge, Vec3<double>{3 * x - 1, 5 * y - 2, z}));
-    state.attitude.set(i, random.attitude());
+    state.orientation.set(i, random.orientation());
   }
   return state;
 }
@@ -40,7 +40,7 @@ double plain_count(const State& state, const Topology& topology, const std::stri
   for (const auto& [molecule, count] : topology.parts)
     for (const std::size_t end = i + count; i < end; ++i)
       for (const Site& site : molecule.sites)
-        sites.push_back({state.q[i] + to_lab(state.attitude[i], site.r), i, site.name});
+        sites.push_back({state.q[i] + to_lab(state.orientation[i], site.r), i, site.name});
   double found = 0;
   for (const PlainSite& one : sites)
     for (const PlainSite& two : sites)

@@ -124,7 +124,7 @@ TEST_CASE("step response: the dielectric constant of a librating molecule") {
       next(m, fixed);
       const double half = spread * m.displacement(0) / 2;
       // About the first principal axis, from one hydrogen to the other: the dipole is the second.
-      state.attitude.set(0, {std::cos(half), std::sin(half), 0, 0});
+      state.orientation.set(0, {std::cos(half), std::sin(half), 0, 0});
       dipole.add(state, m.step_error(fixed));
     }
     const double s = spread * spread;
@@ -152,7 +152,7 @@ TEST_CASE("step response: the first peak of g(r) of oscillating pairs") {
     Modes m(23, 0);
     State state(2 * pairs, {{6, 6, 6}});
     for (std::size_t k = 0; k < pairs; ++k) {
-      state.attitude.set(2 * k, {1, 0, 0, 0}), state.attitude.set(2 * k + 1, {1, 0, 0, 0});
+      state.orientation.set(2 * k, {1, 0, 0, 0}), state.orientation.set(2 * k + 1, {1, 0, 0, 0});
       state.q.set(2 * k, {2.0 * static_cast<double>(k % 3), 2.0 * static_cast<double>(k / 3 % 3),
                           2.0 * static_cast<double>(k / 9)});
     }

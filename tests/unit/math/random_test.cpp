@@ -60,7 +60,7 @@ TEST_CASE("normal deviates have the moments of their distribution") {
   CHECK(std::abs(m4 - 3) < 5 * std::sqrt(96.0 / n));
 }
 
-TEST_CASE("attitudes have no preferred direction") {
+TEST_CASE("orientations have no preferred direction") {
   // Each element of S has mean 0 and variance 1/3 over the rotations; its square has variance
   // 1/5 − 1/9. Five standard errors.
   constexpr int n = 20000;
@@ -69,7 +69,7 @@ TEST_CASE("attitudes have no preferred direction") {
     for (std::size_t k = 0; k < 3; ++k) {
       double m1 = 0, m2 = 0;
       for (int i = 0; i < n; ++i) {
-        const double s = matrix_S(random.attitude())[row][k];
+        const double s = matrix_S(random.orientation())[row][k];
         m1 += s / n, m2 += s * s / n;
       }
       CHECK(std::abs(m1) < 5 * std::sqrt(1.0 / 3 / n));

@@ -41,7 +41,7 @@ bool same_bits(const Vec3Column& a, const Vec3Column& b) {
 }
 
 bool same_bits(const State& a, const State& b) {
-  const auto &s = a.attitude, &t = b.attitude;
+  const auto &s = a.orientation, &t = b.orientation;
   return same_bits(a.q, b.q) && same_bits(a.p, b.p) && same_bits(a.ell, b.ell) &&
          std::ranges::equal(s.w.values(), t.w.values()) &&
          std::ranges::equal(s.x.values(), t.x.values()) &&
@@ -112,7 +112,7 @@ TEST_CASE("energies are the sums over bodies") {
       mass += scene.bodies.m[i];
       momentum += state.p[i];
       translation += norm2(state.p[i]) * scene.bodies.inverse_m[i] / 2;
-      const Vec3<double> L = to_body(state.attitude[i], state.ell[i]);
+      const Vec3<double> L = to_body(state.orientation[i], state.ell[i]);
       for (std::size_t k = 0; k < 3; ++k)
         rotation[k] += L[k] * L[k] * scene.bodies.inverse_J[i][k] / 2;
     }
@@ -149,7 +149,7 @@ TEST_CASE("displace moves and turns each body by its own force and torque") {
     for (const double largest : {1e-6, 0.4, 2.0}) {
       Load load = some_load(start.state);
       const auto turn = [&](std::size_t i) {  // J⁻¹ S τ
-        return scaled(start.bodies.inverse_J[i], to_body(start.state.attitude[i], load.tau[i]));
+        return scaled(start.bodies.inverse_J[i], to_body(start.state.orientation[i], load.tau[i]));
       };
       double max_size = 0;
       for (std::size_t i = 0; i < count; ++i) max_size = std::max(max_size, norm(turn(i)));
@@ -161,8 +161,8 @@ TEST_CASE("displace moves and turns each body by its own force and torque") {
         const Vec3<double> step = c * start.bodies.inverse_m[i] * load.f[i];
         const Vec3<double> q = start.state.q[i] + step;
         worst_q = std::max(worst_q, norm(moved.q[i] - q) / (norm(q) + norm(step)));
-        const Quaternion<double> a = start.state.attitude[i] * rodrigues(c * turn(i));
-        const Quaternion<double> b = moved.attitude[i];
+        const Quaternion<double> a = start.state.orientation[i] * rodrigues(c * turn(i));
+        const Quaternion<double> b = moved.orientation[i];
         worst_turn = std::max({worst_turn, std::abs(a.w - b.w), std::abs(a.x - b.x),
                                std::abs(a.y - b.y), std::abs(a.z - b.z)});
       }

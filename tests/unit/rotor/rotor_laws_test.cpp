@@ -117,7 +117,7 @@ TEST_CASE("special cases of the free rotation agree with their closed forms") {
       const double bound = 8 * epsilon * (1 + 1.3 / 0.5 * std::abs(t));
       const Quaternion<double> sphere = free_rotation({0.5, 0.5, 0.5}, L, t, method).rotation;
       CHECK(distance(sphere, rotation_quaternion(L * (t / 0.5))) <= bound);
-      // symmetric: L precesses about z at L_z (1/J_z - 1/J_x), the attitude also rotates about L
+      // symmetric: L precesses about z at L_z (1/J_z - 1/J_x), the orientation also rotates about L
       const double rate = L.z * (1 / 0.8 - 1 / 0.5);
       const Quaternion<double> symmetric = free_rotation({0.5, 0.5, 0.8}, L, t, method).rotation;
       const Quaternion<double> product =
@@ -164,15 +164,15 @@ TEST_CASE("norm and energy do not grow linearly over a million steps") {
   // water, and a top that nearly repeats the same rotation, and the same rounding, in every step
   for (const Vec3<double>& J : {Vec3<double>{0.61457, 1.15512, 1.76968}, {0.9, 0.9001, 0.9002}}) {
     const Vec3<double> inverse_J{1 / J.x, 1 / J.y, 1 / J.z};
-    Quaternion<double> attitude;
+    Quaternion<double> orientation;
     Vec3<double> free_L = ell;  // in the body frame, where its length is not restored
     const double E = energy(J, ell);
     double worst_q = 0;
     for (int n = 0; n < steps; ++n) {
       const Quaternion<double> r =
-          unnormalized_rotation<long_series>(inverse_J, to_body(attitude, ell), 0.3);
-      attitude = normalized(attitude * r);
-      worst_q = std::fmax(worst_q, std::abs(norm2(attitude) - 1));
+          unnormalized_rotation<long_series>(inverse_J, to_body(orientation, ell), 0.3);
+      orientation = normalized(orientation * r);
+      worst_q = std::fmax(worst_q, std::abs(norm2(orientation) - 1));
       free_L =
           to_body(normalized(unnormalized_rotation<long_series>(inverse_J, free_L, 0.3)), free_L);
     }
@@ -180,7 +180,7 @@ TEST_CASE("norm and energy do not grow linearly over a million steps") {
     const double lever = norm2(ell) * (1 / J.x - 1 / J.z) / E;
     CHECK(worst_q <= 8 * epsilon);
     // and twice the rounding of |q|², which affects E
-    CHECK(std::abs(energy(J, to_body(attitude, ell)) / E - 1) <= lever * walk + 16 * epsilon);
+    CHECK(std::abs(energy(J, to_body(orientation, ell)) / E - 1) <= lever * walk + 16 * epsilon);
     CHECK(std::abs(norm(free_L) / norm(ell) - 1) <= walk);
     CHECK(std::abs(energy(J, free_L) / E - 1) <= (lever + 2) * walk);
   }

@@ -49,8 +49,8 @@ TEST_CASE("a lattice spreads molecules evenly and mixes components") {
   for (std::size_t i = 1; i < state.size(); ++i) CHECK((i == 60 || place(i - 1) < place(i)));
   const State again = lattice(topology, box, 1), other = lattice(topology, box, 2);
   CHECK(again.q[3] == state.q[3]);
-  CHECK(again.attitude[3] == state.attitude[3]);
-  CHECK(!(other.attitude[3] == state.attitude[3]));
+  CHECK(again.orientation[3] == state.orientation[3]);
+  CHECK(!(other.orientation[3] == state.orientation[3]));
 }
 
 TEST_CASE("a long box has more cells along its long edge") {
@@ -77,7 +77,7 @@ TEST_CASE("momenta follow the Maxwell distribution") {
   for (const auto& [molecule, count] : topology.parts) {
     Vec3<double> p2{}, L2{};
     for (std::size_t copy = 0; copy < count; ++copy, ++i) {
-      const Vec3<double> p = state.p[i], L = to_body(state.attitude[i], state.ell[i]);
+      const Vec3<double> p = state.p[i], L = to_body(state.orientation[i], state.ell[i]);
       total += p;
       p2 += scaled(p, p) / static_cast<double>(n);
       L2 += scaled(L, L) / static_cast<double>(n);
@@ -107,7 +107,7 @@ TEST_CASE("a single body rotates at the temperature without translation") {
   const Topology topology{{{rod(), 1}}};
   State state = lattice(topology, {{1, 1, 1}}, 1);
   draw_momenta(state, topology, 100, 1);
-  const Vec3<double> L = to_body(state.attitude[0], state.ell[0]);
+  const Vec3<double> L = to_body(state.orientation[0], state.ell[0]);
   const double J = topology.parts[0].molecule.J.y;
   CHECK(state.p[0] == Vec3<double>{});
   CHECK((L.y * L.y + L.z * L.z) / J == doctest::Approx(2 * units::boltzmann * 100).epsilon(1e-14));

@@ -51,8 +51,8 @@ Checkpoint example(std::size_t bodies = 2) {
   c.command = "polhode run a.toml";
   c.at.state = State(bodies, {{1.5, 2.5, 3.5}});
   fill(c.at.state.q, random), fill(c.at.state.p, random), fill(c.at.state.ell, random);
-  fill(c.at.state.attitude.w, random), fill(c.at.state.attitude.x, random);
-  fill(c.at.state.attitude.y, random), fill(c.at.state.attitude.z, random);
+  fill(c.at.state.orientation.w, random), fill(c.at.state.orientation.x, random);
+  fill(c.at.state.orientation.y, random), fill(c.at.state.orientation.z, random);
   c.at.state.time = 0.1;
   c.at.equilibrated = 0.3;
   c.at.steps = 17, c.at.start = 0.7;
@@ -170,9 +170,9 @@ TEST_CASE("a checkpoint restores every number written to it") {
     same(back.at.state.q, c.at.state.q);
     same(back.at.state.p, c.at.state.p);
     same(back.at.state.ell, c.at.state.ell);
-    REQUIRE(back.at.state.attitude.size() == bodies);
+    REQUIRE(back.at.state.orientation.size() == bodies);
     for (std::size_t i = 0; i < bodies; ++i)
-      CHECK(back.at.state.attitude[i] == c.at.state.attitude[i]);
+      CHECK(back.at.state.orientation[i] == c.at.state.orientation[i]);
     CHECK(back.at.state.box.edge == c.at.state.box.edge);
     CHECK(back.at.state.time == c.at.state.time);
     CHECK(back.at.equilibrated == c.at.equilibrated);

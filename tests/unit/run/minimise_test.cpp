@@ -33,7 +33,7 @@ Load load_of(const System& system) {
 
 bool same_bits(const State& a, const State& b) {
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (!(a.q[i] == b.q[i] && a.attitude[i] == b.attitude[i])) return false;
+    if (!(a.q[i] == b.q[i] && a.orientation[i] == b.orientation[i])) return false;
   return true;
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("no move is longer than the cap, and the cap is reached where molecule
   minimise(water, {.max_steps = 60, .max_move = cap}, [&](std::size_t, const Steepness&) {
     for (std::size_t i = 0; i < before.size(); ++i) {
       farthest = std::max(farthest, norm(water.state.q[i] - before.q[i]));
-      const Quaternion<double> turn = conjugate(before.attitude[i]) * water.state.attitude[i];
+      const Quaternion<double> turn = conjugate(before.orientation[i]) * water.state.orientation[i];
       widest = std::max(widest, 2 * std::asin(norm(Vec3<double>{turn.x, turn.y, turn.z})) * extent);
     }
     before = water.state;
@@ -131,8 +131,8 @@ TEST_CASE("momenta are 0 afterwards; a system keeps them in the body frame") {
   for (std::size_t i = 0; i < start.state.size(); ++i) {
     CHECK(norm(co2.state.p[i]) == 0);
     CHECK(norm(co2.state.ell[i]) == 0);
-    const Vec3<double> L = to_body(start.state.attitude[i], start.state.ell[i]);
-    CHECK(norm(to_body(kept.state.attitude[i], kept.state.ell[i]) - L) < 1e-14 * (1 + norm(L)));
+    const Vec3<double> L = to_body(start.state.orientation[i], start.state.ell[i]);
+    CHECK(norm(to_body(kept.state.orientation[i], kept.state.ell[i]) - L) < 1e-14 * (1 + norm(L)));
   }
 }
 

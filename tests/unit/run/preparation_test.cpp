@@ -65,12 +65,13 @@ bool same_bits(const State& a, const State& b) {
       if (!(u[i] == v[i])) return false;
     return true;
   };
-  bool attitudes = true;
+  bool orientations = true;
   for (std::size_t i = 0; i < a.size(); ++i)
-    attitudes = attitudes && a.attitude.w[i] == b.attitude.w[i] &&
-                a.attitude.x[i] == b.attitude.x[i] && a.attitude.y[i] == b.attitude.y[i] &&
-                a.attitude.z[i] == b.attitude.z[i];
-  return attitudes && a.box == b.box && same(a.q, b.q) && same(a.p, b.p) && same(a.ell, b.ell);
+    orientations = orientations && a.orientation.w[i] == b.orientation.w[i] &&
+                   a.orientation.x[i] == b.orientation.x[i] &&
+                   a.orientation.y[i] == b.orientation.y[i] &&
+                   a.orientation.z[i] == b.orientation.z[i];
+  return orientations && a.box == b.box && same(a.q, b.q) && same(a.p, b.p) && same(a.ell, b.ell);
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ TEST_CASE("a run has the shape and the axes of its preparation") {
         CHECK(norm(after.topology.parts[0].molecule.sites[k].r - sites[k].r) < 1e-15);
       const State prepared = state_of_checkpoint(folder / "out-prepared.bin", version());
       CHECK(after.state.q[3] == prepared.q[3]);
-      CHECK(after.state.attitude.w[3] == prepared.attitude.w[3]);
+      CHECK(after.state.orientation.w[3] == prepared.orientation.w[3]);
 
       // Derived again from the coordinates, as by a run file written by hand, the shape has their
       // rounding, but the same axes, so that the checkpoint fits.

@@ -142,7 +142,7 @@ cutoff = "0.5 nm"
   const Vec3<double> carbon = system.state.q[25];
   const Vec3<double> box = system.state.box.edge;
   system.state.q.set(7, carbon + Vec3<double>{0, 0, box.z});  // of another image, and
-  system.state.attitude.set(25, {1, 0, 0, 0});                // the axis is along x
+  system.state.orientation.set(25, {1, 0, 0, 0});             // the axis is along x
   system.state.q.add(7, {0.03, 0.04, 0});
   const std::string text = strongest_contact(system, system.state);
   CAPTURE(text);

@@ -31,7 +31,7 @@ enum class Electrostatics {
   damped_shifted_force,  ///< damped Coulomb law, shifted to 0 at the cutoff
 };
 
-/// Precision of the pairs. Positions, attitudes, momenta and all sums of forces, torques and
+/// Precision of the pairs. Positions, orientations, momenta and all sums of forces, torques and
 /// energies are double in either case.
 enum class Precision {
   double_precision,  ///< pairs in double

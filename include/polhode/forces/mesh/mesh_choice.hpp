@@ -15,9 +15,9 @@
 namespace polhode {
 
 /// Expected rms error of the force on a charge due to the mesh [kJ/mol/nm], for bodies with random
-/// positions and attitudes: the mean square error of ballenegger2012 for independent charges, with
-/// the form factor of each body in place of the sum of its squared charges, since the charges of a
-/// neutral body largely cancel at long range.
+/// positions and orientations: the mean square error of ballenegger2012 for independent charges,
+/// with the form factor of each body in place of the sum of its squared charges, since the charges
+/// of a neutral body largely cancel at long range.
 double expected_mesh_error(const Topology& topology, const Box& box, const MeshSettings& settings);
 
 /// Rough estimate of the rms electrostatic force on a charge in a dense liquid [kJ/mol/nm]: the

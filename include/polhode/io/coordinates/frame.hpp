@@ -72,8 +72,8 @@ struct FittedState {
 };
 
 /// Fits rigid bodies to atoms. Atoms are assigned to the topology's bodies in order; sites without
-/// mass may be missing. Molecules broken across the boundary are made whole; attitudes minimize Σ m
-/// |Δr|² [horn1987], and momenta are those of the atoms: p = Σ m v, ℓ = Σ m (r − q) × v.
+/// mass may be missing. Molecules broken across the boundary are made whole; orientations minimize
+/// Σ m |Δr|² [horn1987], and momenta are those of the atoms: p = Σ m v, ℓ = Σ m (r − q) × v.
 /// @throws Error  if atoms do not match sites, are too few or too many, or if those with mass are
 ///                farther than `fit_tolerance` from the model
 FittedState fit_state(const Frame& frame, const Topology& topology);

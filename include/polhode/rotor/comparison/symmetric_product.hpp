@@ -10,7 +10,7 @@
 namespace polhode {
 
 /// e^{z t/2} e^{y t/2} e^{x t} e^{y t/2} e^{z t/2}, where each factor is the exact flow of L_k²/(2
-/// J_k), a rotation about body axis k. The attitude error is O(t³) per step.
+/// J_k), a rotation about body axis k. The orientation error is O(t³) per step.
 ///
 /// @param J, L, t  as for closed_rotation
 /// @source dullweber1997

@@ -56,7 +56,8 @@ class Simulation {
   /// the end of the simulation. Afterwards call state_changed().
   State& state_to_change();
   /// Begins a segment of the trajectory with the state as it is now and new forces.
-  /// @throws Error  if the state is not one of these molecules, with nothing changed but attitudes,
+  /// @throws Error  if the state is not one of these molecules, with nothing changed but
+  /// orientations,
   ///                which are normalized
   void state_changed();
   /// Continues from here with another scheme or step, or in another ensemble, in a new segment of

@@ -20,10 +20,10 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
 
 /// State of an integrator during a trajectory, with its errors.
 struct TopTrack {
-  Quaternion<double> attitude;
+  Quaternion<double> orientation;
   Vec3<double> L;                               ///< body frame
   double energy_error = 0, momentum_error = 0;  ///< relative
-  double angle = 0;  ///< between its attitude and that of the closed form [rad]
+  double angle = 0;  ///< between its orientation and that of the closed form [rad]
 };
 
 struct TopSample {

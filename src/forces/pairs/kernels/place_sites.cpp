@@ -31,7 +31,7 @@ void store_records(const Pack<T>* column, std::size_t numbers, std::size_t slot,
 }
 
 // The matrix S of a pack of bodies.
-inline Mat3<Pack<double>> attitudes(const QuaternionColumn& a, const std::uint32_t* body) {
+inline Mat3<Pack<double>> orientations(const QuaternionColumn& a, const std::uint32_t* body) {
   return matrix_S(
       Quaternion<Pack<double>>{gather_lanes(a.w.data(), body), gather_lanes(a.x.data(), body),
                                gather_lanes(a.y.data(), body), gather_lanes(a.z.data(), body)});
@@ -63,7 +63,7 @@ double place(const PlaceJob<T>& job) {
       centre[2][h] = place(state.q.z, job.slots.built_at.z, job.slots.place.z);
       largest = select(largest < moved2, moved2, largest);
       all += moved2;
-      S[h] = attitudes(state.attitude, body);
+      S[h] = orientations(state.orientation, body);
     }
     for (std::size_t d = 0; d < 3; ++d) {
       if constexpr (sizeof(T) == 4) {
@@ -111,7 +111,7 @@ void displace(const DisplaceJob<T>& job) {
       const auto of = [&](const auto& c) { return gather_lanes(c.data(), body); };
       move[0][h] = of(job.dq.x), move[1][h] = of(job.dq.y), move[2][h] = of(job.dq.z);
       dtheta[h] = {of(job.dtheta.x), of(job.dtheta.y), of(job.dtheta.z)};
-      S[h] = attitudes(job.state.attitude, body);
+      S[h] = orientations(job.state.orientation, body);
     }
     put(0);
     for (std::size_t k = 0; k < job.sites.size(); ++k) {

@@ -51,7 +51,7 @@ template <class Archive, class Of>
 void state(Archive& archive, Of& s) {
   archive(s.q);
   archive(s.p);
-  archive(s.attitude);
+  archive(s.orientation);
   archive(s.ell);
   archive(s.box.edge);
   archive(s.time);
@@ -174,9 +174,9 @@ void fields(Archive& archive, Of& c) {
   optional(archive, c.preparation, [&](auto& progress) { preparation(archive, progress); });
 }
 
-/// The contents of an initial configuration besides positions: attitudes, and velocities if there
-/// are any. Random velocities follow from the seed. Nine digits are more than any text format has,
-/// and few enough to be the same on all processors.
+/// The contents of an initial configuration besides positions: orientations, and velocities if
+/// there are any. Random velocities follow from the seed. Nine digits are more than any text format
+/// has, and few enough to be the same on all processors.
 std::string motion_of_start(const Config& config, const System& system) {
   std::string text;
   if (config.system.initial_configuration.empty()) return text;
@@ -185,7 +185,7 @@ std::string motion_of_start(const Config& config, const System& system) {
   };
   const State& s = system.state;
   for (std::size_t i = 0; i < s.size(); ++i) {
-    const Quaternion<double> a = s.attitude[i];
+    const Quaternion<double> a = s.orientation[i];
     text += fmt::format(" {:.9f}", a.w);
     add({a.x, a.y, a.z});
     if (!system.new_velocities) add(s.p[i]), add(s.ell[i]);

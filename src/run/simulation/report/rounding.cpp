@@ -51,7 +51,7 @@ ForceNoise force_noise(const System& system, Workers& workers) {
     energy.add(a.potential() - b.potential());
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3<double> df = a.f[i] - b.f[i];
-      const Vec3<double> dtau = to_body(state.attitude[i], a.tau[i] - b.tau[i]);
+      const Vec3<double> dtau = to_body(state.orientation[i], a.tau[i] - b.tau[i]);
       for (std::size_t c = 0; c < 3; ++c) {
         spreads[6 * i + c].add(df[c]);
         spreads[6 * i + 3 + c].add(dtau[c]);

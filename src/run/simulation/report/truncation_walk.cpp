@@ -85,7 +85,7 @@ double mean_square_energy(const SitePairs& pairs, double distance) {
   Random random(1);
   double sum = 0;
   for (int n = 0; n < orientations; ++n) {
-    const Quaternion<double> qa = random.attitude(), qb = random.attitude();
+    const Quaternion<double> qa = random.orientation(), qb = random.orientation();
     double u = 0;
     for (std::size_t i = 0; i < pairs.first().size(); ++i)
       for (std::size_t j = 0; j < pairs.second().size(); ++j) {
@@ -124,8 +124,8 @@ struct Passages {
     Random random(2);
     double sum = 0;
     for (int k = 0; k < orientations; ++k)
-      sum += moment(inverse_mass(a, ra, to_body(random.attitude(), {1, 0, 0})) +
-                    inverse_mass(b, rb, to_body(random.attitude(), {1, 0, 0})));
+      sum += moment(inverse_mass(a, ra, to_body(random.orientation(), {1, 0, 0})) +
+                    inverse_mass(b, rb, to_body(random.orientation(), {1, 0, 0})));
     return sum / orientations;
   }
 

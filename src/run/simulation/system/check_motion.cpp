@@ -27,10 +27,10 @@ void check_finite(std::size_t body, const char* quantity, const Vec3<double>& v)
 }
 
 /// The angular momentum along an axis without inertia, relative to its norm, is at most rounding.
-void check_axes(std::size_t body, const Vec3<double>& ell, const Quaternion<double>& attitude,
+void check_axes(std::size_t body, const Vec3<double>& ell, const Quaternion<double>& orientation,
                 const Vec3<double>& J) {
   constexpr double rounding = 1e-9;
-  const Vec3<double> L = to_body(attitude, ell);
+  const Vec3<double> L = to_body(orientation, ell);
   for (std::size_t k = 0; k < 3; ++k)
     if (J[k] == 0 && std::abs(L[k]) > rounding * norm(L))
       refuse(body, "angular momentum", ell,
@@ -40,12 +40,12 @@ void check_axes(std::size_t body, const Vec3<double>& ell, const Quaternion<doub
 }
 
 /// As a unit quaternion; one that is normalized up to rounding keeps its bits.
-Quaternion<double> checked_attitude(std::size_t body, const Quaternion<double>& s) {
+Quaternion<double> checked_orientation(std::size_t body, const Quaternion<double>& s) {
   constexpr double rounding = 1e-14, smallest = 1e-100, largest = 1e100;
   const double squared = norm2(s);
   if (!(squared > smallest && squared < largest))
     throw Error(
-        fmt::format("the attitude of molecule {} is ({:.6g}, {:.6g}, {:.6g}, {:.6g}), and "
+        fmt::format("the orientation of molecule {} is ({:.6g}, {:.6g}, {:.6g}, {:.6g}), and "
                     "must be a quaternion (w, x, y, z) that can be normalized",
                     body + 1, s.w, s.x, s.y, s.z));
   return std::abs(squared - 1) < rounding ? s : normalized(s);
@@ -61,9 +61,9 @@ void check_motion(State& state, const Bodies& bodies) {
              fmt::format("and must be within {:g} nm of the origin", max_position));
     check_finite(i, "momentum [u nm/ps]", state.p[i]);
     check_finite(i, "angular momentum [u nm2/ps]", state.ell[i]);
-    const Quaternion<double> attitude = checked_attitude(i, state.attitude[i]);
-    check_axes(i, state.ell[i], attitude, bodies.J[i]);
-    state.attitude.set(i, attitude);
+    const Quaternion<double> orientation = checked_orientation(i, state.orientation[i]);
+    check_axes(i, state.ell[i], orientation, bodies.J[i]);
+    state.orientation.set(i, orientation);
   }
 }
 

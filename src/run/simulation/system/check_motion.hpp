@@ -7,9 +7,9 @@
 
 namespace polhode {
 
-/// Checks positions, momenta, attitudes and angular momenta; attitudes are then normalized.
+/// Checks positions, momenta, orientations and angular momenta; orientations are then normalized.
 /// @throws Error  naming the molecule, counted from 1, if a number is not finite, a position is out
-///                of range, an attitude is zero, or an angular momentum has a component along an
+///                of range, an orientation is zero, or an angular momentum has a component along an
 ///                axis without inertia
 void check_motion(State& state, const Bodies& bodies);
 

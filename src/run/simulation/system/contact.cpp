@@ -43,7 +43,7 @@ std::vector<PlacedSite> placed_sites(const System& system, const State& state, s
   std::vector<PlacedSite> sites;
   for (const Site& site : system.topology.parts[system.bodies.part[body]].molecule.sites)
     if (site.mass != 0 || site.has_short_range())
-      sites.push_back({site.name, state.q[body] + to_lab(state.attitude[body], site.r)});
+      sites.push_back({site.name, state.q[body] + to_lab(state.orientation[body], site.r)});
   return sites;
 }
 

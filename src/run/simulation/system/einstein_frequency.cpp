@@ -20,7 +20,7 @@ double einstein_frequency(const System& system, const State& state, Workers& wor
     for (std::size_t end = body + part.count; body < end; ++body) {
       const Bodies& b = system.bodies;
       squares[0] += dot(load.f[body], load.f[body]) * b.inverse_m[body] / 3;
-      const Vec3<double> tau = to_body(state.attitude[body], load.tau[body]);
+      const Vec3<double> tau = to_body(state.orientation[body], load.tau[body]);
       for (std::size_t k = 0; k < 3; ++k) squares[k + 1] += tau[k] * tau[k] * b.inverse_J[body][k];
     }
     for (const double sum : squares)

@@ -24,8 +24,8 @@ double deviation(const Molecule& molecule, std::size_t i, const State& a, const 
   const Vec3<double> centre = a.box.minimum_image(a.q[i] - b.q[i]);
   double largest = norm(centre);
   for (const Site& site : molecule.sites)
-    largest = std::max(
-        largest, norm(centre + to_lab(a.attitude[i], site.r) - to_lab(b.attitude[i], site.r)));
+    largest = std::max(largest, norm(centre + to_lab(a.orientation[i], site.r) -
+                                     to_lab(b.orientation[i], site.r)));
   return largest;
 }
 

@@ -16,7 +16,8 @@ constexpr std::size_t max_separation_steps = 2000;
 /// L of each body.
 Vec3Column angular_momenta_in_body_frame(const State& state) {
   Vec3Column L(state.size());
-  for (std::size_t i = 0; i < state.size(); ++i) L.set(i, to_body(state.attitude[i], state.ell[i]));
+  for (std::size_t i = 0; i < state.size(); ++i)
+    L.set(i, to_body(state.orientation[i], state.ell[i]));
   return L;
 }
 
@@ -65,7 +66,8 @@ Minimisation minimise(System& system, const MinimisationSettings& settings,
       state, system.topology, system.bodies, [&](const State& at, Load& load) { forces(at, load); },
       settings, watch, workers);
   state.p = p;
-  for (std::size_t i = 0; i < state.size(); ++i) state.ell.set(i, to_lab(state.attitude[i], L[i]));
+  for (std::size_t i = 0; i < state.size(); ++i)
+    state.ell.set(i, to_lab(state.orientation[i], L[i]));
   return result;
 } catch (const RunError& e) {
   const std::string contact = strongest_contact(system, system.state);

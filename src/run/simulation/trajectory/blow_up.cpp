@@ -17,7 +17,7 @@ namespace {
 /// What shows which molecules collided: its copy at each step costs half of that of the state.
 void copy_positions(const State& from, State& to) {
   to.q = from.q;
-  to.attitude = from.attitude;
+  to.orientation = from.orientation;
   to.box = from.box;
 }
 
