@@ -22,7 +22,7 @@ extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ex
               "sphinx_copybutton", "breathe"]
 include_patterns = ["index.md", "docs/**", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md",
                     "LICENSES.md", "bench/**.md", "studies/**.md", "tests/**.md", "data/**.md", "python/*.md"]
-exclude_patterns = ["docs/site"]
+exclude_patterns = ["docs/site/index.md"]
 nitpicky = True
 nitpick_ignore_regex = [("py:class", r"(?!polhode\.[^_]).*"), ("cpp:identifier", ".*")]  # types of other packages
 
