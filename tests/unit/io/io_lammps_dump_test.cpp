@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Dump files of LAMMPS, of atoms and of particles.
+#include <fmt/core.h>
+
 #include <cmath>
 #include <fstream>
 #include <sstream>
