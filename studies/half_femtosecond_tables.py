@@ -65,7 +65,7 @@ def predicted(name):
 
 def constant_energy(points):
     """Biases against the step."""
-    head = ["scheme", "step [fs]", "force evaluations per ps", "T_rot − T_trans, seen [K]", "predicted [K]", "configurational [K]",
+    head = ["scheme", "step [fs]", "force evaluations per ps", "T_rot − T_trans, measured [K]", "predicted [K]", "configurational [K]",
             "potential energy, predicted bias [kJ/mol]", "pressure, predicted bias [bar]"]
     return table(head, [[p.scheme, f"{p.step:g}", f"{cost(p):.0f}", cell(of_runs(runs, difference), 3),
                          cell(of_runs(runs, predicted("difference")), 3), cell(of_runs(runs, configurational), 2),
@@ -288,7 +288,7 @@ def compressibilities(points):
     for (scheme, step), curve in curves.items():
         change, error = slope(curve) if len(curve) > 1 else (0, inf)
         rows.append([scheme, f"{step:g}", *(cell((b, e), 1) for _, b, e in sorted(curve)), cell((-100 * KAPPA * change, 100 * KAPPA * error), 2)])
-    return table(["scheme", "step [fs]", *(f"bias of the pressure at {x:g} g/cm³ [bar]" for x in (0.978, 0.998, 1.018)), "hence of κ [%]"], rows)
+    return table(["scheme", "step [fs]", *(f"bias of the pressure at {x:g} g/cm³ [bar]" for x in (0.978, 0.998, 1.018)), "resulting bias of κ [%]"], rows)
 
 
 def from_volumes(points):
@@ -299,13 +299,13 @@ def from_volumes(points):
     ratios = defaultdict(list)
     for p, value in kappa.items():
         ratios[p.scheme, p.step].append(100 * (value / at[p.temperature] - 1))
-    return table(["scheme", "step [fs]", "κ against the mean of all [%]"],
+    return table(["scheme", "step [fs]", "κ minus the mean of all schemes [%]"],
                  [[scheme, f"{step:g}", cell(mean(values), 1)] for (scheme, step), values in ratios.items()])
 
 
 def starts(points):
     """Differences of temperatures without a bias of the step."""
-    head = ["start", "runs", "length [ps]", "T_rot − T_trans, seen [K]", "predicted [K]", "configurational [K]"]
+    head = ["start", "runs", "length [ps]", "T_rot − T_trans, measured [K]", "predicted [K]", "configurational [K]"]
     return table(head, [[p.ensemble, str(len(runs)), f"{p.length:g}", cell(of_runs(runs, difference), 3), cell(of_runs(runs, predicted("difference")), 3),
                          cell(of_runs(runs, configurational), 3)] for p, runs in points.items()])
 
