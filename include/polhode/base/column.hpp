@@ -61,14 +61,14 @@ class Component {
   std::size_t size_ = 0;
 };
 
-/// The memory of `n` columns of equal size, at equal distances: as one array with strides, it can
-/// be shared with other languages. Assigning equally many values does not move it.
+/// The memory of `n` columns of equal size, at equal distances. Other languages can share it as one
+/// array with strides. Assigning the same number of values does not move it.
 template <std::size_t n>
 class Components {
  public:
   std::size_t size() const { return size_; }
   std::size_t padded_size() const { return Column<double>::padded(size_); }
-  /// From a value to that of the next component of the same body.
+  /// Distance from a value to the next component of the same body.
   std::size_t stride() const { return stride_of(size_); }
   /// The values of a component.
   std::span<double> component(std::size_t k) {
@@ -85,7 +85,7 @@ class Components {
     for (std::size_t k = 0; k < n && size > 0; ++k)
       std::fill_n(component(k).data(), padded_size(), value[k]);
   }
-  /// To be called when the memory may have changed.
+  /// Call this when the memory may have changed.
   void place(const std::array<Component*, n>& components) {
     for (std::size_t k = 0; k < n; ++k) {
       components[k]->data_ = component(k).data();
@@ -98,8 +98,8 @@ class Components {
   }
 
  private:
-  /// One pack more than the values: components that were whole pages apart would share few lines
-  /// of the cache.
+  /// One pack more than the values, because components that are whole pages apart share few cache
+  /// lines.
   static constexpr std::size_t stride_of(std::size_t size) {
     return Column<double>::padded(size) + pack_bytes / sizeof(double);
   }

@@ -18,7 +18,7 @@ class Error : public std::runtime_error {
   /// File, line and key, as far as known: "water.toml:9, forces.cutoff".
   const std::string& where() const { return where_; }
 
-  /// The same error with its place, unless a more precise one is already known.
+  /// This error with its place, unless a more precise place is already known.
   Error at(const std::string& where) const { return where_.empty() ? Error(what(), where) : *this; }
 
  private:

@@ -25,8 +25,8 @@ constexpr Real select(bool condition, Real if_true, Real if_false) {
 /// Whether a comparison holds in any lane; a plain number has one lane.
 constexpr bool any(bool mask) { return mask; }
 
-/// The type of factors that are the same for all Reals: the Real itself, but for a dual number the
-/// plain number, which has no derivative to compute.
+/// The type of constant factors of a Real. It is the Real, but for a dual number the plain number,
+/// whose derivative need not be computed.
 template <class Real>
 struct ConstantOf {
   using type = Real;
@@ -55,8 +55,8 @@ constexpr void subtract_product(Real& sum, const Real& a, const Real& b) {
   sum -= a * b;
 }
 
-/// The value of a function at x together with its known derivative there: a dual number takes its
-/// slope from the derivative, which is cheaper than differentiating the formula of the value.
+/// The value of a function at x together with its known derivative there. A dual number takes its
+/// slope from the derivative, which is cheaper than differentiating the value.
 template <class Real>
 constexpr Real with_derivative(const Real& value, const Real&, const Real&) {
   return value;

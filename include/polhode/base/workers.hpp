@@ -7,10 +7,10 @@
 
 namespace polhode {
 
-/// A fixed number of threads, including the calling one. Between calls the others wait: first they
-/// spin for a few tens of µs, so that the next call costs only a µs or two, then they sleep and
-/// leave the cores to other processes. A thread that gets no core takes no work, and no other
-/// thread waits for it.
+/// A fixed number of threads, including the calling one. Between calls the others spin for a few
+/// tens of µs, so that the next call costs only a µs or two. Then they sleep and leave the cores
+/// to other processes. A thread that gets no core takes no work, and no other thread waits for
+/// it.
 class Workers {
  public:
   /// @param threads  at least 1; more than the allowed cores gains nothing (base/threads.hpp)
@@ -30,7 +30,7 @@ class Workers {
   /// the calling thread.
   ///
   /// If a task throws, tasks not yet started are skipped, and the exception of the smallest k is
-  /// rethrown here: tasks start in order, so it is the one that a single thread would have thrown
+  /// rethrown here. Tasks start in order, so a single thread would have thrown the same exception
   /// first.
   template <class Task>
   void each(std::size_t count, const Task& task) {

@@ -17,17 +17,17 @@ namespace polhode {
 /// What a barostat has done so far.
 struct BarostatMemory {
   double work = 0;       ///< given to the bodies: changes of H by accepted moves [kJ/mol]
-  Vec3<double> edges{};  ///< of the box at the first move [nm]
+  Vec3<double> edges{};  ///< edges of the box at the first move [nm]
   std::uint64_t moves = 0, accepted = 0;
-  TimeBlocks decisions;            ///< of 1 for each move that was accepted, 0 for the others
-  std::uint64_t evaluations = 0;   ///< of forces, by moves
+  TimeBlocks decisions;            ///< 1 for each accepted move, 0 for each rejected move
+  std::uint64_t evaluations = 0;   ///< number of force evaluations by moves
   std::uint64_t beyond_shape = 0;  ///< moves rejected by max_shape_change
 };
 
 /// Edges in different groups have changed since the first move by factors whose ratio is at most
-/// this. A fluid resists no change of shape: without a bound the shape of its box would walk until
-/// an edge is too short for the cutoff. Within the bound the distribution is unchanged, since moves
-/// beyond it are rejected.
+/// this. A fluid does not resist a change of shape. Without a bound its shape would drift until an
+/// edge is too short for the cutoff. Moves beyond the bound are rejected, so the distribution
+/// within it is unchanged.
 inline constexpr double max_shape_change = 1.2;
 
 /// Scales edges of the box, and the centres of mass along them.
@@ -38,16 +38,16 @@ void scale_box(State& state, const CoupledEdges& edges, double factor, bool mome
 ///
 /// Stochastic cell rescaling [bernetti2020], with λ = √V: dλ = −(β λ/2τ) [P₀ − P − kT/(2V)] dt +
 /// √(kT β/2τ) dW, where P is the molecular pressure along the edges of the group. Momenta are
-/// scaled inversely. A move over the interval is accepted with probability min(1, exp(−Δ/kT)), Δ
-/// its violation of detailed balance [roberts1996]; without this test (`metropolis` false), Δ is
-/// the error of a move, and the work is the change of H less Δ.
+/// scaled inversely. A move is accepted with probability min(1, exp(−Δ/kT)), where Δ is its
+/// violation of detailed balance [roberts1996]. Without this test (`metropolis` false), Δ is the
+/// error of a move, and the work is the change of H minus Δ.
 ///
 /// Monte Carlo: ΔV uniform between ±δ, δ = 2 √(kT β V₀) with V₀ the volume at the first move,
 /// momenta unchanged, accepted with min(1, exp(−(ΔU + P₀ΔV)/kT + N ln(V'/V))), N molecules.
 ///
-/// With the total momentum held at 0 and its centre of mass moved along, an ideal gas of N
-/// molecules has V from Gamma(N, kT/P₀) with cell rescaling, whose momenta have 3 N − 3 degrees of
-/// freedom, and from Gamma(N + 1, kT/P₀) with Monte Carlo moves.
+/// The total momentum is 0, and the centre of mass moves with the box. The volume of an ideal gas
+/// of N molecules has the distribution Gamma(N, kT/P₀) with cell rescaling, and Gamma(N + 1, kT/P₀)
+/// with Monte Carlo moves. Momenta have 3 N − 3 degrees of freedom.
 class Barostat {
  public:
   /// Computes forces, energies and virial of a state.
@@ -58,7 +58,7 @@ class Barostat {
            std::uint64_t seed);
 
   /// One move.
-  /// @param load  of the state, with energies; afterwards that of the new state
+  /// @param load  of the state, with energies; afterwards of the new state
   /// @param step  of the trajectory, for the random numbers
   /// @return  whether the state has changed
   /// @throws Error  from `evaluate` if the box has become too small for the cutoff

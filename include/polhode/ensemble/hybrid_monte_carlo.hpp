@@ -20,12 +20,12 @@ namespace polhode {
 struct HybridMonteCarloMemory {
   double work = 0;  ///< energy that the bodies received from draws and rejections [kJ/mol]
   std::uint64_t trajectories = 0, accepted = 0;
-  /// Of w = exp(−ΔH/kT), whose mean must be 1, of 1 if accepted and 0 if not, and of
+  /// Blocks of three quantities: w = exp(−ΔH/kT), whose mean must be 1; 1 if accepted and 0 if not;
   /// (w − 1) exp(−|ΔH|/kT), whose mean must be 0 (docs/theory.md, Eq. (40)). The last is between −1
-  /// and 1, so that its error is known also where rare large weights make that of w unknown.
+  /// and 1, so its error is known even if rare large weights make the error of w unknown.
   TimeBlocks weights;
 
-  /// One more trajectory.
+  /// Adds a trajectory.
   /// @param change  ΔH/kT at its end; infinite or not a number where the energy is none
   void add(double change, bool accept);
 };
@@ -35,9 +35,9 @@ struct HybridMonteCarloMemory {
 ///                included: each changes momenta by a function of positions and orientations
 void check_hybrid(const Scheme& scheme);
 
-/// The decisions between trajectories of a scheme. Momenta of a trajectory begin as √(1 − φ) p +
-/// √φ ξ, ξ from the Maxwell distribution with total momentum 0, φ the part to refresh. Its end is
-/// accepted with probability min(1, exp(−ΔH/kT)); otherwise the bodies return to its begin, with
+/// The decisions between trajectories of a scheme. A trajectory begins with momenta √(1 − φ) p + √φ
+/// ξ, with ξ from the Maxwell distribution of total momentum 0, and φ the part to refresh. Its end
+/// is accepted with probability min(1, exp(−ΔH/kT)). Otherwise the bodies return to its begin, with
 /// opposite momenta [horowitz1991].
 class HybridMonteCarlo {
  public:
@@ -53,7 +53,7 @@ class HybridMonteCarlo {
   /// @param step  the number of the next step, for the random numbers
   void begin(State& state, const Load& load, std::uint64_t step);
   /// Decides at the end of a trajectory.
-  /// @param load  of the state, with energies; after a rejection that of the begin
+  /// @param load  of the state, with energies; after a rejection, of the first state
   /// @return  whether the trajectory was accepted
   bool end(State& state, Load& load, std::uint64_t step);
 

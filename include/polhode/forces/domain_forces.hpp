@@ -15,17 +15,17 @@ namespace polhode {
 
 struct AnyPairEngine;
 
-/// Forces on the bodies of a domain, from each other and from ghosts: copies of bodies of other
-/// domains, or periodic images, at explicit positions. Space is periodic in the directions in which
-/// the domain extends over the whole box, if the caller says so, and in no others. Pairs of two
-/// ghosts are left out, and the forces on ghosts are not computed. Of a pair of an own body with a
-/// ghost half of the energy and of the virial is counted, because the domain of the other body
-/// counts the other half.
+/// Forces on the bodies of a domain, from each other and from ghosts. Ghosts are copies of
+/// bodies of other domains, or periodic images, at explicit positions. The caller may make
+/// space periodic in directions in which the domain extends over the whole box. Pairs of
+/// two ghosts and the forces on ghosts are not computed. A pair of an own body with a ghost
+/// has half of its energy and virial, because the domain of the other body has the other
+/// half.
 ///
-/// All ghosts that interact with an own body must be there: those whose centres are within the
-/// cutoff of its own and, unless the cutoff is that of centres, the extents of both molecules.
-/// Terms that do not depend on positions are included for own bodies, except the self-energy of
-/// charges that belongs to the mesh of another program, see ForceSettings::ewald_alpha.
+/// All ghosts that interact with an own body must be present. Their centres are within the cutoff
+/// of its centre, plus the extents of both molecules unless the cutoff is between centres. Constant
+/// terms are included for own bodies. The self-energy of charges is not included if it belongs to
+/// the mesh of another program, see ForceSettings::ewald_alpha.
 class DomainForces {
  public:
   /// @param own, ghosts  kinds and numbers of bodies; some numbers may be 0
@@ -39,11 +39,11 @@ class DomainForces {
   DomainForces& operator=(DomainForces&&) noexcept;
   ~DomainForces();
 
-  /// Whether each body interacts with one image of another at most, and with none of itself, where
-  /// an edge of the box is this long.
+  /// Whether an edge of the box is long enough: each body interacts with at most one image of
+  /// another body, and with no image of itself.
   static bool is_long_enough(double edge, const Topology& topology, const ForceSettings& settings);
 
-  /// Where the bodies are: own ones, then ghosts, each in the order of their topology. Set q and
+  /// State of the bodies: own bodies, then ghosts, each in the order of their topology. Set q and
   /// orientation before each evaluation; the rest is not used.
   State& state() { return state_; }
   std::size_t own_bodies() const { return own_bodies_; }

@@ -25,30 +25,30 @@ struct ConstantTerms {
   double coulomb() const { return self + intramolecular + background; }
 };
 
-/// What the last bits of the forces depend on besides the state: the neighbour list, which is
-/// determined by the positions from which it was built.
+/// The neighbour list, on which the last bits of the forces depend besides the state. The positions
+/// from which it was built determine it.
 struct ListMemory {
   Vec3Column built_at;       ///< centre of each body at that time [nm]; empty if there is no list
                              ///< for the box of the state
-  std::size_t rebuilds = 0;  ///< so far
+  std::size_t rebuilds = 0;  ///< number of rebuilds so far
 };
 
-/// Site-site Lennard-Jones and Coulomb forces of rigid molecules in a periodic box, which is that
-/// of the state: when it has changed since the last evaluation, the list is built again, and so is
-/// everything else that depends on it. Every result is that of a force field constructed for the
-/// box, to the last bit. An evaluation throws an Error if the box has become too small for the
-/// cutoff, or needs a mesh with too many points.
+/// Site-site Lennard-Jones and Coulomb forces of rigid molecules in the periodic box of the state.
+/// If the box has changed since the last evaluation, the list and everything else that depends on
+/// it is built again. Every result equals the result of a force field constructed for the box, to
+/// the last bit. An evaluation throws an Error if the box has become too small for the cutoff, or
+/// needs a mesh with too many points.
 ///
 /// ExternalForces of the settings are added to the others. Their derivative is a central
 /// difference.
 ///
-/// The points of a
-/// mesh are fixed in space, so the mesh exerts a net force. It is removed (remove_net_force()), so
-/// that the forces conserve the total momentum and are minus the gradient of the energy along every
-/// motion that leaves the centre of mass at rest, as it is while the total momentum is 0.
+/// The points of a mesh are fixed in space, so the mesh exerts a net force.
+/// remove_net_force() removes it, so that the forces conserve the total momentum. The forces
+/// are minus the gradient of the energy along every motion that leaves the centre of mass at
+/// rest.
 class ForceField {
  public:
-  /// @param box      that of the first state: the one for which the settings are checked
+  /// @param box      of the first state, for which the settings are checked
   /// @param workers  threads that share an evaluation; results do not depend on their number
   /// @throws Error   if the cutoff does not fit into the box, or a setting is out of its domain
   ForceField(const Topology& topology, const ForceSettings& settings, const Box& box,
@@ -70,11 +70,11 @@ class ForceField {
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
                               Load& slope);
 
-  /// @param box  that of the state
+  /// @param box  of the state
   ListMemory list_memory(const Box& box) const;
-  /// Rebuilds the list from the positions in `memory`: from then on the forces agree to the last
-  /// bit with those of the force field that the memory was taken from.
-  /// @param box  that of the state from which the run resumes
+  /// Rebuilds the list from the positions in `memory`. The forces then agree to the last bit with
+  /// the force field from which the memory was taken.
+  /// @param box  of the state from which the run resumes
   void resume_from(const ListMemory& memory, const Box& box);
 
   std::uint64_t evaluations() const { return evaluations_; }

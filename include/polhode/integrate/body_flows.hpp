@@ -21,7 +21,7 @@ struct RigidBody {
   Quaternion<double> orientation{};  ///< body → lab
   Vec3<double> ell{};                ///< angular momentum about the centre [u nm²/ps], lab
 
-  /// Of translation and rotation [kJ/mol].
+  /// Kinetic energy of translation and rotation [kJ/mol].
   double kinetic_energy() const {
     const Vec3<double> L = to_body(orientation, ell);
     return norm2(p) / (2 * m) + dot(L, over_J(L)) / 2;
@@ -92,7 +92,7 @@ class BodyFlows {
     kick(-t / lambda_, load_);
   }
 
-  int evaluations() const { return evaluations_; }  ///< of the forces, so far
+  int evaluations() const { return evaluations_; }  ///< number of force evaluations so far
 
  private:
   void kick(double t, std::span<const BodyLoad> load) {

@@ -15,7 +15,7 @@ struct ErrorTerms {
 
 /// Works from the middle stage outwards: each pair of stages e^{X/2} · e^{X/2} is wrapped around
 /// the inner part by the symmetric Baker-Campbell-Hausdorff formula [parisi1988]. Baths are left
-/// out: the terms are those of the drifts and kicks alone.
+/// out: the terms belong to drifts and kicks only.
 /// @param scheme  a palindrome; any other scheme has O(h) errors, which are not computed
 constexpr ErrorTerms error_terms(const Scheme& scheme) {
   const auto stages = scheme.stages();

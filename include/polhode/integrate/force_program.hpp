@@ -18,14 +18,14 @@ struct ForceEvaluation {
   std::size_t use = 0;    ///< stages use ≤ k < end change momenta with its forces
   std::size_t end = 0;
   double xi = 0;  ///< ξ of a gradient kick by finite difference, which is stage `use`: the forces
-                  ///< are those of positions displaced as in [vanzon2008, Eq. 7], and the
+                  ///< belong to positions displaced as in [vanzon2008, Eq. 7], and the
                   ///< positions return afterwards; 0: a plain evaluation
 };
 
 /// The force evaluations of one step in their order. A step begins with the forces at its first
-/// positions, which the plain evaluation at the end of the step before it has computed: a scheme
-/// that begins with a kick has as many evaluations as Scheme::force_evaluations() counts, any other
-/// has one more.
+/// positions, which the last evaluation of the step before it has computed. A scheme that begins
+/// with a kick has as many evaluations as Scheme::force_evaluations() counts. Any other scheme has
+/// one more.
 /// @throws Error  if the scheme has exact gradients, whose derivatives of forces other engines lack
 inline std::vector<ForceEvaluation> force_program(const Scheme& scheme) {
   if (scheme.has(Gradient::exact))

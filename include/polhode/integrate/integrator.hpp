@@ -23,7 +23,7 @@ struct FreeDrift {
   void operator()(State& state, double t) const { drift(state, bodies, t, workers); }
 };
 
-/// In place of a bath, for schemes that have none.
+/// Takes the place of a bath, for schemes that have none.
 struct NoBath {};
 
 /// A callable that drifts a state over a time t.
@@ -39,14 +39,14 @@ concept StateBath = std::same_as<F, NoBath> ||
   {bath(state, t, at)};
 };
 
-/// What an integrator keeps from step to step: another integrator that is given it continues bit
+/// What an integrator keeps from step to step. Another integrator with this memory continues bit
 /// for bit like the first.
 struct IntegratorMemory {
-  Load load;              ///< of the last evaluation
+  Load load;              ///< result of the last evaluation
   bool current = false;   ///< whether it belongs to the current positions
   bool complete = false;  ///< whether it includes energies
   std::uint64_t steps = 0, evaluations = 0, derivatives = 0, measurements = 0;
-  std::vector<IntegratorMemory> inner;  ///< of the inner scheme, if there is one
+  std::vector<IntegratorMemory> inner;  ///< memory of the inner scheme, if there is one
 };
 
 /// Applies step() to a state: joins adjacent stages, keeps forces while positions do not change,
@@ -113,8 +113,8 @@ class Integrator {
     state.time = start + static_cast<double>(steps) * h;
   }
 
-  /// The Load at the positions of the state: that of the last kick if the positions have not
-  /// changed since, otherwise a new evaluation, which is counted as a measurement rather than as
+  /// The Load at the positions of the state. It is reused from the last kick if the positions have
+  /// not changed since. Otherwise it is a new evaluation, which is counted as a measurement, not as
   /// part of the integration.
   const Load& load(const State& state) {
     if (!current_ || !complete_) {
@@ -124,8 +124,8 @@ class Integrator {
     return load_;
   }
 
-  /// Forces and torques at the positions of the state: those of the last kick if the positions have
-  /// not changed since, otherwise a new evaluation as part of the integration.
+  /// Forces and torques at the positions of the state. They are reused from the last kick if the
+  /// positions have not changed since. Otherwise they are a new evaluation of the integration.
   /// @param energies  whether a new evaluation should include energies
   const Load& forces(const State& state, bool energies = false) {
     if (!current_) {
@@ -138,9 +138,9 @@ class Integrator {
   /// Forces and torques of the last kick, at the positions of that kick.
   const Load& last_load() const { return load_; }
 
-  /// To be called when the positions or the box were changed from outside.
+  /// Call this when the positions or the box were changed from outside.
   void forget() { current_ = false; }
-  /// The same if the Load there is known, with energies.
+  /// Call this if, in addition, the Load at the positions is known, with energies.
   void replace_load(const Load& load) {
     load_ = load;
     current_ = complete_ = true;
@@ -159,9 +159,9 @@ class Integrator {
 
   const Scheme& scheme() const { return scheme_; }
   std::uint64_t steps() const { return steps_; }                    ///< the number of the next one
-  std::uint64_t force_evaluations() const { return evaluations_; }  ///< by steps
-  std::uint64_t derivatives() const { return derivatives_; }        ///< of forces, by steps
-  std::uint64_t measurements() const { return measurements_; }      ///< by load() only
+  std::uint64_t force_evaluations() const { return evaluations_; }  ///< force evaluations by steps
+  std::uint64_t derivatives() const { return derivatives_; }        ///< derivatives by steps
+  std::uint64_t measurements() const { return measurements_; }      ///< evaluations by load() only
 
  private:
   /// The flows of one state.
@@ -203,9 +203,9 @@ class Integrator {
     current_ = true;
   }
 
-  /// What e^{B̂(ξ)t} adds to e^{Bt}: ξ h² ∇W [vanzon2008, Eq. 5], where ∇W is twice
-  /// the derivative of f and τ along the displacement that they would cause (docs/theory.md,
-  /// Eq. (14)). h in ξ h² is the full step, whatever the fraction of the kick.
+  /// Adds ξ h² ∇W, the difference of e^{B̂(ξ)t} and e^{Bt} [vanzon2008, Eq. 5]. ∇W is twice the
+  /// derivative of f and τ along the displacement that they would cause (docs/theory.md, Eq. (14)).
+  /// h in ξ h² is the full step, whatever the fraction of the kick.
   void exact_gradient_kick(State& state, double t, double xi_h2) {
     gradient_direction(state, bodies_, load_, dq_, dtheta_, workers_);
     forces_.directional_derivative(state, dq_, dtheta_, gradient_load_);
@@ -213,8 +213,8 @@ class Integrator {
     kick(state, bodies_, gradient_load_, t * 2 * xi_h2, workers_);
   }
 
-  /// The same by finite difference: Δf = [f(q̃, S̃) − f(q, S)]/λ, and likewise for τ, both in the
-  /// lab frame [vanzon2008, Eqs. 6 and 7].
+  /// Adds the gradient kick by finite difference: Δf = [f(q̃, S̃) − f(q, S)]/λ, and likewise for τ,
+  /// both in the lab frame [vanzon2008, Eqs. 6 and 7].
   void finite_difference_kick(State& state, double t, double xi_h2) {
     shifted_.q = state.q;
     shifted_.orientation = state.orientation;

@@ -8,9 +8,9 @@
 
 namespace polhode {
 
-/// Holds each drift or kick back until another flow follows, so that the last kick of a step and
-/// the first of the next are one: e^{Bs} e^{Bt} = e^{B(s + t)}. The state is synchronized after
-/// flush() only.
+/// Delays each drift or kick until another flow follows. The last kick of a step and the first
+/// kick of the next are then one: e^{Bs} e^{Bt} = e^{B(s + t)}. Only flush() synchronizes the
+/// state.
 template <Flows F>
 class JoinedFlows {
  public:

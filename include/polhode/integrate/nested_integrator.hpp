@@ -18,9 +18,9 @@ struct InnerSteps {
   }
 };
 
-/// The slow forces of V = V_near + V_slow: all forces minus the near ones. At the positions of the
-/// state that is integrated, the near ones are those of the inner integrator, and are evaluated
-/// once for both.
+/// The slow forces of V = V_near + V_slow, which are all forces minus the near forces. At the
+/// positions of the integrated state, the inner integrator evaluates the near forces once for
+/// both.
 /// @tparam Near  a cheap, rapidly varying part of the forces of Full
 template <ForceModel Full, ForceModel Near>
 class SlowForces {
@@ -28,7 +28,7 @@ class SlowForces {
   SlowForces(Full& full, Near& near, Integrator<Near>& inner, std::size_t bodies)
       : full_(full), near_(near), inner_(inner), part_(bodies) {}
 
-  /// Slow forces and torques; the energies and the virial are those of the total forces.
+  /// Slow forces and torques; the energies and the virial belong to all forces.
   void operator()(const State& state, Load& load) {
     full_(state, load);
     subtract(load, near_load(state));
@@ -38,7 +38,7 @@ class SlowForces {
     polhode::forces_alone(full_, state, load);
     subtract(load, near_load(state));
   }
-  /// The derivative of the slow forces and torques: that of all forces minus that of the near ones.
+  /// Derivative of the slow forces and torques: all forces minus near forces.
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
                               Load& derivative) requires OffersDerivative<Full> &&
       OffersDerivative<Near> {
@@ -48,11 +48,11 @@ class SlowForces {
     subtract(derivative, part_);
   }
 
-  /// Sets the state that the inner integrator advances. Any other one has displaced positions, as
-  /// for a finite difference, and must not affect what the inner integrator stores.
+  /// Sets the state that the inner integrator advances. Any other state has displaced positions, as
+  /// for a finite difference, and must not affect the memory of the inner integrator.
   void integrates(const State& state) { integrated_ = &state; }
 
-  /// Evaluations other than those of the inner integrator.
+  /// Number of evaluations outside the inner integrator.
   std::uint64_t near_evaluations() const { return near_evaluations_; }
   std::uint64_t near_derivatives() const { return near_derivatives_; }
   void reset_counts() { near_evaluations_ = near_derivatives_ = 0; }
@@ -115,7 +115,7 @@ class NestedIntegrator {
   const Load& last_load() const { return outer_.last_load(); }
   SlowForces<Full, Near>& slow_forces() { return slow_; }
 
-  /// To be called when the positions were changed from outside.
+  /// Call this when the positions were changed from outside.
   void forget() { inner_.forget(), outer_.forget(); }
   void replace_load(const Load&) { forget(); }  // the parts of all forces are not known
 
@@ -126,7 +126,7 @@ class NestedIntegrator {
     inner.derivatives = near_derivatives();
     return memory;
   }
-  /// @param memory  without that of an inner scheme, if the scheme so far had none
+  /// @param memory  without memory of an inner scheme, if the scheme so far had none
   void resume_from(const IntegratorMemory& memory) {
     outer_.resume_from(memory);
     if (memory.inner.empty())
@@ -136,7 +136,7 @@ class NestedIntegrator {
     slow_.reset_counts();
   }
 
-  std::uint64_t force_evaluations() const { return outer_.force_evaluations(); }  ///< of all forces
+  std::uint64_t force_evaluations() const { return outer_.force_evaluations(); }  ///< all forces
   std::uint64_t derivatives() const { return outer_.derivatives(); }
   std::uint64_t measurements() const { return outer_.measurements(); }
   std::uint64_t near_evaluations() const {

@@ -12,7 +12,7 @@ namespace polhode {
 /// The inner scheme: steps with the near forces that make up each drift of an outer scheme.
 struct InnerScheme {
   Scheme scheme;
-  int steps = 1;           ///< per drift of the outer scheme
+  int steps = 1;           ///< steps per drift of the outer scheme
   double switch_from = 0;  ///< distance between molecules at which the switch of the near forces
                            ///< begins [nm]
   double cutoff = 0;       ///< distance beyond which they are zero [nm]

@@ -49,14 +49,14 @@ constexpr std::string_view name_of(Flow flow) {
 
 /// How a gradient kick obtains ∇W.
 enum class Gradient {
-  exact,              ///< from the derivative of the forces: the scheme is symplectic
-  finite_difference,  ///< from forces at displaced positions [vanzon2008, Eqs. 6 and 7]
+  exact,              ///< uses the derivative of the forces; the scheme is symplectic
+  finite_difference,  ///< uses forces at displaced positions [vanzon2008, Eqs. 6 and 7]
 };
 
 /// One factor of the propagator.
 struct Stage {
   Flow flow = Flow::drift;
-  double fraction = 0;  ///< of the step h
+  double fraction = 0;  ///< fraction of the step h
   double xi = 0;        ///< ξ of a gradient kick [vanzon2008, Eqs. 4 to 7]; 0 for a plain one
   Gradient gradient = Gradient::exact;
   constexpr bool has(Gradient which) const { return xi != 0 && gradient == which; }
@@ -86,7 +86,7 @@ constexpr Stage O(double c) { return {Flow::bath, c, 0}; }
 /// with bench/micro/forces.cpp (docs/gradient.md).
 inline constexpr double derivative_cost = 2.0;
 
-/// Placeholder for a fraction: whatever is needed for the flow to advance by one step in total.
+/// Placeholder for the fraction with which the flow advances by one step in total.
 inline constexpr double rest = std::numeric_limits<double>::quiet_NaN();
 
 /// A scheme. User-defined lines of the table are checked at compile time: the constructor is
@@ -125,8 +125,8 @@ class Scheme {
   constexpr int order() const { return order_; }  ///< declared order; 0 if unknown
   constexpr std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 
-  /// Force evaluations per step in a sequence of steps: a kick at the positions of the previous
-  /// kick costs nothing, nor does a bath; a gradient kick by finite difference costs one more.
+  /// Force evaluations per step in a sequence of steps. A bath and a kick at the positions of the
+  /// previous kick cost nothing. A gradient kick by finite difference costs one more.
   constexpr int force_evaluations() const { return evaluations().forces; }
   /// Evaluations of the derivative of the forces per step: one per exact gradient kick.
   constexpr int derivatives() const { return evaluations().derivatives; }
@@ -168,8 +168,8 @@ class Scheme {
       if (stages_[i].flow == Flow::bath) return true;
     return false;
   }
-  /// The fraction of the plain kick that ends a step, if a bath comes before it with nothing but
-  /// drifts between them: without this kick, the momenta are those of the bath. Otherwise 0.
+  /// Fraction of the plain kick that ends a step, if only drifts are between it and a bath. Without
+  /// this kick, the momenta are the momenta after the bath. Otherwise 0.
   constexpr double kick_after_bath() const {
     if (count_ == 0 || stages_[count_ - 1].flow != Flow::kick || stages_[count_ - 1].xi != 0)
       return 0;

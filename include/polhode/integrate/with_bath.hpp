@@ -12,7 +12,7 @@ namespace polhode {
 
 enum class BathPlace {
   ends,   ///< half before the first stage, half after the last: velocity Verlet becomes OBABO
-  middle  ///< within the middle stage: velocity Verlet becomes BAOAB [leimkuhler2013]
+  middle  ///< bath within the middle stage; velocity Verlet becomes BAOAB [leimkuhler2013]
 };
 
 /// A scheme with a bath O of one step in total. A step of it is e^{Oh/2} e^{Lh} e^{Oh/2}, or has O

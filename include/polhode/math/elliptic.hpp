@@ -47,7 +47,7 @@ inline JacobiFunctions descending(double u, const Modulus& modulus) {
   return {(1 + k1) * s / denominator, c * d / denominator, (1 - k1 * s * s) / denominator};
 }
 
-/// The same by ascending Landen transformations (k → 1, DLMF 22.7.6 to 22.7.8), for k > k'.
+/// sn, cn, dn by ascending Landen transformations (k → 1, DLMF 22.7.6 to 22.7.8), for k > k'.
 inline JacobiFunctions ascending(double u, const Modulus& modulus) {
   // For |u| ≤ K/2 the error of tanh and sech is below k'² cosh²u ≈ 4 k', hence the bound.
   if (!(modulus.complement >= 1e-17)) {
@@ -65,7 +65,7 @@ inline JacobiFunctions ascending(double u, const Modulus& modulus) {
 }  // namespace elliptic
 
 /// sn(u), cn(u), dn(u) for |u| ≤ K, where `K` is the quarter period. Relative errors are a few ε;
-/// beyond K/2 the functions are computed from those of K − |u|, so cn and dn near their minima are
+/// beyond K/2 they are computed from the functions of K − |u|, so cn and dn near their minima are
 /// as accurate as K − |u|.
 inline JacobiFunctions jacobi_functions(double u, const Modulus& modulus, double K) {
   const auto near_zero =
@@ -96,9 +96,9 @@ inline double first_kind_integral(double x, double y, double z) {
   }
 }
 
-/// ∫₀ᵘ sn²/(1 + n sn²) du = sn³/3 · R_J(cn², dn², 1, 1 + n sn²) for n ≥ 0 and sn ≥ 0 in the first
-/// quarter period, from the values f of the three functions at u. Equals Legendre's (F − Π)/n
-/// without the cancellation at small n.
+/// ∫₀ᵘ sn²/(1 + n sn²) du = sn³/3 · R_J(cn², dn², 1, 1 + n sn²), from the values f of sn, cn, dn at
+/// u. Valid for n ≥ 0 and sn ≥ 0 in the first quarter period. Equals Legendre's (F − Π)/n without
+/// the cancellation at small n.
 /// @source DLMF 19.25.14 and 19.36(i): Carlson's duplication; here δ = (p−x)(p−y)(p−z) is
 ///         sn⁶ n (1+n)(n+k²), available without a subtraction.
 inline double third_kind_integral(const JacobiFunctions& f, double n, double k) {

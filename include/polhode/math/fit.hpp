@@ -25,15 +25,15 @@ Estimate slope(std::span<const double> x, std::span<const double> y);
 /// A straight line a + b x.
 struct Line {
   Estimate intercept, slope;
-  double degrees_of_freedom = 0;  ///< of the errors; 0 if they are exact
+  double degrees_of_freedom = 0;  ///< degrees of freedom of the errors; 0 if they are exact
 };
 
 /// The line through points with known standard errors of y, all positive, by weighted least
-/// squares; the errors of its parameters follow from those of y.
+/// squares; the errors of its parameters follow from the errors of y.
 Line weighted_line(std::span<const double> x, std::span<const Estimate> y);
 
-/// p-value of the deviations of the points from their line: the probability that chance alone makes
-/// them as large, by Fisher's F test, as the errors of y are estimated with the line's degrees of
+/// p-value of the deviations of the points from their line, by Fisher's F test: the probability of
+/// deviations this large by chance. The errors of y are estimated with the line's degrees of
 /// freedom. 1 for two points.
 double misfit_p_value(const Line& line, std::span<const double> x, std::span<const Estimate> y);
 
@@ -41,9 +41,9 @@ double misfit_p_value(const Line& line, std::span<const double> x, std::span<con
 /// two-sided Student t test with the given degrees of freedom. 1 if value and error are 0.
 double p_value(const Estimate& estimate, double degrees_of_freedom);
 
-/// The multiple of a standard error with these degrees of freedom that chance exceeds, on either
-/// side, as often as a normal distribution exceeds three standard deviations: 6.6 for 4, and 3 for
-/// an exact error, with 0.
+/// The multiple of a standard error with these degrees of freedom that corresponds to three
+/// standard deviations of a normal distribution, two-sided. It is 6.6 for 4 degrees of freedom, and
+/// 3 for an exact error, given as 0.
 double three_sigma_quantile(double degrees_of_freedom);
 
 }  // namespace polhode

@@ -32,10 +32,10 @@ constexpr std::array<Word, 4> philox(std::array<Word, 4> counter,
   return counter;
 }
 
-/// Derives the seed of the `index`-th item of a series from a common seed, such as those of the
-/// initial configurations of a study. It is not the sum of the two, with which index 1 of seed 1
-/// would equal index 0 of seed 2, but half of a Philox block with a counter that no Random uses:
-/// two derived seeds are equal with probability 2⁻⁶⁴.
+/// Derives the seed of the `index`-th item of a series from a common seed, for example for initial
+/// configurations of a study. It is half of a Philox block with a counter that no Random uses, so
+/// two derived seeds are equal with probability 2⁻⁶⁴. With a sum, index 1 of seed 1 would equal
+/// index 0 of seed 2.
 constexpr std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t index) {
   const auto word = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
   const auto block =

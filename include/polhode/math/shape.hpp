@@ -28,8 +28,8 @@ inline constexpr double line_rounding = 0.002;
 /// otherwise spin about its axis with nearly zero inertia.
 Shape straighten(Shape shape);
 
-/// A shape in its principal frame, with signs that do not depend on the orientation in which it is
-/// given: of the points far from the centre along an axis, the first is on the positive side.
+/// A shape in its principal frame, with signs that do not depend on the given orientation. The
+/// first point far from the centre along an axis is on the positive side.
 Shape principal_shape(Shape shape, std::span<const double> mass);
 
 /// The mirror image of a shape.

@@ -24,7 +24,7 @@ class BlockMeans {
 
   /// All blocks in one.
   Block sum() const;
-  /// Of all blocks; empty without any.
+  /// Mean of all blocks; empty if there are none.
   std::vector<double> mean() const;
 
  private:
@@ -39,7 +39,7 @@ struct TimeBlocks {
 
   /// @param weight  samples that were summed already, or any other measure of size
   void add(std::span<const double> sample, double weight = 1);
-  /// The blocks; one that is less than half full at the end is joined to the one before.
+  /// The blocks; a last block that is less than half full is joined to the block before it.
   BlockMeans means() const;
 };
 

@@ -16,7 +16,7 @@ class Conditions {
   void add(const State& state, bool has_velocities);
 
   SeriesEstimate density() const;      ///< [u/nm³]
-  SeriesEstimate temperature() const;  ///< from translation and rotation [K]; 0 without velocities
+  SeriesEstimate temperature() const;  ///< T of translation and rotation [K]; 0 without velocities
   SeriesEstimate volume() const;       ///< [nm³]
   /// Averages over blocks of time: density, temperature and volume.
   BlockMeans blocks() const { return blocks_.means(); }

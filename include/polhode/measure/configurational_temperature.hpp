@@ -30,17 +30,17 @@ ConfigurationalSample configurational_sample(const State& state, const Bodies& b
 /// Sums over samples along a trajectory, in blocks of time.
 struct ConfigurationalStatistics {
   TimeBlocks blocks;
-  StepResponse response;  ///< of the samples at which the error of the step is known
+  StepResponse response;  ///< response at samples with a known time-step error
 
   void add(const ConfigurationalSample& sample, const std::optional<StepError>& error = {});
   /// T = ⟨squared_force⟩/(k_B ⟨curvature⟩) of each kind of motion [jepps2000] [K], with its
   /// standard error; nothing without samples, nor for motions that feel no forces.
   ByMotion<std::optional<SeriesEstimate>> temperatures() const;
-  /// What the step changes in them [K], to leading order; nothing for the same motions, nor without
-  /// samples at which its error is known.
+  /// Their time-step bias [K], to leading order; empty for the same motions, and without samples
+  /// with a known time-step error.
   ByMotion<std::optional<SeriesEstimate>> step_bias(double degrees_of_freedom,
                                                     FixedMeans fixed) const;
-  /// Their values alone [K], 0 for motions without forces; nothing without samples.
+  /// Their values without errors [K], 0 for motions without forces; empty without samples.
   std::optional<ByMotion<double>> values() const;
 };
 

@@ -26,10 +26,10 @@ std::string reason(Known known);
 
 /// A statistic of a run with its standard error.
 struct SeriesEstimate {
-  double value = 0;  ///< not finite without samples
+  double value = 0;  ///< the statistic; not finite without samples
   double error = 0;  ///< 0 unless it is known
   Known known = Known::too_few_samples;
-  /// Number of modes that determined the error, which is uncertain by a part 1/√(2 modes); 0 where
+  /// Number of modes that determined the error, whose relative uncertainty is 1/√(2 modes); 0 if
   /// the error is 0 or not known.
   double modes = 0;
 };
@@ -40,21 +40,21 @@ SeriesEstimate scaled(SeriesEstimate estimate, double factor);
 /// Minimum number of blocks for an error; runs with few samples have one block per sample.
 inline constexpr std::size_t min_samples = 12;
 
-/// The deviation from its true value that a statistic with a known error exceeds as rarely as a
-/// normal distribution exceeds three standard deviations, in 0.27 % of runs: by Student's t, since
-/// the error itself is estimated from a few modes; three errors without their number.
+/// The deviation from its true value that a statistic with a known error exceeds in 0.27 % of runs,
+/// as a normal distribution exceeds three standard deviations. It uses Student's t, because the
+/// error is estimated from a few modes; without their number it is three errors.
 double three_sigma(const SeriesEstimate& estimate);
 
-/// A statistic computed from the means of all quantities, with its standard error: the influences
-/// of the blocks on it are a series, whose slowest modes give the variance of its mean. The error
-/// of a statistic that is constant to rounding is 0; there is no error if the statistic is
-/// undefined when one of the blocks is left out.
+/// A statistic computed from the means of all quantities, with its standard error. The jackknife
+/// influences of the blocks are a series, whose slowest modes give the variance of its mean. The
+/// error of a statistic that is constant to rounding is 0. There is no error if the statistic is
+/// undefined without one of the blocks.
 SeriesEstimate series_estimate(const BlockMeans& blocks,
                                const std::function<double(std::span<const double>)>& statistic);
 
-/// The integrated autocorrelation time of a stationary quantity [samples], from the error ε of its
-/// mean and the variance σ² of its samples: n ε²/2σ², which makes n samples worth n/2τ independent
-/// ones. Its standard error is a part √(2/modes) (docs/statistics.md).
+/// The integrated autocorrelation time τ = n ε²/2σ² of a stationary quantity [samples], from the
+/// error ε of its mean and the variance σ² of its samples. n samples are worth n/2τ independent
+/// samples. Its relative standard error is √(2/modes) (docs/statistics.md).
 /// @param mean      with its error
 /// @param variance  of the samples about their mean
 SeriesEstimate correlation_time(const SeriesEstimate& mean, double variance, double samples);

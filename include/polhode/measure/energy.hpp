@@ -16,7 +16,7 @@ namespace polhode {
 
 struct Energies {
   double time = 0;                 ///< [ps]
-  double van_der_waals = 0;        ///< of the short-range laws [kJ/mol]
+  double van_der_waals = 0;        ///< energy of the short-range laws [kJ/mol]
   double coulomb = 0;              ///< [kJ/mol]
   double translation = 0;          ///< Σ p²/2m [kJ/mol]
   std::array<double, 3> rotation;  ///< Σ L_k²/2J_k about each principal axis [kJ/mol]
@@ -27,7 +27,7 @@ struct Energies {
   double exchanged = 0;
   /// H̃ − H of the scheme [kJ/mol] at samples of the shadow energy; not a number at others.
   double step_error = std::numeric_limits<double>::quiet_NaN();
-  double external = 0;  ///< of ExternalForces [kJ/mol]
+  double external = 0;  ///< energy of ExternalForces [kJ/mol]
 
   double potential() const { return van_der_waals + coulomb + external; }
   double kinetic() const { return translation + rotation[0] + rotation[1] + rotation[2]; }
@@ -42,7 +42,7 @@ struct Energies {
 Energies energies(const State& state, const Bodies& bodies, const Load& load,
                   Workers& workers = Workers::serial());
 
-/// P²/2M of the centre of mass [kJ/mol], which energies() leaves out; 0 where the total momentum is
+/// P²/2M of the centre of mass [kJ/mol], which energies() leaves out; 0 if the total momentum is
 /// held.
 double energy_of_centre(const State& state, const Bodies& bodies, TotalMomentum total_momentum);
 
@@ -61,10 +61,10 @@ double temperature(double kinetic_energy, double degrees_of_freedom);
 struct Temperatures {
   double all = 0;
   double translation = 0;
-  std::array<double, 3> rotation{};  ///< about each principal axis
+  std::array<double, 3> rotation{};  ///< T of rotation about each principal axis
 };
 
-/// From means of the kinetic energies.
+/// Temperatures from means of the kinetic energies.
 Temperatures mean_temperatures(const Energies& mean, const DegreesOfFreedom& degrees_of_freedom);
 
 }  // namespace polhode

@@ -19,7 +19,7 @@ namespace polhode {
 /// of freedom.
 struct TemperatureEstimates {
   SeriesEstimate all, translation;
-  std::array<SeriesEstimate, 3> rotation;  ///< about each principal axis
+  std::array<SeriesEstimate, 3> rotation;  ///< rotation about each principal axis
 };
 
 /// Sums over the samples of a trajectory, in blocks of time. Energies are summed as differences
@@ -39,8 +39,8 @@ struct EnergyStatistics {
   double total_fluctuation() const;      ///< rms deviation of the conserved energy [kJ/mol]
   double potential_fluctuation() const;  ///< rms deviation from the mean [kJ/mol]
   /// R: rms fluctuation of the conserved energy, which is the total energy at constant energy,
-  /// divided by that of the potential energy [vanzon2008].
-  /// Not a number if the potential energy is constant.
+  /// divided by the rms fluctuation of the potential energy [vanzon2008]. Not a number if the
+  /// potential energy is constant.
   double ratio() const;
   Temperatures temperatures(const DegreesOfFreedom& degrees_of_freedom) const;  ///< means [K]
 
@@ -49,7 +49,7 @@ struct EnergyStatistics {
   SeriesEstimate ratio_with_error() const;
   SeriesEstimate total_with_error() const;                  ///< mean [kJ/mol]
   SeriesEstimate potential_with_error() const;              ///< mean [kJ/mol]
-  SeriesEstimate total_fluctuation_with_error() const;      ///< of the conserved energy [kJ/mol]
+  SeriesEstimate total_fluctuation_with_error() const;      ///< rms with its error [kJ/mol]
   SeriesEstimate potential_fluctuation_with_error() const;  ///< [kJ/mol]
   /// The integrated autocorrelation time of the potential energy [samples].
   SeriesEstimate correlation_time_of_potential() const;
@@ -72,10 +72,10 @@ struct EnergyStatistics {
 
 /// R of consecutive parts of a trajectory, of equal length.
 struct StretchStatistics {
-  std::uint64_t samples = 0;     ///< in the current part
-  std::array<double, 4> sums{};  ///< over these: total and potential energy, their squares
+  std::uint64_t samples = 0;     ///< number of samples in the current part
+  std::array<double, 4> sums{};  ///< sums over them: total and potential energy, their squares
   std::uint64_t stretches = 0;
-  double mean = 0, squares = 0;  ///< of R; sum of squared deviations
+  double mean = 0, squares = 0;  ///< mean of R; sum of its squared deviations
 
   /// @param first   of the trajectory
   /// @param length  of a part in samples
@@ -88,7 +88,7 @@ struct StretchStatistics {
 struct TrajectoryStatistics {
   EnergyStatistics energies;
   ShadowStatistics shadow;
-  /// With the momenta on which a bath within the steps acts; empty without.
+  /// Statistics of the momenta on which a bath within the steps acts; empty without such a bath.
   EnergyStatistics at_bath;
   StepBiasStatistics step_bias;  ///< empty where fixed_means() has nothing
   ConfigurationalStatistics configurational;

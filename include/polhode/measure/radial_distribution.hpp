@@ -21,8 +21,8 @@
 
 namespace polhode {
 
-/// Two selections of sites: a site name, or the name without trailing digits, so that "HW" selects
-/// HW1 and HW2; "benzene:C" selects the sites of one kind of molecule, "C" those of all kinds.
+/// Two selections of sites: a site name, or the name without trailing digits. "HW" selects HW1 and
+/// HW2. "benzene:C" selects sites of one kind of molecule, "C" sites of all kinds.
 using SitePair = std::array<std::string, 2>;
 
 /// The names of the molecules that have such sites.
@@ -68,26 +68,26 @@ class RadialDistribution {
     SeriesEstimate end;           ///< position of the smallest g beyond the peak [nm]
     SeriesEstimate coordination;  ///< number of sites of the second selection around one of the
                                   ///< first, up to it
-    SeriesEstimate of_second;     ///< of the first around one of the second
+    SeriesEstimate of_second;     ///< number of first sites around a second site
   };
   struct Peak {
     SeriesEstimate position;     ///< [nm]
     SeriesEstimate height;       ///< [1]
     std::optional<Shell> shell;  ///< none if g still falls at the end of its range
   };
-  /// The first peak: from where g first exceeds 0.75 of its largest value, before it falls to half
-  /// of the peak. Its maximum is that of a least-squares cubic through the bins in which g is above
-  /// 0.9 of it. The end of its shell is found likewise, through the bins around the smallest g up
-  /// to 1.6 times the peak position, a tenth of that on each side: the first shell of liquids ends
-  /// between 1.2 and 1.5 times the peak position. None if g is 0 everywhere, or largest in the last
-  /// bin.
+  /// The first peak, where g first exceeds 75 % of its largest value and before it falls to half of
+  /// the peak. Its maximum is the maximum of a least-squares cubic through the bins in which g is
+  /// above 90 % of it. A cubic through the bins around the smallest g up to 1.6 times the peak
+  /// position, within 10 % of its position, gives the end of the shell. The first shell of liquids
+  /// ends between 1.2 and 1.5 times the peak position. Empty if g is 0 everywhere, or largest in
+  /// the last bin.
   std::optional<Peak> first_peak(std::size_t pair) const;
-  /// What the step changes in each of its numbers, to leading order.
+  /// Time-step bias of each of its numbers, to leading order.
   std::optional<Peak> first_peak_bias(std::size_t pair, double degrees_of_freedom,
                                       FixedMeans fixed) const;
 
  private:
-  /// What is made of a number that is a function of the averages.
+  /// Makes an estimate of a number that is a function of the averages.
   using Estimate = std::function<SeriesEstimate(const StepResponse::Function&)>;
   struct Count {
     std::size_t histogram;

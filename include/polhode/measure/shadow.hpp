@@ -46,12 +46,12 @@ struct ShadowStatistics {
 
   void add(double time, double shadow);
   SeriesEstimate fluctuation() const;  ///< rms deviation from the mean [kJ/mol]
-  /// [kJ/mol/ps]
-  /// Tested against a random walk of unknown strength: that of rounding, and that of the remaining
-  /// discontinuities of the forces (docs/statistics.md).
+  /// [kJ/mol/ps] Tested against a random walk of unknown strength, by
+  /// rounding and by the remaining discontinuities of the forces
+  /// (docs/statistics.md).
   Drift drift() const;
-  /// The strength of that walk [(kJ/mol)²/ps], which the energy performs as well. Empty if there
-  /// are too few samples.
+  /// The strength of that walk [(kJ/mol)²/ps], which the energy also performs. Empty if there are
+  /// too few samples.
   std::vector<WalkStrength> walks() const;
 };
 
@@ -60,13 +60,13 @@ struct ShadowSummary {
   std::uint64_t samples = 0;
   SeriesEstimate fluctuation;  ///< rms [kJ/mol]
   Drift drift;                 ///< [kJ/mol/ps]
-  /// How many times sooner an energy drift becomes significant than in the energy itself: its
-  /// standard error falls with the length of a run as t^{−3/2}, so the times go as the errors to
-  /// the power 2/3. Nothing if one of the errors is not known.
+  /// How many times sooner an energy drift becomes significant than in the energy. Standard errors
+  /// fall with the length of a run as t^{−3/2}, so the times are proportional to the errors to the
+  /// power 2/3. Empty if one of the errors is not known.
   std::optional<double> time_gain;
 };
 
-/// Nothing if there are fewer than three samples.
+/// Results from the statistics; empty with fewer than three samples.
 /// @param raw   the energy drift over the same time
 std::optional<ShadowSummary> shadow_summary(const ShadowStatistics& statistics, const Drift& raw);
 

@@ -41,9 +41,9 @@ struct WalkStrength {
 std::vector<WalkStrength> walk_strengths(const BlockMeans& blocks, std::size_t time,
                                          std::size_t quantity);
 
-/// The slope of the least-squares line through the block means of a quantity against those of the
-/// time. The significance is averaged over the spectra that stationary noise may have: white, with
-/// a correlated part. A series that is correlated over too much of the run has no significance.
+/// The slope of the least-squares line through block means of a quantity against block means of
+/// time. The significance is averaged over spectra of stationary noise: white, with a correlated
+/// part. A series with too long correlation has no significance.
 /// @param time, quantity  which of the sums
 /// @param walks  variance per time that a random walk adds to the quantity, known independently,
 ///               or its possible values, over which the significance is averaged

@@ -10,18 +10,18 @@
 
 namespace polhode {
 
-/// Averages with a step minus those without its error, to leading order: h² with schemes of second
-/// order. Kinetic temperatures are those of motions, 0 without degrees of freedom.
+/// Averages with a step minus averages without its error, to leading order, h² for schemes of
+/// second order. Kinetic temperatures are 0 without degrees of freedom.
 struct StepBias {
   SeriesEstimate translation;          ///< temperature [K]
   SeriesEstimate rotation;             ///< temperature about all axes [K]
   std::array<SeriesEstimate, 3> axes;  ///< temperature about each principal axis [K]
-  SeriesEstimate difference;           ///< temperature of rotation minus that of translation [K]
+  SeriesEstimate difference;           ///< T of rotation minus T of translation [K]
   SeriesEstimate potential;            ///< energy [kJ/mol]
   SeriesEstimate pressure;             ///< [kJ/mol/nm³]
   SeriesEstimate volume;               ///< [nm³]
   SeriesEstimate density;              ///< mass over volume [u/nm³]
-  SeriesEstimate compressibility;      ///< at a mean pressure [nm³ mol/kJ]; else 0
+  SeriesEstimate compressibility;      ///< bias at a mean pressure [nm³ mol/kJ]; otherwise 0
 };
 
 /// Sums over samples of the energies of a trajectory.
@@ -29,7 +29,7 @@ struct StepBiasStatistics {
   StepResponse response;
 
   void add(const StepError& at, const Energies& now);
-  /// Each with its standard error.
+  /// The bias of each average with its standard error.
   /// @param temperature  of the thermostat, for the compressibility [K]
   /// @param mass         of all molecules, for the density [u]
   StepBias bias(const DegreesOfFreedom& degrees_of_freedom, FixedMeans fixed,

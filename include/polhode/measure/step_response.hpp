@@ -16,25 +16,25 @@
 
 namespace polhode {
 
-/// What two trajectories with different steps have in common when their averages are compared.
+/// Means that are equal in two trajectories with different steps whose averages are compared.
 enum class FixedMeans {
-  energy,                       ///< constant energy: that of the total energy
-  kinetic_energy,               ///< rescaling thermostat: that of the kinetic energy
-  kinetic_energy_and_pressure,  ///< with cell rescaling: those of both
-  /// With Monte Carlo moves of the volume, which know no momenta: those of the kinetic energy and
-  /// of the pressure with N kT/V in place of its kinetic part.
+  energy,                       ///< the mean total energy, at constant energy
+  kinetic_energy,               ///< the mean kinetic energy, with rescaling thermostat
+  kinetic_energy_and_pressure,  ///< both means, with cell rescaling
+  /// The mean kinetic energy and the mean pressure with N kT/V instead of its kinetic part, with
+  /// Monte Carlo moves of the volume, which do not use momenta.
   kinetic_energy_and_pressure_of_positions
 };
 
-/// Nothing where the distribution is not that of a shadow energy: with a Langevin thermostat, with
-/// translation and rotation thermostatted apart, with a bath within the steps; nothing with a
-/// barostat of other edges than all three by one factor, which holds several pressures; and nothing
-/// where there is no bias: hybrid Monte Carlo.
+/// Empty if the shadow energy does not determine the distribution: with a Langevin thermostat, with
+/// separate rescaling of translation and rotation, or with a bath within the steps. Empty with a
+/// barostat that scales edges separately, which holds several pressures. Empty with hybrid Monte
+/// Carlo, which has no bias.
 std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings, const Scheme& scheme);
-/// Of any scheme without a bath within its steps.
+/// Fixed means for any scheme without a bath within its steps.
 std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings);
 
-/// A sample of what the bias depends on, besides the quantities that are averaged.
+/// A sample of the energies on which a bias depends, besides the averaged quantities.
 struct StepError {
   double error = 0;     ///< H̃ − H, up to a constant [kJ/mol]
   double total = 0;     ///< H [kJ/mol]
@@ -43,20 +43,20 @@ struct StepError {
   double volume = 0;    ///< [nm³]
 };
 
-/// Of a sample. At constant energy H̃ is constant, so that its error is what the energy lacks.
+/// The time-step error of a sample: at constant energy, a constant minus the energy.
 /// @param ideal  N kT of N bodies at the temperature of the thermostat [kJ/mol]
 StepError step_error(const Energies& now, FixedMeans fixed, double ideal);
 
-/// Sums over samples of any quantities and of their products with the error of the step, in blocks
-/// of time, relative to the first sample.
+/// Sums over samples of quantities and of their products with the time-step error, in blocks of
+/// time, relative to the first sample.
 struct StepResponse {
-  /// Of the averages of all quantities, in their order.
+  /// A function of the averages of all quantities, in their order.
   using Function = std::function<double(std::span<const double>)>;
 
   std::vector<double> first;
   TimeBlocks blocks;
 
-  /// @param quantities  as many in each sample
+  /// @param quantities  the same number in each sample
   void add(const StepError& at, std::span<const double> quantities);
   std::size_t samples() const;
   /// The bias of a function of averages, to leading order, with its standard error.

@@ -11,10 +11,10 @@ namespace polhode {
 /// Whether the total momentum of a system is held at 0, or is free, as in an external field.
 enum class TotalMomentum { held, free };
 
-/// Degrees of freedom, each with a mean kinetic energy of kT/2: 3 N − 3 translational ones where
-/// the centre of mass of all bodies is at rest (model/centre_of_mass.hpp), as in all runs,
-/// otherwise 3 N, and one rotational one for each principal axis with a nonzero moment of inertia.
-/// A single body at rest has no translational ones, a single atom none at all.
+/// Degrees of freedom, each with a mean kinetic energy of kT/2. Translation has 3 N − 3 if the
+/// centre of mass of all bodies is at rest (model/centre_of_mass.hpp), as in all runs, otherwise 3
+/// N. Rotation has one for each principal axis with a nonzero moment of inertia. A single body at
+/// rest has none of translation, and a single atom has none at all.
 struct DegreesOfFreedom {
   double translation = 0;
   std::array<double, 3> rotation{};

@@ -10,13 +10,13 @@ namespace polhode {
 struct Load {
   Vec3Column f;              ///< force [kJ/mol/nm], lab
   Vec3Column tau;            ///< torque about the centre of mass [kJ/mol], lab
-  double van_der_waals = 0;  ///< of the short-range laws [kJ/mol]
+  double van_der_waals = 0;  ///< energy of the short-range laws [kJ/mol]
   double coulomb = 0;        ///< [kJ/mol]
   double mesh = 0;           ///< the reciprocal-space (mesh) part of coulomb [kJ/mol]
-  double external = 0;       ///< of ExternalForces [kJ/mol]
-  /// Σ R ⊗ f over pairs of bodies, R between their centres and f the force on the second [kJ/mol];
-  /// in general −dU/dε for a strain ε that moves the centres and keeps the orientations. The
-  /// pressure tensor is (Σ p ⊗ p/m + virial)/V.
+  double external = 0;       ///< energy of ExternalForces [kJ/mol]
+  /// Σ R ⊗ f over pairs of bodies, with R between their centres and f the force on the second
+  /// [kJ/mol]. In general −dU/dε for a strain ε that moves the centres and keeps the orientations.
+  /// The pressure tensor is (Σ p ⊗ p/m + virial)/V.
   Mat3<double> virial{};
 
   Load() = default;

@@ -12,7 +12,7 @@ namespace polhode {
 
 /// One interaction or mass point of a rigid molecule.
 struct Site {
-  std::string name;     ///< as in coordinate files: "OW", "HW1"
+  std::string name;     ///< name as in coordinate files: "OW", "HW1"
   std::string element;  ///< chemical symbol; empty for massless sites
   Vec3<double> r;       ///< position in the body frame [nm]
   double mass = 0;      ///< [u]
@@ -33,7 +33,7 @@ struct Molecule {
   std::string name;
   std::string description;
   std::string source;       ///< key in docs/references.bib
-  std::vector<Site> sites;  ///< in the principal frame: origin at the centre of mass
+  std::vector<Site> sites;  ///< sites in the principal frame, with the origin at the centre of mass
   double mass = 0;          ///< [u]
   Vec3<double> J;  ///< principal moments [u nm²], J1 ≤ J2 ≤ J3; linear J1 = 0, atom all 0
   Top top = Top::atom;

@@ -29,8 +29,8 @@ struct BuckinghamLaw {
   bool operator==(const BuckinghamLaw&) const = default;
 };
 
-/// A law given by its energies at equally spaced r, interpolated by a cubic spline. It is of class
-/// C²; its third derivative is bounded, but jumps at each of those distances.
+/// A law given by its energies at equally spaced r, interpolated by a cubic spline. Two derivatives
+/// are continuous. The third is bounded, but jumps at each of those distances.
 class PotentialTable {
  public:
   /// @param name   of its file
@@ -38,7 +38,7 @@ class PotentialTable {
   /// @param u      energies [kJ/mol], at least 4
   /// @param f      forces −u' at the same r [kJ/mol/nm]. The first and last are the slopes of the
   ///               spline at its ends, the others are compared with its own.
-  /// @throws Error  if a force differs from that of the spline by more than 1 %
+  /// @throws Error  if a force differs from the spline by more than 1 %
   PotentialTable(std::string name, double first, double spacing, const std::vector<double>& u,
                  const std::vector<double>& f);
 
@@ -47,7 +47,7 @@ class PotentialTable {
   double spacing() const { return spacing_; }
   std::size_t intervals() const { return exact_.size() / 4; }
   double last() const { return first_ + static_cast<double>(intervals()) * spacing_; }
-  /// For each interval the coefficients of 1, x, x², x³, x from 0 to 1 within the interval.
+  /// Coefficients of 1, x, x², x³ of each interval, with x from 0 to 1 within the interval.
   template <class T>
   const T* coefficients() const {
     if constexpr (sizeof(T) == 8)

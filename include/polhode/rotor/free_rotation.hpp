@@ -17,7 +17,7 @@ namespace polhode {
 enum class RotorMethod {
   series,             ///< used in molecular dynamics; the closed form beyond |ω t| = 0.3
   closed,             ///< elliptic functions and Carlson's integral of the third kind
-  theta,              ///< the same, with the integral from theta functions
+  theta,              ///< elliptic functions, with the integral from theta functions
   recursive,          ///< elliptic functions and two-point Hermite quadrature
   no_squish,          ///< second order, for comparison
   symmetric_product,  ///< second order, for comparison

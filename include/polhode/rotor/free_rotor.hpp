@@ -17,8 +17,8 @@ enum class ThirdKind {
 ///
 /// The usual angle [vanzon2007a] follows the axis that L circles. Its integrand contains 1 + N sn²
 /// with N = (J_y−J_x)J_z/((J_z−J_y)J_x), which diverges as J_y → J_z, where L passes close to the
-/// axis. Following x instead gives the same integral with n = m/N. One of the two numbers is always
-/// at most 1 and is used, so near-symmetric tops need no special care. In both cases, with the
+/// axis. Following x instead gives the same integral with n = m/N. The smaller of the two numbers
+/// is at most 1 and is used, so near-symmetric tops are no special case. In both cases, with the
 /// moment J_f of the axis to which L is closest (u = 0),
 ///
 ///     φ = |L| t/J_f ± κ ∫ sn²/(1 + n sn²) du from u₀ to u₀ + p t,   κ² = n(1+n)(n+m).
@@ -58,7 +58,7 @@ class PrecessionAngle {
     return integral.rate() * (orbit_.p * t) - integral.argument(v.v);
   }
 
-  /// The same, from R_J.
+  /// The angle, from R_J.
   double by_carlson(const Orbit::Elapsed& v) const {
     const double k = orbit_.modulus.k;
     if (orbit_.modulus.complement == 0) {
@@ -89,9 +89,9 @@ class PrecessionAngle {
 /// @param t    time [ps], any sign and magnitude
 /// @param way  how the integral of the third kind is computed
 /// @return   rotation with |q| = 1 to within 2 ε, and L(t). Errors are a few ε (1 + k), where k is
-///           the change of the result, in ε, if each input changes by one ε: about 4.6 |ω t| for
-///           a well-behaved top, exponential in p t near the separatrix. The digits do not depend
-///           on the scale of the units.
+///           the change of the result, in ε, if each input changes by one ε. It is about 4.6 |ω t|
+///           for a well-behaved top, and exponential in p t near the separatrix. The digits do not
+///           depend on the scale of the units.
 /// @source   jacobi1849; vanzon2007a; tests/unit/rotor_truth_test.cpp
 inline FreeRotation closed_rotation(const Vec3<double>& J, const Vec3<double>& L, double t,
                                     ThirdKind way = ThirdKind::carlson) {

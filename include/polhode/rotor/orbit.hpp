@@ -11,9 +11,9 @@
 
 namespace polhode {
 
-/// L_x = A_x cn u, L_y = A_y sn u, L_z = A_z dn u with u = u₀ + p t: z is the axis that L circles,
-/// y that of the middle moment, x the third. The amplitudes carry signs, so the axes need not be
-/// right-handed nor the moments ascending [jacobi1849; vanzon2007a, Sec. 3, with positive
+/// L_x = A_x cn u, L_y = A_y sn u, L_z = A_z dn u with u = u₀ + p t. L circles the axis z, the axis
+/// y has the middle moment, and x is the third axis. The amplitudes carry signs, so the axes need
+/// not be right-handed nor the moments ascending [jacobi1849; vanzon2007a, Sec. 3, with positive
 /// amplitudes].
 ///
 /// Every invariant is a sum of terms of one sign, computed from the components; 2E J − L² is never
@@ -65,7 +65,7 @@ class Orbit {
 
   /// sn, cn, dn of p t, with t reduced by `half_periods` times 2K/p.
   struct Elapsed {
-    JacobiFunctions reduced;  ///< at |v| ≤ K
+    JacobiFunctions reduced;  ///< functions at |v| ≤ K
     double half_periods;
     double v;  ///< the reduced argument
   };
@@ -76,8 +76,8 @@ class Orbit {
     return {jacobi_functions(rest, modulus, K), count, rest};
   }
 
-  /// sn, cn, dn of u = u₀ + p t by the addition theorem: no inverse function is needed, since those
-  /// of u₀ are ratios of components of L.
+  /// sn, cn, dn of u = u₀ + p t by the addition theorem. No inverse function is needed, because sn,
+  /// cn, dn of u₀ are ratios of components of L.
   JacobiFunctions at(const Elapsed& v) const {
     const auto [s0, c0, d0] = start_;
     const auto [s, c, d] = v.reduced;

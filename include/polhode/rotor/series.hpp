@@ -63,8 +63,8 @@ Real sine(Real e1, Real e2) {
     return sine<order, derivative, j + 1>(e1, e2) * e2 + row;
 }
 
-/// i_x i_z + i_x i_y - i_y i_z = i_x^2 i_y i_z (J_y + J_z - J_x), arranged so that one very large
-/// inverse moment is multiplied by the difference of the other two: a needle loses no digits.
+/// i_x i_z + i_x i_y - i_y i_z = i_x^2 i_y i_z (J_y + J_z - J_x). One very large inverse moment is
+/// multiplied by the difference of the other two, so a needle loses no digits.
 template <class Real>
 Real triangle(Real x, Real y, Real z) {
   const Mask<Real> ascending = y < z;
@@ -143,12 +143,12 @@ POLHODE_INLINE inline Real angle_sum(const AngleEquation<Real>& of) {
 /// Number of terms, and the largest |omega t| for which they suffice.
 ///
 /// Let b = |omega t|/2. Mass distributions (J_z <= J_x + J_y, cyclic) have |lambda_k| <= omega_k^2,
-/// hence |P|, |Q| <= omega^2, and S is majorised by tan(b) term by term: the truncation error of
+/// hence |P|, |Q| <= omega^2, and S is majorised by tan(b) term by term. The truncation error of
 /// S/tau after term n is below 2 (2b/pi)^(2n+2), 9e-19 and 1e-17 here. The terms d_n of the angle
-/// are polynomials of the shape and of the direction of L, a compact set; their truncation error
-/// was scanned, in extended precision against a Taylor series, over 10^6 bodies down to
-/// J_min/J_max = 1e-6 including the corners (flat needles about the middle axis are the worst):
-/// 1.7e-17 and 2.8e-17. tests/unit/rotor_series_test.cpp repeats part of the scan.
+/// are polynomials of the shape and of the direction of L, a compact set. A scan over 10^6 bodies
+/// down to J_min/J_max = 1e-6, in extended precision against a Taylor series, gave their truncation
+/// errors: 1.7e-17 and 2.8e-17. Flat needles about the middle axis are the worst.
+/// tests/unit/rotor_series_test.cpp repeats part of the scan.
 struct SeriesOrder {
   std::size_t sine, angle;  ///< highest term of S; number of terms of the angle
   double radius;            ///< |omega t| [1]
@@ -159,11 +159,11 @@ inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< truncation error be
 
 /// The rotation of a free body over one step, multiplied by an arbitrary positive number near 1.
 ///
-/// With tau = t/2, S and its companions C, D (C^2 = 1 - Q S^2, D^2 = 1 - P S^2, E = C D = S'), and
-/// M the angular momentum at tau, the addition theorem gives L(t) - L(0) = T s x J^-1 s with
-/// s = L(0) + L(t) and a scalar T. A rotation that carries L(t) to L(0) with such a difference has
-/// a vector part (T J^-1 + delta) s relative to its scalar part, with one scalar delta: the
-/// discrete top of Moser and Veselov with moments corrected by delta [mclachlan2005]. Hence
+/// Let tau = t/2, M the angular momentum at tau, and C^2 = 1 - Q S^2, D^2 = 1 - P S^2, E = C D =
+/// S'. The addition theorem gives L(t) - L(0) = T s x J^-1 s with s = L(0) + L(t) and a scalar T. A
+/// rotation that carries L(t) to L(0) then has a vector part (T J^-1 + delta) s relative to its
+/// scalar part, with one scalar delta. It is the discrete top of Moser and Veselov with moments
+/// corrected by delta [mclachlan2005]. Hence
 ///
 ///     r ~ (1, (M_x/D)(S i_x + S d), M_y (S i_y + S d), (M_z/C)(S i_z + S d)),   i = J^-1,
 ///
@@ -231,16 +231,16 @@ Quaternion<Real> unnormalized_rotation(const Vec3<Real>& inverse_J, const Vec3<R
 }
 
 /// L in the body frame after the rotation r: L - 2 w n x L + 2 n x (n x L). Unlike a product with
-/// the matrix of r, this conserves |L| to a rounding of the small change: |r| has a rounding error
-/// that is the same in every step when the body rotates steadily, and would accumulate.
+/// the matrix of r, this conserves |L| to a rounding of the small change. The rounding error of |r|
+/// is the same in every step of a steady rotation, and would accumulate.
 template <class Real>
 Vec3<Real> momentum_after(const Quaternion<Real>& r, const Vec3<Real>& L) {
   const Vec3<Real> n = r.vector(), c = cross(n, L);
   return L + Real(2) * (cross(n, c) - r.w * c);
 }
 
-/// Free rotation over a step of any size, for numbers and packs: one series within its radius,
-/// beyond it as many equal sub-steps as the fastest lane needs; all lanes are treated alike.
+/// Free rotation over a step of any size, for numbers and packs. It is one series within its
+/// radius, and beyond it as many equal sub-steps as the fastest lane needs, for all lanes.
 ///
 /// @param inverse_J, L, t  as above, |omega t| up to about 20 (beyond that, the closed form is
 ///                         cheaper)

@@ -25,7 +25,7 @@ enum class ExistingFiles {
 /// How a job is named in its outputs, and what it may do to existing ones.
 struct OutputOptions {
   ExistingFiles existing = ExistingFiles::refuse;
-  std::string command = "polhode";  ///< that writes the files, for their headers
+  std::string command = "polhode";  ///< command that writes the files, for their headers
 };
 
 /// The provenance of the files of this process.

@@ -29,9 +29,9 @@ using AnyValue =
                  std::vector<std::string>, Estimate, SeriesEstimate, AxisEstimates,
                  std::vector<std::optional<SeriesEstimate>>, Quantities, std::vector<Quantities>>;
 
-/// What a quantity is: a number, a text, an estimate, a group of quantities, or a list of them.
-/// Those with a label are a row, a title with rows, or a title with a table of which each quantity
-/// with a label is a column.
+/// What a quantity is: a number, a text, an estimate, a group of quantities, or a list of them. A
+/// quantity with a label is a row, a title with rows, or a title with a table whose columns are the
+/// quantities with labels.
 struct Value : AnyValue {
   Value();  ///< null
   Value(bool yes);
@@ -47,7 +47,7 @@ struct Value : AnyValue {
       : Value(std::vector<std::int64_t>(counts.begin(), counts.end())) {}
   Value(std::vector<std::vector<double>> matrix);
   Value(std::vector<std::string> texts);
-  Value(const Estimate& estimate);  ///< in JSON two numbers: "R" and "R_error"
+  Value(const Estimate& estimate);  ///< an estimate, in JSON two numbers: "R" and "R_error"
   Value(const SeriesEstimate& estimate);
   Value(const AxisEstimates& estimates);
   Value(std::vector<std::optional<SeriesEstimate>> estimates);
@@ -64,20 +64,20 @@ struct Value : AnyValue {
 
 /// One result with all that is needed to show it.
 struct Quantity {
-  std::string key;  ///< in JSON, where the unit follows: "potential"; empty: only a row of the text
+  std::string key;  ///< key in JSON, before the unit: "potential"; empty: only a row of the text
   /// "kJ/mol"; "" without one; "[kJ/mol]": not part of the key; "%": a fraction, in percent in the
   /// text.
   std::string unit;
-  /// In that unit; not finite, or null, if it is not known. A group is an object of JSON, and its
-  /// rows are indented below its label.
+  /// The value in that unit; not finite, or null, if it is not known. A group is an object of JSON,
+  /// and its rows are indented below its label.
   Value value;
   std::string doc = {};    ///< meaning of the key, for the manual
-  std::string label = {};  ///< of a row of the text; empty: no row, but the rows of a group
+  std::string label = {};  ///< label of a row of the text; empty: no row, but the rows of a group
   std::string note = {};   ///< follows the value in the text
-  /// In a CSV file; empty: the key, or none in a group; "-": none.
+  /// Column in a CSV file; empty: the key, or none in a group; "-": none.
   std::string column = {};
-  int digits = 4;  ///< of a number in the text
-  /// For those who look closer: such rows come first, so that a text ends with what was asked for.
+  int digits = 4;  ///< digits of a number in the text
+  /// A detail is shown before other rows, so that a text ends with what was asked for.
   bool detail = false;
 };
 
@@ -110,8 +110,8 @@ std::string text_of(const SeriesEstimate& estimate, std::string_view unit = "");
 /// What the text shows of a quantity: a row, a title, or a title with a table.
 struct TextRow {
   std::string label, text{}, doc{};
-  std::size_t level = 0;                          ///< of indentation
-  std::vector<std::vector<std::string>> table{};  ///< its head, and its rows
+  std::size_t level = 0;                          ///< level of indentation
+  std::vector<std::vector<std::string>> table{};  ///< head and rows of a table
   std::vector<bool> left{};                       ///< whether columns of the table are texts
 };
 

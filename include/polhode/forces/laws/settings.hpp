@@ -25,7 +25,7 @@ enum class Truncation {
 /// Electrostatics.
 enum class Electrostatics {
   coulomb,               ///< plain Coulomb law
-  reaction_field,        ///< with a dielectric continuum beyond the cutoff
+  reaction_field,        ///< Coulomb's law with a dielectric continuum beyond the cutoff
   pme,                   ///< smooth particle mesh: pairs within the cutoff, the long-range rest on
                          ///< a mesh
   damped_shifted_force,  ///< damped Coulomb law, shifted to 0 at the cutoff
@@ -46,19 +46,19 @@ struct ForceSettings {
   Electrostatics electrostatics = Electrostatics::coulomb;
   double dielectric = 78.5;  ///< relative permittivity beyond the cutoff, for the reaction field;
                              ///< may be infinite
-  double skin = 0.05;        ///< of the neighbour list [nm]
+  double skin = 0.05;        ///< skin of the neighbour list [nm]
   Precision precision = Precision::double_precision;
   Mixing mixing{};  ///< Lennard-Jones parameters of unlike sites
-  /// For PME: rms error of the electrostatic forces relative to their rms.
+  /// Rms error of the electrostatic forces of PME relative to their rms.
   double pme_accuracy = 1e-4;
-  /// For PME: up to which distance pairs of charges are summed [nm]; if not set, the mesh and this
-  /// cutoff are chosen together. `cutoff` is that of the short-range laws.
+  /// For PME, distance up to which pairs of charges are summed [nm]; if not set, this cutoff and
+  /// the mesh are chosen together. `cutoff` is for the short-range laws.
   std::optional<double> coulomb_cutoff{};
-  double damping = 2;  ///< of the damped shifted force: α [1/nm]
-  /// For PME with the mesh of another program, which splits 1/r by Ewald's Gaussian: its α
-  /// [1/nm]. There is no mesh here then, and pairs are summed up to the cutoff.
+  double damping = 2;  ///< α of the damped shifted force [1/nm]
+  /// α of Ewald's Gaussian split [1/nm], for PME with the mesh of another program. The force field
+  /// then has no mesh, and sums pairs up to the cutoff.
   std::optional<double> ewald_alpha{};
-  /// For PME: the mesh; if not set, the cheapest one of that accuracy is chosen for each box.
+  /// The mesh of PME; if not set, the cheapest mesh of that accuracy is chosen for each box.
   std::optional<MeshSettings> mesh{};
   /// The box for which the mesh was chosen; not set for a mesh that was given, which is kept in
   /// every box.
@@ -66,7 +66,7 @@ struct ForceSettings {
   /// Whether to add the Lennard-Jones energy and pressure beyond the truncation, assuming a uniform
   /// density of sites.
   bool dispersion_correction = false;
-  /// Forces from outside, added to all others; none if null.
+  /// External forces, added to all others; null: none.
   std::shared_ptr<const ExternalForces> external{};
 };
 

@@ -15,9 +15,9 @@
 namespace polhode {
 
 /// Expected rms error of the force on a charge due to the mesh [kJ/mol/nm], for bodies with random
-/// positions and orientations: the mean square error of ballenegger2012 for independent charges,
-/// with the form factor of each body in place of the sum of its squared charges, since the charges
-/// of a neutral body largely cancel at long range.
+/// positions and orientations. It is the error of ballenegger2012 for independent charges, with the
+/// form factor of each body instead of the sum of its squared charges. The charges of a neutral
+/// body largely cancel at long range.
 double expected_mesh_error(const Topology& topology, const Box& box, const MeshSettings& settings);
 
 /// Rough estimate of the rms electrostatic force on a charge in a dense liquid [kJ/mol/nm]: the
@@ -25,10 +25,10 @@ double expected_mesh_error(const Topology& topology, const Box& box, const MeshS
 double typical_force(const Topology& topology, const Box& box);
 
 /// Chooses the fastest mesh whose rms force error is at most a given fraction of the rms
-/// electrostatic force on a charge: grid, order and exponent, and the cutoff of the charges unless
-/// the settings fix it. The shorter this cutoff, the fewer pairs and the finer the mesh. The choice
-/// is a function of the settings and the current box alone, and so is the energy, as sampling at
-/// constant pressure requires.
+/// electrostatic force on a charge. The choice has grid, order, exponent, and the cutoff of the
+/// charges unless the settings fix it. A shorter cutoff has fewer pairs and a finer mesh. The
+/// choice depends only on the settings and the current box, and so does the energy, as constant
+/// pressure requires.
 class MeshChoice {
  public:
   /// @param settings  with the accuracy and the cutoffs

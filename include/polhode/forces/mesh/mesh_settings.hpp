@@ -11,7 +11,7 @@ struct MeshSettings {
   static constexpr int min_order = 4, max_order = 8;
 
   std::array<std::size_t, 3> points{16, 16, 16};  ///< grid points along each edge
-  int order = 5;                                  ///< of the B-splines
+  int order = 5;                                  ///< order of the B-splines
   int exponent = 6;                               ///< m of the split
   double cutoff = 1.0;                            ///< a of the split [nm]
 

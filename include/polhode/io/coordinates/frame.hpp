@@ -14,7 +14,7 @@
 
 namespace polhode {
 
-/// What atoms of the same name have in common: stored once, for frames with many atoms.
+/// Properties of all atoms of the same name, stored once for frames with many atoms.
 struct AtomKind {
   std::string residue_name;  ///< "SOL"
   std::string name;          ///< "OW"
@@ -59,27 +59,27 @@ std::vector<AtomKind> atom_kinds(const Topology& topology, MasslessSites massles
 void each_atom(const State& state, const Topology& topology, MasslessSites massless,
                const std::function<void(const Atom&)>& visit);
 std::size_t atom_count(const Topology& topology, MasslessSites massless = MasslessSites::keep);
-std::string title_of(const State& state);  ///< of such a frame: includes the time [ps]
+std::string title_of(const State& state);  ///< title of such a frame, with the time [ps]
 
 /// Rigid bodies fitted to a frame.
 struct FittedState {
-  State state;                  ///< at time 0
+  State state;                  ///< state at time 0
   bool has_velocities = false;  ///< otherwise all momenta are zero
   double deviation = 0;         ///< largest distance of an atom with mass from its site [nm]
-  /// The same for massless sites [nm]; any value is possible, since their positions in the file are
-  /// ignored and follow from the other sites.
+  /// Largest deviation of massless sites [nm]. It may have any value, because their positions in
+  /// the file are ignored and follow from the other sites.
   double massless_deviation = 0;
 };
 
 /// Fits rigid bodies to atoms. Atoms are assigned to the topology's bodies in order; sites without
 /// mass may be missing. Molecules broken across the boundary are made whole; orientations minimize
-/// Σ m |Δr|² [horn1987], and momenta are those of the atoms: p = Σ m v, ℓ = Σ m (r − q) × v.
-/// @throws Error  if atoms do not match sites, are too few or too many, or if those with mass are
+/// Σ m |Δr|² [horn1987]. Momenta are sums over atoms: p = Σ m v, ℓ = Σ m (r − q) × v.
+/// @throws Error  if atoms do not match sites, are too few or too many, or if atoms with mass are
 ///                farther than `fit_tolerance` from the model
 FittedState fit_state(const Frame& frame, const Topology& topology);
 
-/// Largest allowed distance of atoms from the sites of a rigid model [nm]: the geometries of water
-/// models differ by up to 0.01 nm, another isomer by more than twice that.
+/// Largest allowed distance of atoms from the sites of a rigid model [nm]. The geometries of water
+/// models differ by up to 0.01 nm, and other isomers by more than 0.02 nm.
 inline constexpr double fit_tolerance = 0.02;
 
 /// The topology with its only count, if it is 0, set to the number of molecules in the frame.

@@ -31,9 +31,9 @@ class FrameReader {
 };
 
 /// Opens a file; the format is chosen by the file extension.
-/// @param names  kinds and residues of the atoms for formats without names (XTC, TRR, DCD), in the
-///               order of the file; if null, all such atoms are of one unnamed kind
-/// @throws Error  if the file cannot be read or its extension is not that of a format
+/// @param names  kinds and residues of atoms for formats without names (XTC, TRR, DCD), in the
+///               order of the file; if null, all of them are of one unnamed kind
+/// @throws Error  if the file cannot be read or its extension belongs to no format
 std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names = nullptr);
 
 /// Opens a dump file of LAMMPS with particles, each of which is a molecule of the topology, in the
@@ -42,7 +42,7 @@ std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* n
 std::unique_ptr<FrameReader> open_particle_frames(const std::string& path,
                                                   const Topology& topology);
 
-/// As open_frames(), from a stream, which must outlive the reader.
+/// Reads frames from a stream, which must outlive the reader, as open_frames() does from a file.
 /// @param format  its extension, such as "gro"
 /// @param file    its name in errors
 std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view format,
@@ -59,7 +59,7 @@ struct FileMark {
 /// A named number per frame, for formats that store such numbers besides the atoms.
 struct FrameNumber {
   std::string_view name;  ///< "potential_energy"
-  std::string_view unit;  ///< in the notation of H5MD: "kJ mol-1"
+  std::string_view unit;  ///< unit in the notation of H5MD, "kJ mol-1"
   double value;
 };
 
@@ -70,8 +70,8 @@ class FrameWriter {
   /// Appends the frame of a state; formats that store bodies write them as well.
   /// @throws RunError  if the file cannot be written completely
   virtual void write(const State& state) = 0;
-  /// The same with observables, which must be the same for every frame; formats that cannot store
-  /// them ignore them.
+  /// Writes a frame with observables, which must be the same for every frame; formats that cannot
+  /// store them ignore them.
   virtual void write(const State& state, std::span<const FrameNumber> /*observables*/) {
     write(state);
   }
@@ -81,10 +81,10 @@ class FrameWriter {
   virtual FileMark mark() = 0;
 };
 
-/// Which data of a state to write.
+/// Selects the data of a state to write.
 struct FrameChoice {
   MasslessSites massless = MasslessSites::keep;
-  bool velocities = true;  ///< if the format has them
+  bool velocities = true;  ///< writes velocities if the format has them
 };
 
 /// Creates a file, replacing an existing one.
@@ -107,10 +107,10 @@ void check_fit(const std::string& path, const State& state, const Topology& topo
                const FrameChoice& choice = {});
 
 /// What the format with a given file extension can store.
-/// @throws Error  if the extension is not that of a format
+/// @throws Error  if the extension belongs to no format
 struct FormatTraits {
-  bool names;       ///< of atoms
-  bool velocities;  ///< of atoms
+  bool names;       ///< stores names of atoms
+  bool velocities;  ///< stores velocities of atoms
 };
 FormatTraits format_traits(const std::string& path);
 

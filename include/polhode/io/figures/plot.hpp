@@ -27,7 +27,7 @@ bool run_gnuplot(const std::string& script, std::ostream& warnings,
 
 /// The energies of a run against time.
 struct EnergyFigure {
-  std::string csv;  ///< with the columns "time [ps]", "potential [kJ/mol]" and that of `energy`
+  std::string csv;  ///< with the columns "time [ps]", "potential [kJ/mol]" and `energy`
   std::string title;
   std::string energy = "conserved";  ///< the energy of the upper panel: "conserved" or "total"
   std::string ratio{};               ///< R as the summary has it, "0.056 ± 0.003 %"; empty: none
@@ -46,8 +46,8 @@ struct CurvesFigure {
   double left = 0, right = 1;  ///< ends of the common horizontal axis
   std::size_t across = 0;      ///< panels in a row; 0: as many as are readable
   struct Curve {
-    std::string name;       ///< in the legend; empty: not there
-    std::size_t column;     ///< in the file, from 1
+    std::string name;       ///< name in the legend; empty: not in the legend
+    std::size_t column;     ///< column of the file, from 1
     std::size_t error = 0;  ///< column of its standard errors, drawn as a band; 0: none
   };
   /// A straight line between two points, such as a fit.
@@ -73,14 +73,14 @@ bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ost
 struct EfficiencyMark {
   double cost;               ///< force evaluations per ps
   double ratio;              ///< R = rms of E divided by rms of V [1]
-  double error;              ///< of R [1]
+  double error;              ///< standard error of R [1]
   bool stable = true;        ///< false: the step is too large for the scheme; not drawn
   bool at_rounding = false;  ///< R is dominated by rounding
 };
 
 struct EfficiencyCurve {
   std::string scheme;
-  std::vector<EfficiencyMark> marks;  ///< in any order
+  std::vector<EfficiencyMark> marks;  ///< marks in any order
 };
 
 struct EfficiencyFigure {
@@ -100,7 +100,7 @@ bool efficiency_plot(const std::string& prefix, const EfficiencyFigure& figure,
 struct AdviceMark {
   double seconds;  ///< wall-clock time per simulated ps
   double ratio;    ///< R [1]
-  double error;    ///< of R [1]
+  double error;    ///< standard error of R [1]
 };
 
 struct AdviceCurve {
@@ -129,13 +129,13 @@ struct CanonicalPanel {
 /// A scheme's values of all panels at one step; not numbers where they are unknown.
 struct CanonicalMark {
   double cost = 0;                                ///< force evaluations per ps
-  std::vector<std::pair<double, double>> values;  ///< with standard errors, one for each panel
+  std::vector<std::pair<double, double>> values;  ///< values with errors, one for each panel
 };
 
 struct CanonicalFigure {
   struct Curve {
     std::string scheme;
-    std::vector<CanonicalMark> marks;  ///< in any order
+    std::vector<CanonicalMark> marks;  ///< marks in any order
   };
   std::vector<CanonicalPanel> panels;
   std::vector<Curve> curves;
@@ -147,8 +147,8 @@ struct CanonicalFigure {
 bool canonical_plot(const std::string& prefix, const CanonicalFigure& figure,
                     const std::string& format, std::ostream& warnings);
 
-/// A free top, and a file of curves with three columns for ω, in blocks separated by two blank
-/// lines: the inertia ellipsoid as a grid, polhodes of the same energy, the top's own, its ω.
+/// A free top, and a file with blocks of ω in three columns, separated by two blank lines: inertia
+/// ellipsoid, polhodes of the same energy, the top's polhode, ω.
 struct PolhodeFigure {
   std::string data;
   Vec3<double> J, L;  ///< principal moments and body-frame angular momentum, any consistent units

@@ -7,13 +7,13 @@
 
 namespace polhode {
 
-/// Locks a file for this process by flock(2): the system releases it when the process ends, for
-/// whatever reason, and NFS passes it on to other computers. The file names the process that holds
-/// the lock and is removed with it; one that a killed process left behind locks nothing.
+/// Locks a file for this process by flock(2). The system releases the lock when the process ends,
+/// for whatever reason, and NFS passes it on to other computers. The file names the process and is
+/// removed with the lock. A file that a killed process left behind locks nothing.
 class FileLock {
  public:
-  /// @throws Error  if another process holds the lock, with that process, its host and the time; if
-  ///                the file contains anything but the text of a lock, or cannot be written
+  /// @throws Error  if another process holds the lock, with process, host and time; if the file
+  ///                contains anything but the text of a lock, or cannot be written
   explicit FileLock(std::string path);
   ~FileLock();
   FileLock(const FileLock&) = delete;

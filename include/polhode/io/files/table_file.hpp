@@ -19,8 +19,8 @@ namespace polhode {
 
 /// How an output was made; the same lines begin every file.
 struct Provenance {
-  std::string version;          ///< of the program
-  std::string command;          ///< as typed
+  std::string version;          ///< version of the program
+  std::string command;          ///< command as typed
   std::string config;           ///< text of the run file
   std::string instruction_set;  ///< instruction set
   std::uint64_t seed = 0;
@@ -47,8 +47,8 @@ struct Table {
 };
 
 /// CSV: a line "time [ps],potential [kJ/mol]", "# " lines of provenance, then the rows. NaN is
-/// written as an empty field. The names come first, since numpy reads them from the first line even
-/// if that is a comment.
+/// written as an empty field. The names come first, because numpy reads them from the first line,
+/// even from a comment.
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance);
 
 /// Position at the end of a growing table.
@@ -90,7 +90,7 @@ class TableReader {
   /// @param columns  of which the last may be missing
   /// @throws Error  if the file cannot be read, or has other columns
   TableReader(const std::string& path, const std::vector<Table::Column>& columns);
-  /// False at the end of the file.
+  /// Reads the next row; false at the end of the file.
   /// @throws Error  if a row is not complete
   bool next(std::vector<double>& row);
 
@@ -107,10 +107,10 @@ void each_row(const std::string& path, std::uint64_t bytes,
               const std::vector<Table::Column>& columns,
               const std::function<void(std::span<const double>)>& visit);
 
-/// Throws if the file exists and `force` is not given, if it is a folder or a device, if its folder
-/// cannot be written to, or if its name is too long, has control characters or is not UTF-8; call
-/// it before anything is computed. A symbolic link exists, whatever its target: with `force` the
-/// link is replaced, and its target stays.
+/// Throws if the file exists and `force` is not given, or if it is a folder or a device. Also
+/// throws if its folder cannot be written to, or if its name is too long, has control characters or
+/// is not UTF-8. Call it before anything is computed. A symbolic link exists, whatever its target.
+/// With `force` the link is replaced, and its target stays.
 void refuse_existing(const std::string& path, bool force);
 
 /// Writes a file completely or not at all (io/draft.hpp).

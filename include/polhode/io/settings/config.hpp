@@ -36,7 +36,7 @@ struct SystemSettings {
   std::optional<double> density;    ///< [u/nm³], if there is no initial configuration
   std::optional<Vec3<double>> box;  ///< [nm], if there is no initial configuration
   double temperature = 297;         ///< [K]
-  /// Whether velocities are drawn, or must be those of the initial configuration; nothing: drawn
+  /// Whether velocities are drawn; if false, the initial configuration must have them; empty: drawn
   /// unless it has some.
   std::optional<bool> new_velocities{};
   std::uint64_t seed = 1;
@@ -47,7 +47,7 @@ struct SystemSettings {
   std::string checkpoint{};
 };
 
-/// The molecule of a component: its own, or that of its model.
+/// The molecule of a component: its own, or the molecule of its model.
 /// @throws Error  if there is no such model
 Molecule molecule_of(const SystemSettings::Component& component);
 
@@ -58,9 +58,9 @@ struct IntegratorSettings {
   /// Schemes that the adviser chooses from.
   std::vector<NamedScheme> candidates = {"velocity-verlet", "hoa2", "bcss3", "gier4-fd"};
   double step = 0.002;  ///< [ps]
-  /// For the finite-difference gradient [vanzon2008, Eq. 6]. Default: 1e-4 in double precision, 1
-  /// in mixed precision, because the rounding of the forces is amplified by 1/lambda, while the
-  /// order of a scheme does not depend on it.
+  /// Displacement of the finite-difference gradient [vanzon2008, Eq. 6]. The default is 1e-4 in
+  /// double precision, and 1 in mixed precision, because 1/lambda amplifies the rounding of the
+  /// forces. The order of a scheme does not depend on it.
   double lambda = 1e-4;
 };
 
@@ -69,24 +69,24 @@ struct RunSettings {
   double equilibrate = 0;  ///< [ps], with velocity rescaling
   double length = 15;      ///< [ps]
   double sample = 0.004;   ///< interval between samples of the energies [ps]
-  /// The same for the shadow energy [ps]; 0: none; default: a hundred steps, for schemes that have
-  /// one.
+  /// Interval between samples of the shadow energy [ps]; 0: none; default: 100 steps, for schemes
+  /// that have a shadow energy.
   std::optional<double> shadow_sample;
-  double configurational_sample = 0;  ///< the same for configurational temperatures [ps]; 0: none
+  double configurational_sample = 0;  ///< interval of configurational temperatures [ps]; 0: none
 };
 
 /// Lengths of the parts of a preparation.
 struct PreparationSettings {
-  double nvt = 20;   ///< at constant volume [ps]
-  double npt = 100;  ///< then at constant pressure, if there is one to keep [ps]
+  double nvt = 20;   ///< length at constant volume [ps]
+  double npt = 100;  ///< length at constant pressure after it, with a barostat [ps]
 };
 
 struct OutputSettings {
-  std::string prefix = "polhode-run";  ///< of all output files
+  std::string prefix = "polhode-run";  ///< prefix of all output files
   double trajectory_every = 0.1;       ///< [ps]; 0: no trajectory
   std::vector<std::string> formats = {"xyz", "gro"};
-  bool massless_sites = true;     ///< in trajectories
-  bool velocities = true;         ///< in trajectories, if the format has them
+  bool massless_sites = true;     ///< writes massless sites to trajectories
+  bool velocities = true;         ///< writes velocities to trajectories, if the format has them
   std::string plot = "svg";       ///< "svg", "png" or "none"
   double checkpoint_every = 300;  ///< interval in wall-clock time [s]
 
@@ -110,7 +110,7 @@ struct StudySettings {
   bool coarse = false;        ///< a ladder with fewer steps
   StudyEnsemble ensemble = StudyEnsemble::nve;
   int runs = 10;                      ///< independent initial configurations per point
-  double length = 15;                 ///< of each run [ps]
+  double length = 15;                 ///< length of each run [ps]
   double decorrelate = 10;            ///< equilibration of each initial configuration after drawing
                                       ///< new momenta [ps]
   double configurational_sample = 0;  ///< interval of configurational temperatures [ps]; 0: none
@@ -130,18 +130,18 @@ struct Config {
   OwnSchemes schemes;
   EnsembleSettings ensemble;         ///< thermostat, barostat, hybrid Monte Carlo
   std::string source;                ///< path of the file, or "default"
-  std::string text;                  ///< as read; its hash identifies outputs
-  std::vector<std::string> notes{};  ///< on what an overlay selected by default
+  std::string text;                  ///< text as read; its hash identifies outputs
+  std::vector<std::string> notes{};  ///< notes on what an overlay selected by default
 
   /// A setting as the run file has it.
   struct Given {
-    std::string value;  ///< as written, "\"1 nm\""
+    std::string value;  ///< value as written, "\"1 nm\""
     std::string place;  ///< "water.toml:9, forces.cutoff"
   };
-  std::map<std::string, Given, std::less<>> given;  ///< by path, such as "forces.cutoff"
+  std::map<std::string, Given, std::less<>> given;  ///< settings by path, such as "forces.cutoff"
 
   bool gives(std::string_view path) const { return given.contains(path); }
-  /// Where a setting is from, for errors; the source if it has its default.
+  /// The place of a setting, for errors; the source if it has its default.
   const std::string& place(std::string_view path) const {
     const auto found = given.find(path);
     return found == given.end() ? source : found->second.place;
@@ -152,20 +152,20 @@ struct Config {
 /// texts.
 std::string with_own_schemes(const std::string& text, const OwnSchemes& own);
 
-/// What is wrong with the temperature of a run; empty if nothing. 0 K has a meaning with a
-/// thermostat only.
+/// Reason why the temperature of a run is invalid; empty if it is valid. 0 K needs a
+/// thermostat.
 std::string wrong_temperature(const Config& config);
 
-/// In mixed precision: the default of lambda, and the smallest value accepted.
+/// Default of lambda in mixed precision, and the smallest accepted value.
 inline constexpr double lambda_in_mixed = 1, min_lambda_in_mixed = 0.1;
 
-/// Sets the precision of a run, overriding that of the run file, and a suitable lambda if the run
-/// file has none.
+/// Sets the precision of a run, overriding the run file, and a suitable lambda if the run file has
+/// none.
 /// @throws Error  if the run file's lambda is too small for mixed precision
 void set_precision(Config& config, Precision precision);
 
 /// Reads and checks a run file. A relative path in it is relative to the file.
-/// @param overlay  settings that override those of the file; the place of an error names the option
+/// @param overlay  settings that override the file; the place of an error names the option
 /// @throws Error  with file, line and key; also if its name has control characters
 Config read_config(const std::string& path, const Overlay& overlay = {});
 

@@ -35,11 +35,11 @@ struct NamedScheme : NestedScheme {
 /// @throws Error  if it is
 Scheme single_scheme_of(const NamedScheme& scheme);
 
-/// The same as text: the names of schemes that have one, otherwise their stages.
+/// A nested scheme as text: the names of schemes that have one, otherwise their stages.
 std::string name_of(const NestedScheme& scheme);
 
-/// The label of a scheme in tables and figures: its own name if it has one; otherwise the text with
-/// single spaces between its words, or the stages if it defines names.
+/// The label of a scheme in tables and figures. It is the scheme's name if it has one, otherwise
+/// the text with single spaces between its words, or the stages if the text defines names.
 std::string label_of(const NamedScheme& scheme);
 
 /// Names of the table, and stages with user-given names, as text that nested_scheme_of() reads back

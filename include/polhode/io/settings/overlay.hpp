@@ -11,13 +11,13 @@ namespace polhode {
 /// A setting with its value, which is read as its key expects.
 struct Override {
   std::string key;                  ///< "integrator.step", or a list of tables: "pair"
-  std::vector<std::string> values;  ///< a text, also of a number, "4", or those of a list
+  std::vector<std::string> values;  ///< a text, also of a number, "4", or the texts of a list
   std::string place;                ///< the option that has it, "--step", for errors
   std::string toml{};               ///< the value as in a run file; empty: the texts are it
 };
 
 struct Overlay {
-  std::vector<Override> settings;  ///< of two with one key the last has precedence
+  std::vector<Override> settings;  ///< overrides; the last one of a key has precedence
   /// Whether a pressure selects a thermostat where the run file has neither one nor hybrid Monte
   /// Carlo.
   bool pressure_selects_thermostat = true;

@@ -7,13 +7,13 @@
 
 namespace polhode {
 
-/// Of which quantity the error is bounded.
+/// The quantity whose error is bounded.
 enum class RequiredOf {
   ratio,                   ///< R [1]
   temperature_difference,  ///< bias of T_rot − T_trans [K]
   energy,                  ///< bias of the potential energy per molecule [kJ/mol]
-  pressure,                ///< its bias [kJ/mol/nm³]
-  density                  ///< its relative bias at constant pressure [1]
+  pressure,                ///< bias of the pressure [kJ/mol/nm³]
+  density                  ///< relative bias of the density at constant pressure [1]
 };
 
 struct Requirement {
@@ -22,10 +22,10 @@ struct Requirement {
   friend bool operator==(const Requirement&, const Requirement&) = default;
 };
 
-/// Empty if R can be bounded so, otherwise why not.
+/// Reason why R cannot be bounded by this value; empty if it can.
 std::string wrong_bound(double ratio);
 
-/// Whether a text is about the bias of an average and not about R: not whether it is valid.
+/// Whether a text is about the bias of an average, not R; it need not be valid.
 bool is_of_bias(const std::string& text);
 
 /// "0.1 K", "energy 0.01 kJ/mol", "pressure 4 bar", "density 0.02 %".

@@ -9,7 +9,7 @@
 namespace polhode {
 
 struct TextPlace {
-  std::shared_ptr<const std::string> file;  ///< its name, stored once for all its lines
+  std::shared_ptr<const std::string> file;  ///< name of the file, stored once for all its lines
   std::size_t line = 0;                     ///< starting at 1
 };
 

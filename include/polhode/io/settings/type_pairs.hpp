@@ -15,7 +15,7 @@ namespace polhode {
 struct TypedSite {
   std::string name;  ///< "SOL.OW"
   std::string type;
-  double epsilon;  ///< its own parameter [kJ/mol]
+  double epsilon;  ///< ε of the site [kJ/mol]
   ShortRangeLaw law{};
 };
 

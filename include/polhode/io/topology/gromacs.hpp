@@ -22,7 +22,7 @@
 
 namespace polhode {
 
-/// A file as a loader gives it: with the name that errors call it by.
+/// The text of a file, and the name that errors use for it.
 struct LoadedText {
   std::string file, text;
 };
@@ -36,14 +36,14 @@ using IncludeLoader =
 /// One line of `[ atomtypes ]`.
 struct GromacsAtomType {
   std::string name;
-  std::string bonded;     ///< its name in [ bondtypes ] and the like
+  std::string bonded;     ///< name of the type in [ bondtypes ] and the like
   int atomic_number = 0;  ///< 0: not given
   double mass = 0;        ///< [u]
   double charge = 0;      ///< [e]
   double sigma = 0;       ///< [nm]
   double epsilon = 0;     ///< [kJ/mol]
   ShortRangeLaw law{};
-  bool one_sided = false;  ///< only one of C6 and C12 is 0: not expressible by sigma and epsilon
+  bool one_sided = false;  ///< one of C6 and C12 is 0, which sigma and epsilon cannot express
   TextPlace place;
 
   bool same_parameters(const GromacsAtomType& other) const {
@@ -65,7 +65,7 @@ struct GromacsRelation {
   Kind kind;
   std::uint8_t function = 1;
   std::uint8_t given = 0;                ///< how many numbers
-  std::array<std::uint32_t, 4> atoms{};  ///< of a virtual site: itself first
+  std::array<std::uint32_t, 4> atoms{};  ///< atoms; a virtual site is the first of its atoms
   std::array<double, 3> numbers{};       ///< lengths [nm], angles [degrees], weights
   TextPlace place;
 };
@@ -89,14 +89,14 @@ struct GromacsTopology {
   std::string title;
   MixingRule rule = MixingRule::geometric;
   std::map<std::string, GromacsAtomType> types;
-  std::vector<TypePair> pairs;  ///< of `[ nonbond_params ]`
+  std::vector<TypePair> pairs;  ///< pairs of `[ nonbond_params ]`
   GromacsEquilibrium equilibrium;
   std::vector<GromacsMolecule> molecules;
   struct Block {
     std::size_t molecule;  ///< index into `molecules`
     std::size_t count;
   };
-  std::vector<Block> blocks;  ///< of `[ molecules ]`, in its order
+  std::vector<Block> blocks;  ///< blocks of `[ molecules ]`, in its order
   std::string file;
 };
 
@@ -108,12 +108,12 @@ GromacsTopology parse_gromacs(std::string_view text, const std::string& file,
                               const IncludeLoader& loader,
                               const std::vector<std::string>& defines = {});
 
-/// Finds includes as GROMACS does: next to the including file, then in `folders`, in those of
-/// the environment (GMXLIB, GMXDATA) and where GROMACS's data is installed.
+/// Finds includes as GROMACS does: next to the including file, in `folders`, in the folders of the
+/// environment (GMXLIB, GMXDATA), and where GROMACS's data is installed.
 IncludeLoader file_loader(std::vector<std::string> folders);
 
-/// The distances between the real atoms of a molecule that its settles and constraints fix or, with
-/// `Held::by_bonds`, those at the minima of its bonds and angles as well.
+/// The distances between real atoms that make a molecule rigid: fixed by settles and constraints,
+/// or with `by_bonds` also at the minima of its bonds and angles.
 enum class Rigidity { by_constraints, by_bonds };
 std::vector<Distance> constrained_distances(const GromacsTopology& topology,
                                             const GromacsMolecule& molecule, Rigidity rigidity);

@@ -30,10 +30,10 @@ struct TopologySettings {
 struct RigidTopology {
   Topology topology;
   Mixing mixing;
-  bool rule_is_open = false;         ///< the file has no mixing rule, so that of the run file
+  bool rule_is_open = false;         ///< the file has no mixing rule, so the rule of the run file
                                      ///< applies
-  bool rule_matters = false;         ///< and some pairs use it
-  std::vector<std::string> origins;  ///< for each part: how its shape was determined
+  bool rule_matters = false;         ///< whether some pairs use the mixing rule
+  std::vector<std::string> origins;  ///< how the shape of each part was determined
   /// Shapes by molecule type, in the principal frame, which the topology does not determine: given,
   /// or taken from the initial configuration.
   std::map<std::string, Shape> shapes{};
@@ -48,10 +48,10 @@ bool is_data_file(const std::string& path);
 /// @throws Error  with file and line
 RigidTopology read_topology(const TopologySettings& settings, const Frame* start);
 
-/// The molecules of a GROMACS topology as rigid bodies: those in `shapes` have that shape; those in
-/// `rigid` have the shape in which their bonds and angles are at their minimum, if that determines
-/// the shape, otherwise the mean shape of those in the initial configuration; the shape of all
-/// others is determined by settles and constraints.
+/// The molecules of a GROMACS topology as rigid bodies. Molecules in `shapes` have the given shape.
+/// Molecules in `rigid` have the shape in which their bonds and angles are at their minimum, if
+/// this determines a shape, otherwise the mean shape in the initial configuration. Settles and
+/// constraints determine the shape of all other molecules.
 /// @throws Error  if a molecule is not rigid, with the reason
 RigidTopology rigid_topology(const GromacsTopology& gromacs, const TopologySettings& settings,
                              const Frame* start);

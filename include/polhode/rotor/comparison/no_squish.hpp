@@ -17,9 +17,9 @@ SineCosine<Real> small_sine_cosine(Real x) {
   return {x * f.sine, f.cosine};
 }
 
-/// The free rotation of quaternion q and its conjugate momentum p = 2 q (0, L) over a step t: e^{z
-/// t/2} e^{y t/2} e^{x t} e^{y t/2} e^{z t/2}, where each factor rotates both by an angle about
-/// axis k [miller2002, Eq. 2.19 and Sec. II C].
+/// The free rotation of quaternion q and its conjugate momentum p = 2 q (0, L) over a step t:
+/// e^{zt/2} e^{yt/2} e^{xt} e^{yt/2} e^{zt/2}. Each factor rotates both by an angle about axis k
+/// [miller2002, Eq. 2.19 and Sec. II C].
 ///
 /// @param sine_cosine  returns sin and cos of half the angle ω_k t
 template <class Real, class Function>

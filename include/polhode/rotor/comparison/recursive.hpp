@@ -16,9 +16,9 @@ inline constexpr std::size_t max_terms = 14;
 using Series = std::array<double, max_terms>;
 
 /// Taylor coefficients of φ'(s) h, where the time is s h, about the point where the angular
-/// momentum is L: Euler's equations determine the derivatives, and φ' = |L|
-/// (L_i²/J_i + L_j²/J_j)/(L_i² + L_j²), with i and j perpendicular to `axis`, is a quotient of two
-/// series.
+/// momentum is L. Euler's equations determine the derivatives. φ' = |L| (L_i²/J_i +
+/// L_j²/J_j)/(L_i² + L_j²) is a quotient of two series, with i and j perpendicular to
+/// `axis`.
 inline Series angle_rate(const Vec3<double>& J, const Vec3<double>& L, double norm_L,
                          std::size_t axis, double h) {
   std::array<Vec3<double>, max_terms> l;
@@ -71,9 +71,9 @@ inline double hermite_quadrature(const Series& from, const Series& to) {
 
 }  // namespace recursive
 
-/// Free rotation by the recursive method: L by the addition theorem, the angle about L by two-point
-/// Hermite quadrature. Intended for steps with |ω t| ≤ 0.5; longer times are divided into such
-/// steps, whose L are all computed from the initial one (so errors do not accumulate) and whose
+/// Free rotation by the recursive method: L by the addition theorem, the angle about L by
+/// two-point Hermite quadrature. Intended for steps with |ω t| ≤ 0.5. Longer times are divided
+/// into such steps. Every L is computed from the initial L, so errors do not accumulate, and
 /// angles are summed with compensation. For a million steps or more, the closed form is used
 /// instead.
 ///

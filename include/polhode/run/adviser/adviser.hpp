@@ -28,10 +28,10 @@ struct AdviserSettings {
 struct Candidate {
   std::string name;  ///< or its text
   Scheme scheme;
-  std::vector<AdviserPoint> points;  ///< by growing step
-  std::optional<StepModel> model;    ///< of R, if R is required
+  std::vector<AdviserPoint> points;  ///< points by growing step
+  std::optional<StepModel> model;    ///< model of R, if R is required
   double step = 0;                   ///< expected to meet the bound [ps]; 0: there is none
-  double seconds = 0;                ///< of wall-clock time for a simulated ps with that step
+  double seconds = 0;                ///< wall-clock time of a simulated ps with that step
   std::string obstacle;              ///< why there is no step
 
   double ns_per_day() const { return seconds > 0 ? 86.4 / seconds : 0; }

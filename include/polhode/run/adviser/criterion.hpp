@@ -15,11 +15,11 @@
 
 namespace polhode {
 
-/// What one run shows about its scheme and step.
+/// Results of one run for its scheme and step.
 struct Outcome {
   std::string failure;        ///< why it blew up; empty if it did not
   double ratio = 0;           ///< R
-  double drift = 0;           ///< of the total energy per molecule [kJ/mol/ps]
+  double drift = 0;           ///< drift of the total energy per molecule [kJ/mol/ps]
   Temperatures temperatures;  ///< means over the run
   /// Configurational temperatures over the run [K], 0 for motions without forces; nothing where
   /// they were not requested.
@@ -27,11 +27,11 @@ struct Outcome {
   /// T_k/T − 1 of translation and of rotation about each principal axis; 0 without such motion.
   std::array<double, 4> bias{};
   double temperature_difference = 0;  ///< bias of T_rot − T_trans by the step, predicted [K]
-  double translation_bias = 0;        ///< of the kinetic energy of translation, the same [kJ/mol]
-  double energy_bias = 0;             ///< of the potential energy per molecule, the same [kJ/mol]
-  double pressure_bias = 0;           ///< the same [kJ/mol/nm³]
-  /// Standard errors that these have in common in all runs, from their conversion to the ensemble
-  /// of the run file.
+  double translation_bias = 0;        ///< bias of the kinetic energy of translation [kJ/mol]
+  double energy_bias = 0;             ///< bias of the potential energy per molecule [kJ/mol]
+  double pressure_bias = 0;           ///< bias of the pressure [kJ/mol/nm³]
+  /// Standard errors common to all runs, from the conversion of these biases to the ensemble of the
+  /// run file.
   double energy_bias_error = 0, pressure_bias_error = 0;
   double rounding = 0;  ///< R of rounding alone, estimated; 0 in double precision
 };
@@ -40,11 +40,11 @@ Outcome outcome(const System& system, const Trajectory& trajectory);
 
 enum class Quality {
   ratio,             ///< R of a run [1]
-  drift,             ///< of the total energy per molecule, its size [kJ/mol/ps]
+  drift,             ///< |drift| of the total energy per molecule [kJ/mol/ps]
   temperature_bias,  ///< the largest |T_k/T − 1| of translation and rotation about each axis [1]
   temperature_difference,  ///< bias of T_rot − T_trans, its size [K]
-  energy_bias,             ///< of the potential energy per molecule, its size [kJ/mol]
-  pressure_bias            ///< its size [kJ/mol/nm³]
+  energy_bias,             ///< |bias| of the potential energy per molecule [kJ/mol]
+  pressure_bias            ///< |bias| of the pressure [kJ/mol/nm³]
 };
 
 template <>
@@ -66,15 +66,15 @@ Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& e
 inline constexpr double guarantee_probability = 0.975;
 
 /// The bound below which the quality stays with guarantee_probability. For R it is a bound for a
-/// new run. A single run is too noisy to show energy drift or bias, which are properties of scheme
-/// and step, so for these it bounds the mean over infinitely many runs. The bias is the largest of
-/// several, and each has its share of the error probability. Errors that all runs have in common
-/// are added in quadrature, twice the standard error. Infinite if a run blew up.
+/// new run. A single run is too noisy to show energy drift or bias, so their bound is for the mean
+/// over infinitely many runs. A bias is the largest of several, and each has its share of the error
+/// probability. Errors that all runs have in common are added in quadrature, twice the standard
+/// error. Infinite if a run blew up.
 double upper_bound(Quality quality, const std::vector<Outcome>& runs);
 
 /// The smallest upper_bound() of R that runs can still have at their full length, from a part of
-/// it: R grows with the length, and its scatter decreases no faster than that of independent parts,
-/// as the root of the length.
+/// it. R grows with the length. Its scatter decreases at most as the square root of the length, as
+/// for independent parts.
 /// @param part  of the length, above 0 and at most 1
 double optimistic_bound(const std::vector<Outcome>& runs, double part);
 
@@ -90,13 +90,13 @@ bool blew_up(const std::vector<Outcome>& runs);
 /// Runs of one scheme with one step, one from each initial configuration.
 struct AdviserPoint {
   double step = 0;    ///< [ps]
-  double length = 0;  ///< of each run [ps]
+  double length = 0;  ///< length of each run [ps]
   std::vector<Outcome> runs;
   double bound = 0;     ///< upper_bound() of the runs
   bool usable = false;  ///< none blew up, and the energies do not drift
 
   Estimate ratio() const;  ///< R, mean over the runs
-  Estimate drift() const;  ///< per molecule, mean over the runs [kJ/mol/ps]
+  Estimate drift() const;  ///< energy drift per molecule, mean over the runs [kJ/mol/ps]
   /// T_k/T − 1 of translation (0) or of rotation about an axis (1 to 3), mean over the runs; error
   /// 0 without such motion.
   Estimate bias(std::size_t kind) const;

@@ -16,7 +16,7 @@ namespace polhode {
 
 struct Guarantee {
   Requirement accuracy;
-  double length = 0;  ///< of the sections of a run to which a bound on R applies [ps]
+  double length = 0;  ///< length of the sections of a run to which a bound on R applies [ps]
   Estimate expected;  ///< R, mean of the confirming runs
 };
 
@@ -38,13 +38,13 @@ Guarantee read_guarantee(const std::string& file, Config& config);
 
 struct GuaranteeCheck {
   Guarantee guarantee;
-  /// Mean R of parts of the guaranteed length; of the whole run if it is shorter than two
-  /// parts. Or the bias that the run predicts. The error is 0 if it is not known.
+  /// Mean R of parts of the guaranteed length, or of the whole run if it is shorter than two parts;
+  /// or the predicted bias. The error is 0 if it is not known.
   Estimate value;
   bool met() const { return std::abs(value.value) <= guarantee.accuracy.bound; }
 };
 
-/// Nothing where R is not defined, or the bias is not known: with a thermostat.
+/// Checks a run against its guarantee; empty with a thermostat, where R or the bias is not known.
 std::optional<GuaranteeCheck> check_guarantee(const Guarantee& guarantee,
                                               const TrajectoryStatistics& statistics,
                                               const RunSummary& summary);

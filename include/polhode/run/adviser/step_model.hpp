@@ -15,15 +15,15 @@ struct StepPoint {
   std::vector<double> ratios;  ///< R, by initial configuration
 };
 
-/// R(h) = a hᵖ exp(c h²), p the scheme's order: the power law of small steps with its first
-/// correction, a hᵖ (1 + c h²), in a form that is always positive and linear in h² for log R − p
-/// log h. Steps that differ by a third suffice to determine it near them; it is not meant for
+/// R(h) = a hᵖ exp(c h²), with p the scheme's order. It is the power law of small steps with its
+/// first correction, a hᵖ (1 + c h²). This form is positive, and log R − p log h is linear in h².
+/// Steps that differ by a third suffice to determine it near them. It is not meant for
 /// extrapolation.
 ///
 /// Runs with two steps from the same initial configuration are not independent: they sample the
 /// same part of the trajectory. Therefore each initial configuration has its own line, and the
-/// uncertainty of the mean line is estimated from the scatter of these; the scatter of a single run
-/// is estimated from the runs themselves, step by step.
+/// scatter of these lines gives the uncertainty of the mean line. The runs at each step give the
+/// scatter of a single run.
 class StepModel {
  public:
   /// @param order   p; 0 (unknown) is treated as 2
@@ -45,12 +45,12 @@ class StepModel {
 
  private:
   struct Line {
-    double at_mean = 0, slope = 0;  ///< of log R − p log h at the mean h², and as a function of h²
+    double at_mean = 0, slope = 0;  ///< log R − p log h at the mean h², and its slope in h²
   };
   double value(const Line& line, double step) const;
 
   int order_;
-  double mean_square_ = 0;  ///< of h
+  double mean_square_ = 0;  ///< mean square of h
   std::vector<Line> lines_;
   double scatter_ = 0;
 };

@@ -24,18 +24,18 @@ namespace polhode {
 inline constexpr double default_rdf_cutoff = 1;
 
 struct AnalysisSettings {
-  /// Empty: all that the frames allow. If observables are requested explicitly, those that the
-  /// frames do not allow are an error.
+  /// Requested observables; an observable that the frames do not allow is an error. Empty: all that
+  /// the frames allow.
   std::set<std::string> what;
   double from = 0;                 ///< earlier frames are skipped [ps]
-  std::optional<double> interval;  ///< between frames, overrides their times [ps]
+  std::optional<double> interval;  ///< time between frames, overrides their times [ps]
   double window = 10;              ///< largest lag of correlation functions [ps]
   std::vector<SitePair> pairs;     ///< empty: `site_pairs`
   std::optional<double> cutoff;    ///< of g(r); default: `default_rdf_cutoff`, at most half of the
                                    ///< shortest edge
-  double bin = 0.002;              ///< of g(r) [nm]
+  double bin = 0.002;              ///< bin width of g(r) [nm]
   std::optional<StepErrorSettings>
-      step_errors;  ///< for the bias of the step; nothing: not computed
+      step_errors;  ///< source of time-step errors; empty: no bias is computed
 };
 
 /// The frames that were read, and the observables that were requested.
@@ -43,18 +43,18 @@ struct Analysis {
   Topology topology;
   std::size_t frames = 0;
   double first = 0, last = 0;  ///< times [ps]
-  double interval = 0;         ///< between frames; 0 if no observable needed it [ps]
-  Box box;                     ///< of the first frame
+  double interval = 0;         ///< time between frames; 0 if no observable needed it [ps]
+  Box box;                     ///< box of the first frame
   bool has_velocities = false;
   double deviation = 0;            ///< largest distance of atoms from the sites of the rigid models
                                    ///< [nm]
-  bool stopped = false;            ///< before the end of the file
+  bool stopped = false;            ///< whether it was stopped before the end of the file
   std::vector<std::string> notes;  ///< observables that were skipped, and warnings
 
   std::optional<Conditions> conditions;  ///< computed in every analysis
   std::vector<std::shared_ptr<Observable>> observables;
 
-  /// Frames at which the error of the step is known, and relative to what.
+  /// Number of frames with a known time-step error, and the means that are fixed.
   std::size_t frames_with_step_error = 0;
   std::optional<FixedMeans> fixed;
 

@@ -25,7 +25,7 @@ struct SummarySettings;
 
 /// A table with its figure; no figure is drawn without panels.
 struct AnalysisFile {
-  std::string name;  ///< between the prefix and the extension: "rdf"
+  std::string name;  ///< part of the file name after the prefix: "rdf"
   Table table;
   CurvesFigure figure;
 };
@@ -34,7 +34,7 @@ struct AnalysisFile {
 struct FirstFrames {
   const Analysis& analysis;  ///< topology, box, and whether there are velocities
   const AnalysisSettings& settings;
-  std::size_t lags = 0;  ///< of correlations in time, if the frames are evenly spaced
+  std::size_t lags = 0;  ///< number of lags of correlations, if the frames are evenly spaced
 };
 
 /// What is known after the last frame.
@@ -43,13 +43,13 @@ struct AllFrames {
   const SummarySettings& settings;
   std::optional<double> temperature;  ///< [K]
   Workers& workers;
-  std::vector<std::string>& notes;  ///< to which what could not be computed is added
+  std::vector<std::string>& notes;  ///< receives notes on what could not be computed
 };
 
 /// The results of an observable, each of which may be empty.
 struct ObservableResults {
-  Quantities quantities;          ///< of the trajectory
-  std::vector<Quantities> parts;  ///< of each kind of molecule
+  Quantities quantities;          ///< quantities of the trajectory
+  std::vector<Quantities> parts;  ///< quantities of each kind of molecule
   std::vector<AnalysisFile> files;
 };
 
@@ -65,7 +65,7 @@ class Observable {
 
 /// An observable as it is chosen.
 struct ObservableKind {
-  std::string name;                ///< in `--what`
+  std::string name;                ///< name in `--what`
   std::vector<std::string> files;  ///< names of the files that it may write
   bool correlates_times = false;   ///< whether frames must be evenly spaced
   /// Why the frames do not allow it; empty if they do.

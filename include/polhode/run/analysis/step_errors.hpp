@@ -13,30 +13,30 @@
 
 namespace polhode {
 
-/// Where it is found.
+/// The file with the time-step errors of a run.
 struct StepErrorSettings {
   std::string energies;  ///< file of the run
   FixedMeans fixed = FixedMeans::energy;
-  double temperature = 0;  ///< of the thermostat [K]
+  double temperature = 0;  ///< temperature of the thermostat [K]
 };
 
-/// In the energies file of a run.
+/// Settings for the energies file of a run.
 /// @throws Error  with the reason, if the bias of the step is not known in the ensemble of the run
 StepErrorSettings step_error_settings(const std::string& energies, const Config& config);
 
-/// A frame is written together with a row of the energies, and has its time: rows are read once, in
-/// step with the frames.
+/// Finds the time-step errors of frames. Each frame has the time of a row of the energies; rows are
+/// read once, along with the frames.
 class StepErrors {
  public:
   /// @throws Error  if the file cannot be read, or is no energies file
   StepErrors(const StepErrorSettings& settings, const Topology& topology);
 
-  /// Of the sample that a frame belongs to; nothing if the error is not known there. Call it for
-  /// frames in the order of time.
+  /// The time-step error at the sample that a frame belongs to; empty if it is not known there.
+  /// Call it for frames in the order of time.
   /// @param has_velocities  whether the kinetic energy of the frame can be compared as well
-  /// @throws Error  if not exactly one row has the time of the frame, to within the rounding of
-  ///                times in files; or if volume, kinetic energy or ensemble are not those of the
-  ///                row, so that the file is of another run
+  /// @throws Error  if not exactly one row has the time of the frame, within the rounding of
+  ///                times in files. Also if volume, kinetic energy or ensemble differ from the
+  ///                row
   std::optional<StepError> at(const State& frame, bool has_velocities);
 
  private:

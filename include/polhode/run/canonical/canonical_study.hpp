@@ -19,9 +19,9 @@
 
 namespace polhode {
 
-/// Which bounds biases must be below: about 0.1 % of the energy of liquid water, 1 K and 1 % of the
-/// first peak of its g(r), chosen before any data; or 0.5 %, 1 % and 2 %, chosen when only the
-/// errors of first data were known.
+/// Bounds of biases. Strict bounds are about 0.1 % of the energy of liquid water, 1 K and 1 % of
+/// the first peak of g(r), chosen before any data. Loose bounds are 0.5 %, 1 % and 2 %, chosen when
+/// only the errors of first data were known.
 enum class BiasCriterion { strict, loose };
 
 /// "strict" or "loose".
@@ -29,7 +29,7 @@ const char* in_words(BiasCriterion criterion);
 
 /// A quantity whose bias is measured.
 struct CanonicalQuantity {
-  const char* name;  ///< in files
+  const char* name;  ///< name in files
   const char* label;
   const char* unit;
   double strict, loose;  ///< bounds on the bias, in that unit
@@ -53,8 +53,8 @@ using ByQuantity = std::array<T, canonical_quantities.size()>;
 
 /// A scheme with a step, to be measured.
 struct CanonicalMethod {
-  std::string name;     ///< in tables and figures
-  std::string text;     ///< in records: name or stages
+  std::string name;     ///< name in tables and figures
+  std::string text;     ///< name or stages in records
   Scheme scheme;        ///< has a bath, unless it makes proposals of hybrid Monte Carlo
   bool hybrid = false;  ///< hybrid Monte Carlo
   double step = 0;      ///< [ps]
@@ -67,20 +67,20 @@ struct CanonicalRun {
   double step = 0;              ///< [ps]
   int start = 0;                ///< index of the initial configuration
   bool stable = true;           ///< false: it blew up, and the numbers below are meaningless
-  ByQuantity<double> means{};   ///< over the run; not a number for quantities it does not have
+  ByQuantity<double> means{};   ///< means over the run; not a number for undefined quantities
   double correlation_time = 0;  ///< τ of U, integrated [ps]; not a number if the run is too short
-  double acceptance = 1;        ///< of hybrid Monte Carlo
-  double weight = 1;            ///< its mean of exp(−ΔH/kT)
+  double acceptance = 1;        ///< acceptance of hybrid Monte Carlo
+  double weight = 1;            ///< mean of exp(−ΔH/kT) of hybrid Monte Carlo
 };
 
-/// Whether the magnitude of a bias is below a bound: the 95 % interval of the bias lies within
-/// ± the bound, or outside, or the data do not decide.
+/// Whether the magnitude of a bias is below a bound: its 95 % interval lies within ± the bound, or
+/// outside, or the data do not decide.
 enum class Accuracy { below, above, undecided };
 
 /// "below the bound", "above the bound" or "undecided".
 const char* in_words(Accuracy accuracy);
 
-/// @param runs  from which the error comes: its interval is that of Student's t distribution
+/// @param runs  from which the error comes: its interval is from Student's t distribution
 Accuracy accuracy_of(const Estimate& bias, double bound, int runs);
 
 /// All runs of a method.
@@ -88,14 +88,14 @@ struct CanonicalPoint {
   CanonicalMethod method;
   int runs = 0;
   bool stable = true;                        ///< no run blew up
-  ByQuantity<std::optional<Estimate>> mean;  ///< over the runs
-  ByQuantity<std::optional<Estimate>> bias;  ///< with the error of the reference
+  ByQuantity<std::optional<Estimate>> mean;  ///< mean over the runs
+  ByQuantity<std::optional<Estimate>> bias;  ///< bias, with the error of the reference included
   Estimate correlation_time;                 ///< τ of U [ps]; not a number if unknown
   Estimate acceptance, weight;
   Estimate evaluations_per_sample() const;  ///< 2τ times the cost
   /// Accuracy of a quantity; nothing if its bias is unknown.
   std::optional<Accuracy> accuracy(std::size_t quantity, BiasCriterion criterion) const;
-  /// Above, if it is for any quantity; below, if it is for all; otherwise undecided.
+  /// Above if any quantity is above its bound, below if all are below, otherwise undecided.
   Accuracy accuracy(BiasCriterion criterion) const;
 };
 
@@ -111,16 +111,16 @@ std::vector<CanonicalMethod> canonical_methods(const StudySettings& settings);
 /// canonical start [ps].
 constexpr double relaxation(double length) { return 0.2 * length; }
 
-/// Performs the runs that are not in `known` yet, as many in parallel as there are workers, from
-/// initial configurations that hybrid Monte Carlo draws, and reports each run when it ends. Each
-/// run uses one thread.
+/// Performs the runs that are not in `known` yet, from initial configurations that hybrid Monte
+/// Carlo draws, and reports each run when it ends. Each run uses one thread, and there are as many
+/// in parallel as workers.
 void perform_canonical_runs(const Config& config, const std::vector<CanonicalRun>& known,
                             const std::function<void(const CanonicalRun&)>& finished,
                             const Callbacks& callbacks, Workers& workers = Workers::serial());
 
-/// Points from runs. The temperature is the reference of all temperatures; for the other
-/// quantities it is hybrid Monte Carlo, which is exact with any step: the mean of all its runs with
-/// their error. A point of hybrid Monte Carlo is compared with its other steps.
+/// Points from runs. The temperature is the reference of all temperatures. The reference of other
+/// quantities is the mean of all runs of hybrid Monte Carlo, which is exact with any step. A point
+/// of hybrid Monte Carlo is compared with its other steps.
 /// @param temperature  [K]
 std::vector<CanonicalPoint> canonical_points(const std::vector<CanonicalMethod>& methods,
                                              const std::vector<CanonicalRun>& runs,

@@ -15,15 +15,15 @@
 
 namespace polhode {
 
-/// The part of a preparation that is measured: the second half of its last stage.
+/// Properties measured in the second half of the last stage of a preparation.
 struct PreparedProperties {
   RunSummary summary;
   SeriesEstimate density;          ///< [u/nm³]
-  std::optional<double> pressure;  ///< of the barostat [kJ/mol/nm³]
-  /// With a barostat: from the fluctuations of the volume, known if the volume has fluctuated long
-  /// enough and does not drift [nm³ mol/kJ].
+  std::optional<double> pressure;  ///< pressure of the barostat [kJ/mol/nm³]
+  /// Compressibility from the fluctuations of the volume, with a barostat. It is known if the
+  /// volume has fluctuated long enough and does not drift [nm³ mol/kJ].
   SeriesEstimate compressibility{};
-  double moves_compressibility = 0;  ///< that the moves of the barostat assumed [nm³ mol/kJ]
+  double moves_compressibility = 0;  ///< compressibility for the moves of the barostat [nm³ mol/kJ]
   std::vector<Warning> warnings{};   ///< what is probably wrong
 };
 
@@ -32,11 +32,11 @@ struct PreparationReport {
   double lattice_density = 0;  ///< [u/nm³]; 0 if there is an initial configuration
   bool estimated = false;      ///< the density of the lattice, by estimated_density()
   Minimisation minimisation;
-  /// Of the barostat in the new run file, if estimated, otherwise 0 [nm³ mol/kJ].
+  /// Compressibility in the new run file, if estimated, otherwise 0 [nm³ mol/kJ].
   double compressibility = 0;
   std::optional<PreparedProperties> properties;  ///< nothing if it was interrupted
-  std::vector<std::string> files;                ///< that were written
-  std::string run_file, checkpoint;              ///< those of them, if written
+  std::vector<std::string> files;                ///< files that were written
+  std::string run_file, checkpoint;              ///< their paths, if written
 };
 
 /// The density of a liquid of these molecules, roughly [u/nm³]: spheres of diameter σ about their
@@ -48,19 +48,19 @@ double estimated_density(const Topology& topology);
 /// Prepares the system of a run file:
 /// 1. a lattice with its kinds of molecules shuffled, at the density or in the box of [system]; if
 ///    it has neither, at estimated_density(), which requires a barostat. An initial configuration
-///    takes its place if there is one.
+///    replaces the lattice.
 /// 2. minimise(), to forces of 100 kJ/mol/nm and torques of 10 kJ/mol.
 /// 3. NVT: Langevin dynamics by BAOAB [leimkuhler2013] in steps of 1 fs, friction 5/ps.
-/// 4. NPT if there is a barostat: the same with its moves of the box, in steps of at most 2 fs. If
-///    the run file gives no compressibility, it adapts after an eighth, a quarter and half of the
-///    stage: to the fluctuations of the volume once these are known, and to four times as much,
-///    up to 16 times the default, while the volume drifts.
-/// If the run file has neither a thermostat nor hybrid Monte Carlo, momenta are then scaled to the
-/// mean total energy of the last half stage, so that a run at constant energy has the temperature.
-/// Writes PREFIX-prepared.gro, with velocities; PREFIX-prepared.bin, a checkpoint with the same
-/// state to the last bit; and PREFIX-prepared.toml, a run file that starts from both. During the
-/// dynamics the checkpoint is that of the preparation, from which it resumes to the same bits; an
-/// interrupted minimisation leaves no file.
+/// 4. NPT if there is a barostat: Langevin dynamics with moves of the box, in steps of at most 2
+///    fs. If the run file gives no compressibility, it adapts after 1/8, 1/4 and 1/2 of the
+///    stage. It becomes the value from the fluctuations of the volume once these are known.
+///    While the volume drifts it is multiplied by 4, up to 16 times the default. For a run at
+/// constant energy, momenta are then scaled to the mean total energy of the last half stage, so
+/// that the run has the temperature. Writes PREFIX-prepared.gro, with velocities, and
+/// PREFIX-prepared.bin, a checkpoint with the same state to the last bit. Writes
+/// PREFIX-prepared.toml, a run file that starts from both. During the dynamics the checkpoint is
+/// of the preparation, which resumes from it bit for bit; an interrupted minimisation leaves no
+/// file.
 /// @throws Error     if a setting does not fit, or outputs exist
 /// @throws RunError  if molecules still overlap, or a stage blows up
 PreparationReport prepare(const Config& config, const OutputOptions& options = {},

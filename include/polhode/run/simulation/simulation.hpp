@@ -23,17 +23,17 @@ struct FoundCheckpoint;
 class RunFiles;
 
 /// How Simulation::run() ended. An interrupted equilibration or trajectory resumes from a
-/// checkpoint; an interrupted choice of the step has written no file and starts over.
+/// checkpoint. An interrupted choice of the step has no file and starts over.
 enum class RunEnd {
   complete,
-  interrupted,                ///< in the trajectory
-  interrupted_equilibrating,  ///< before the trajectory
-  interrupted_choosing_step   ///< before the equilibration
+  interrupted,                ///< interrupted in the trajectory
+  interrupted_equilibrating,  ///< interrupted before the trajectory
+  interrupted_choosing_step   ///< interrupted before the equilibration
 };
 
 struct RunResult {
   RunEnd end;
-  std::optional<RunReport> report;  ///< of the trajectory, if it started
+  std::optional<RunReport> report;  ///< report of the trajectory, if it started
 };
 
 /// The system of a run file and its trajectory: an equilibration, if the run file has one, and
@@ -52,16 +52,16 @@ class Simulation {
   const Config& config() const { return config_; }
   const System& system() const { return system_; }
   const State& state() const { return system_.state; }
-  /// The state, to be changed from outside between two steps; its memory stays where it is until
-  /// the end of the simulation. Afterwards call state_changed().
+  /// The state, for changes between two steps. Call state_changed() after a change. Its memory
+  /// stays in place until the end of the simulation.
   State& state_to_change();
   /// Begins a segment of the trajectory with the state as it is now and new forces.
   /// @throws Error  if the state is not one of these molecules, with nothing changed but
   /// orientations,
   ///                which are normalized
   void state_changed();
-  /// Continues from here with another scheme or step, or in another ensemble, in a new segment of
-  /// the trajectory. Momenta are not changed. If an accuracy is required, a new step is chosen.
+  /// Continues with another scheme or step, or in another ensemble, in a new segment of the
+  /// trajectory. Momenta are not changed. If an accuracy is required, a new step is chosen.
   /// @throws Error  with nothing changed, if they do not suit each other or the forces, or if they
   ///                add, remove or change hybrid Monte Carlo
   void change(const IntegratorSettings& integrator, const EnsembleSettings& ensemble);
@@ -105,8 +105,8 @@ class Simulation {
   void resume(const std::string& path);
 
   /// Continues to the length of the run file and writes all of its outputs: energies, trajectories,
-  /// checkpoints, the final state, a figure. Files and names are those of [output]; a lock keeps
-  /// other processes from using them.
+  /// checkpoints, the final state, a figure. [output] gives files and names; a lock keeps other
+  /// processes from using them.
   /// @throws Error     before anything is computed, if outputs exist or cannot be resumed
   /// @throws RunError  if the trajectory blows up, or a file cannot be written
   RunResult run(const OutputOptions& options = {}, const Callbacks& callbacks = {});

@@ -18,8 +18,8 @@ namespace polhode {
 /// Its O(h²) error has two terms, α and β, so a third parameter would not be determined by them.
 class SchemeFamily {
  public:
-  /// @throws Error  unless the text is a palindrome whose α and β depend on each of one or two free
-  ///                parameters independently, and whose drifts and kicks sum to 1 for any values
+  /// @throws Error  unless the text is a palindrome with one or two free parameters that determine
+  ///                α and β. Its drifts and kicks must sum to 1 for any values
   /// @param label  of the reference; empty: its own name, or its stages
   explicit SchemeFamily(const NamedScheme& scheme, const std::string& label = {});
 
@@ -46,11 +46,11 @@ SchemeFamily gier4_family();
 /// a = h² V̈ and b = h² W [kJ²/mol²].
 struct ErrorCovariance {
   double EE = 0, Ea = 0, Eb = 0, aa = 0, ab = 0, bb = 0;
-  double VV = 0;  ///< of the potential energy, the denominator of R²
+  double VV = 0;  ///< variance of the potential energy, the denominator of R²
 
   ErrorCovariance& operator+=(const ErrorCovariance& other);
-  /// The variance of the energy if the scheme's error terms change by that amount: that of E − Δα
-  /// a − Δβ b, since H̃ of either scheme is constant.
+  /// The variance of the energy if the scheme's error terms change by `change`: the variance of E −
+  /// Δα a − Δβ b, because H̃ of both schemes is constant.
   double variance(const ErrorTerms& change) const;
 };
 ErrorCovariance error_covariance(std::span<const BracketSample> samples, double h);
@@ -59,7 +59,7 @@ ErrorTerms operator-(const ErrorTerms& a, const ErrorTerms& b);
 
 /// The parameters that minimize the variance of the energy, from a run with the reference.
 std::vector<double> best_parameters(const ErrorCovariance& covariance, const SchemeFamily& family);
-/// The parameters that minimize the fluctuation of α V̈ + β W: optimal in the limit of short steps.
+/// The parameters that minimize the fluctuation of α V̈ + β W, which are optimal for short steps.
 std::vector<double> best_at_short_steps(const ErrorCovariance& covariance,
                                         const SchemeFamily& family);
 

@@ -26,7 +26,7 @@ inline constexpr double max_sample_interval = 0.0025;
 
 /// One run: a scheme with a step from one of the initial configurations.
 struct StudyRun {
-  std::string scheme;      ///< as in StudyPoint::record_name()
+  std::string scheme;      ///< name as in StudyPoint::record_name()
   double step = 0;         ///< [ps]
   int start = 0;           ///< index of the initial configuration; the same ones are used for every
                            ///< scheme
@@ -47,35 +47,35 @@ struct StudyRun {
 };
 
 /// An energy drift matters if it changes the energy during a run by at least this many rms
-/// fluctuations of the energy: by at least R, in units of the rms fluctuation of the potential
-/// energy.
+/// fluctuations of the energy. In units of the rms fluctuation of the potential energy this is
+/// R.
 inline constexpr double drift_bound = 1;
 
 /// A point of the figure: all runs of a scheme with one step.
 struct EfficiencyPoint {
   std::string scheme;
-  int order = 0;      ///< of the scheme; 0 if unknown
+  int order = 0;      ///< order of the scheme; 0 if unknown
   double step = 0;    ///< [ps]
-  double length = 0;  ///< of each run [ps]
-  /// Force evaluations per ps; with an inner scheme, evaluations of all forces plus those of the
+  double length = 0;  ///< length of each run [ps]
+  /// Force evaluations per ps; with an inner scheme, evaluations of all forces plus evaluations of
   /// near forces times their weight.
   double cost = 0;
-  double near_weight = 0;  ///< as in StudyRun, mean
+  double near_weight = 0;  ///< mean of StudyRun::near_weight
   int runs = 0;
   bool stable = true;      ///< no run blew up
   Estimate ratio;          ///< R with its standard error over the runs
   double total = 0;        ///< rms fluctuation of the total energy, mean over the runs [kJ/mol]
-  Drift drift;             ///< of the energy, over the series of runs, as defined in the paper
+  Drift drift;             ///< energy drift over the series of runs, as defined in the paper
   double temperature = 0;  ///< [K]
   double rounding = 0;     ///< R due to rounding alone, mean; 0 in double precision
-  /// T of rotation about each principal axis minus that of translation, over the runs that have
-  /// them [K]; empty without such degrees of freedom.
+  /// T of rotation about each principal axis minus T of translation, over the runs that have them
+  /// [K]; empty without such degrees of freedom.
   std::array<std::optional<Estimate>, 3> excess;
-  /// Configurational minus kinetic temperature of each kind of motion, likewise [K].
+  /// Configurational minus kinetic temperature of each kind of motion, as for `excess` [K].
   ByMotion<std::optional<Estimate>> configurational_excess;
   /// Change of the energy by its drift during a run, in rms fluctuations of the energy.
   double relative_drift() const;
-  /// Upper end of its 95 % interval; infinite with fewer than two runs.
+  /// Upper end of the 95 % interval of relative_drift(); infinite with fewer than two runs.
   double relative_drift_bound() const;
   /// The energy drift is significant, and it matters.
   bool drifts() const;
@@ -87,11 +87,11 @@ struct EfficiencyPoint {
 
 /// The (scheme, step) pairs that a study measures.
 struct StudyPoint {
-  std::string name;  ///< of the scheme in tables and figures, see label_of()
+  std::string name;  ///< name of the scheme in tables and figures, see label_of()
   NestedScheme scheme;
   double step;  ///< [ps]
-  /// The scheme in a record of runs: its name, with its stages if the name is user-given, so that
-  /// runs of other stages under the same name are not mistaken for its runs.
+  /// The scheme in a record of runs: its name, with its stages if the name is user-given. Runs of
+  /// other stages with the same name are therefore not mistaken for its runs.
   std::string record_name() const;
   /// Force evaluations per ps.
   /// @param near_weight  cost of a near-force evaluation relative to a full one

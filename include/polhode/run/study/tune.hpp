@@ -15,20 +15,20 @@
 namespace polhode {
 
 struct TuneSettings {
-  /// Text with free parameters; empty: that of the run file if it has any, otherwise the families
-  /// of hoa2 and gier4.
+  /// Text with free parameters; empty: the scheme of the run file if it has any, otherwise the
+  /// families of hoa2 and gier4.
   std::string scheme{};
-  double step = 0;         ///< [ps]; 0: that of the run file
-  int runs = 4;            ///< for the measurement, and as many from other initial configurations
+  double step = 0;         ///< [ps]; 0: step of the run file
+  int runs = 4;            ///< runs to measure, and as many from other initial configurations
                            ///< for confirmation
-  double length = 2;       ///< of each [ps]
+  double length = 2;       ///< length of each run [ps]
   double decorrelate = 2;  ///< equilibration of each initial configuration [ps]
   double sample = 0.02;    ///< interval between brackets [ps]
 };
 
 struct TunedParameter {
   std::string name;
-  double value = 0, error = 0;  ///< with its standard error by the jackknife over runs
+  double value = 0, error = 0;  ///< value, and its standard error by the jackknife over runs
 };
 
 /// Result for one family, compared with its reference.
@@ -45,7 +45,7 @@ struct Tuned {
 struct TuneResult {
   TuneSettings settings;
   std::size_t molecules = 0;
-  ErrorCovariance covariance;         ///< from runs of the first reference, summed
+  ErrorCovariance covariance;         ///< covariance from runs of the first reference, summed
   std::optional<double> short_steps;  ///< η of the hoa2 family in the limit of short steps
   std::vector<Tuned> families;
   bool interrupted = false;  ///< the numbers are meaningless

@@ -11,7 +11,7 @@
 
 namespace polhode {
 
-/// Refuses what is not a rigid body, or not a possible motion of one.
+/// Rejects moments of no rigid body, and an angular momentum that is not possible for it.
 /// @param name_J  name of the moments in the input: "I" for I1, I2, I3
 /// @param where   place of the input, for errors
 /// @throws Error  with the name and the value
@@ -23,7 +23,7 @@ struct TopTrack {
   Quaternion<double> orientation;
   Vec3<double> L;                               ///< body frame
   double energy_error = 0, momentum_error = 0;  ///< relative
-  double angle = 0;  ///< between its orientation and that of the closed form [rad]
+  double angle = 0;  ///< between its orientation and the closed form [rad]
 };
 
 struct TopSample {
@@ -33,10 +33,10 @@ struct TopSample {
 };
 
 struct TopTrajectory {
-  double step = 0;                 ///< in the units of J and L
-  double angle = 0;                ///< by which the top initially turns in a step [rad]
+  double step = 0;                 ///< time step in the units of J and L
+  double angle = 0;                ///< angle by which the top initially turns in a step [rad]
   std::vector<TopSample> samples;  ///< the start, and about 20 more
-  bool interrupted = false;        ///< before the end; the samples are those up to there
+  bool interrupted = false;        ///< interrupted before the end; the samples are up to there
 };
 
 /// Integrates a top by the series and by NO_SQUISH.

@@ -54,7 +54,7 @@ class EnergyReader {
  public:
   /// @throws Error  if the file cannot be read, or has other columns
   explicit EnergyReader(const std::string& path);
-  /// Nothing at the end of the file.
+  /// Reads the next row; empty at the end of the file.
   /// @throws Error  if a row is not complete
   std::optional<EnergyRow> next();
 
@@ -64,7 +64,7 @@ class EnergyReader {
 };
 
 /// Reads such a file up to a mark.
-/// @throws Error  if it is shorter, or holds anything else
+/// @throws Error  if it is shorter, or has other contents
 void check_energies(const std::string& path, bool step_errors, const FileMark& mark);
 
 }  // namespace polhode

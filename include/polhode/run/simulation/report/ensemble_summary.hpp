@@ -15,10 +15,10 @@ struct BarostatSummary {
   SeriesEstimate compressibility;  ///< isothermal, (⟨V²⟩ − ⟨V⟩²)/(kT ⟨V⟩) [nm³ mol/kJ]
   Drift volume_drift;              ///< [nm³/ps]
   std::uint64_t moves = 0, accepted = 0;
-  std::uint64_t evaluations = 0;   ///< of forces, by moves
+  std::uint64_t evaluations = 0;   ///< number of force evaluations by moves
   double work = 0;                 ///< received by the bodies [kJ/mol]
   SeriesEstimate accepted_share;   ///< acceptance() with its standard error
-  double interval = 0;             ///< between two moves [ps]
+  double interval = 0;             ///< time between two moves [ps]
   std::uint64_t beyond_shape = 0;  ///< moves rejected by max_shape_change
   double acceptance() const;
 };

@@ -26,7 +26,7 @@ struct RunReport {
   RunFileNames files;
   std::vector<Warning> warnings;  ///< what is probably wrong
   std::optional<GuaranteeCheck>
-      guarantee;  ///< of a complete run with a bound on R, at constant energy
+      guarantee;  ///< check of a complete run with a bound on R, at constant energy
   bool interrupted = false;
 };
 

@@ -21,7 +21,7 @@ struct SinglePoint {
   /// Terms of the energy besides the sums over pairs within the cutoff, with their names [kJ/mol].
   std::vector<std::pair<std::string, double>> terms;
   Mat3<double> pressure_tensor;    ///< [bar]
-  std::optional<Load> derivative;  ///< of forces and torques, if requested
+  std::optional<Load> derivative;  ///< derivative of forces and torques, if requested
 
   double pressure() const;  ///< a third of the trace [bar]
 };

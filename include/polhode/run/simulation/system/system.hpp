@@ -22,16 +22,16 @@ struct System {
   State state;
   ForceSettings forces;
   double temperature;             ///< target temperature [K]
-  double fit_deviation = 0;       ///< of the initial configuration from the rigid models [nm]
-  double massless_deviation = 0;  ///< of its massless sites, whose positions are recomputed [nm]
+  double fit_deviation = 0;       ///< deviation of initial configuration and rigid models [nm]
+  double massless_deviation = 0;  ///< deviation of its massless sites, which are recomputed [nm]
   /// Momenta were drawn: the initial configuration has no velocities, or the run file requests new
   /// ones.
   bool new_velocities = true;
-  double file_temperature = 0;  ///< of the velocities of the initial configuration, if kept [K]
+  double file_temperature = 0;  ///< T of the velocities of the initial configuration [K]
   /// Velocity of the centre of mass in an initial configuration with velocities [nm/ps], and
   /// its contribution to the temperature [K]; it is removed.
   double removed_velocity = 0, removed_temperature = 0;
-  /// For each part of the topology that comes from a topology file: how its shape was determined.
+  /// How the shape was determined, for each part of the topology from a topology file.
   std::vector<std::string> origins{};
   /// Shapes by molecule type that a topology file does not determine (RigidTopology::shapes).
   std::map<std::string, Shape> shapes{};

@@ -22,7 +22,7 @@ class Propagator {
 
   /// Resumes from that state, bit for bit as if never suspended.
   void resume_from(const RunState& state);
-  /// All that the rest of the trajectory depends on; without the last sample of run(), which a
+  /// State on which the rest of the trajectory depends, without the last sample of run(), which a
   /// longer trajectory would not have.
   RunState run_state();
 

@@ -19,7 +19,7 @@ namespace polhode {
 
 /// Seconds of wall-clock time by part.
 struct Timings {
-  double forces = 0;       ///< without the list; all of them
+  double forces = 0;       ///< all forces, without the list
   double list = 0;         ///< neighbour lists: checks and rebuilds
   double motion = 0;       ///< drifts and kicks
   double measurement = 0;  ///< energies, output
@@ -29,7 +29,7 @@ struct Timings {
 
 /// What thermostat, barostat and hybrid Monte Carlo have done so far.
 struct EnsembleMemory {
-  double heat = 0;  ///< from the thermostat [kJ/mol]
+  double heat = 0;  ///< heat from the thermostat [kJ/mol]
   BarostatMemory barostat;
   HybridMonteCarloMemory hybrid;
   double exchanged() const { return heat + barostat.work + hybrid.work; }  ///< [kJ/mol]
@@ -44,15 +44,15 @@ struct Segment {
   std::string changes;  ///< what began it, such as "integrator.step was 2 fs and is now 1 fs"
 };
 
-/// The state of a run between two steps: all that its continuation depends on, to the last bit.
+/// The state of a run between two steps, on which its continuation depends to the last bit.
 struct RunState {
   State state;
-  std::optional<double> equilibrated;  ///< so far [ps]; nothing once the trajectory has started
+  std::optional<double> equilibrated;  ///< time so far [ps]; empty after the start
   std::size_t steps = 0;
   double start = 0;                 ///< time of the state at the first step of the segment [ps]
   IntegratorMemory integrator;      ///< empty while equilibrating
-  ListMemory list, near_list;       ///< the second that of an inner scheme's near forces
-  TrajectoryStatistics statistics;  ///< so far
+  ListMemory list, near_list;       ///< the second for an inner scheme's near forces
+  TrajectoryStatistics statistics;  ///< statistics so far
   Timings timings;
   EnsembleMemory ensemble;
   Segment segment;
@@ -80,25 +80,25 @@ struct Watch {
 struct Trajectory {
   TrajectoryStatistics statistics;
   std::size_t steps = 0;
-  Segment segment;                      ///< that all counts but `steps` belong to
-  std::uint64_t force_evaluations = 0;  ///< by the scheme
-  std::uint64_t derivatives = 0;        ///< of the forces, by the scheme
-  std::uint64_t near_evaluations = 0;   ///< of the near forces of an inner scheme
+  Segment segment;                      ///< segment of all counts but `steps`
+  std::uint64_t force_evaluations = 0;  ///< force evaluations by the scheme
+  std::uint64_t derivatives = 0;        ///< derivatives of the forces by the scheme
+  std::uint64_t near_evaluations = 0;   ///< evaluations of the near forces of an inner scheme
   std::uint64_t near_derivatives = 0;
   std::uint64_t measurements = 0;  ///< force evaluations for energies alone
   EnsembleMemory ensemble;
-  bool stopped = false;           ///< by the watch
+  bool stopped = false;           ///< whether the watch stopped it
   std::string failure;            ///< why it blew up, when, and what to try; empty if it did not
-  std::string cause;              ///< only why, with the two molecules that collided
-  std::size_t list_rebuilds = 0;  ///< of the neighbour list, including those before the first step
+  std::string cause;              ///< cause of the failure, with the two molecules that collided
+  std::size_t list_rebuilds = 0;  ///< rebuilds of the neighbour list, also before the first step
   Timings timings;
 };
 
 /// Advances the system's state. Total energy is sampled at synchronized steps. A trajectory that
-/// blows up ends there, and `failure` reports it, with the step and remedies: an energy is not
-/// finite, or the total energy has changed by more than the kinetic energy at the start. The
-/// trajectory is the same for any number of threads. A final sample between two intervals, at the
-/// end or where it was stopped, does not occur in a longer trajectory.
+/// blows up ends there: an energy is not finite, or the total energy has changed by more than the
+/// kinetic energy at the start. `failure` reports the step and remedies. The trajectory is the same
+/// for any number of threads. A final sample between two intervals, at the end or where it was
+/// stopped, does not occur in a longer trajectory.
 /// @param from  resumes from there, bit for bit as if it had never been suspended
 Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                           const Watch& watch = {}, Workers& workers = Workers::serial(),

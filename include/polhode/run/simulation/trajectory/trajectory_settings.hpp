@@ -18,29 +18,29 @@ struct TrajectorySettings {
   Scheme scheme;
   double step = 0;                     ///< [ps]
   double length = 0;                   ///< [ps]
-  double sample = 0;                   ///< between energies [ps]; at least one step
-  double lambda = 1e-4;                ///< of finite-difference gradients
-  double shadow_sample = 0;            ///< between error brackets [ps], at some samples; 0: none
-  std::optional<InnerScheme> inner{};  ///< within the drifts of the scheme
-  double configurational_sample = 0;   ///< as shadow_sample, of configurational temperatures [ps]
-  std::uint64_t seed = 0;              ///< of their random signs
+  double sample = 0;                   ///< time between energies [ps]; at least one step
+  double lambda = 1e-4;                ///< λ of finite-difference gradients
+  double shadow_sample = 0;            ///< time between error brackets [ps]; 0: none
+  std::optional<InnerScheme> inner{};  ///< inner scheme within the drifts of the scheme
+  double configurational_sample = 0;   ///< time between configurational temperatures [ps]; 0: none
+  std::uint64_t seed = 0;              ///< seed of their random signs
   double stretch = 0;           ///< R is also computed for parts of this length [ps]; 0: none
-  EnsembleSettings ensemble{};  ///< by default constant energy
+  EnsembleSettings ensemble{};  ///< ensemble; default: constant energy
 
   std::size_t steps() const { return steps_in(length); }
   /// The number of steps in a time [ps], rounded; up to whole trajectories of hybrid Monte Carlo.
   std::size_t steps_in(double time) const;
-  std::size_t steps_per_trajectory() const;  ///< of hybrid Monte Carlo; 1 without
-  std::size_t steps_per_move() const;        ///< of a barostat, in whole trajectories
+  std::size_t steps_per_trajectory() const;  ///< steps per trajectory of hybrid Monte Carlo, or 1
+  std::size_t steps_per_move() const;        ///< steps per move of a barostat
   double move_interval() const;              ///< the time of steps_per_move() [ps]
   std::size_t steps_per_sample() const;
   /// The number of samples of the energies per sample that is taken every `interval` [ps].
   std::size_t samples_per(double interval) const;
 
-  /// Whether there is a shadow energy that differs from the energy by brackets of order h², which
-  /// can be measured: conserved at constant energy, otherwise for the bias of the step.
+  /// Whether a shadow energy can be measured, which differs from the energy by brackets of order
+  /// h². It is conserved at constant energy, and otherwise gives the time-step bias.
   bool has_shadow() const;
-  /// What the bias of the step is relative to; nothing where it is not known.
+  /// The means that are fixed when the time-step bias is predicted; empty if it is not known.
   std::optional<FixedMeans> fixed_means() const;
   /// @throws Error  if a shadow energy is requested where there is none
   void check_shadow() const;
@@ -48,8 +48,8 @@ struct TrajectorySettings {
 
 /// The trajectory of a run file.
 /// @param stretch  length of the parts for which R is computed as well [ps]; 0: none
-/// @throws Error  with the run file: if the length is shorter than a step, or of too many steps, or
-///                if a shadow energy is requested for a scheme that has none
+/// @throws Error  if the length is shorter than a step or has too many steps. Also if a shadow
+///                energy is requested for a scheme without one
 TrajectorySettings trajectory_settings(const Config& config, double stretch = 0);
 
 }  // namespace polhode
