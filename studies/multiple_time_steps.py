@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Multiple time steps compared with single schemes for 512 TIP4P waters: cost at equal R, wall-clock time, resonance."""
 
-from lib import curves, runs, study
+from lib import curves, study
 
 LAWS = {"cutoff": {"cutoff": "1.0 nm"}, "reaction-field": {"cutoff": "1.0 nm", "electrostatics": "reaction-field"},
         "pme": {"cutoff": "0.9 nm", "electrostatics": "pme", "pme_accuracy": 1e-4}}

@@ -7,47 +7,24 @@ import argparse
 import datetime
 import itertools
 import os
-import resource
 import statistics
 import subprocess
 import sys
 import tempfile
-import time
 import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path += [str(ROOT / "bench"), str(ROOT / "studies")]
+import water  # noqa: E402
 from lib import study  # noqa: E402
 
-FORCES = {"reaction-field": 'electrostatics = "reaction-field"\ntruncation = "molecule-switch"',
-          "site-switch": 'electrostatics = "reaction-field"\ntruncation = "site-switch"',
-          "ewald": 'electrostatics = "pme"'}
+FORCES = {"reaction-field": {"electrostatics": "reaction-field", "truncation": "molecule-switch"},
+          "site-switch": {"electrostatics": "reaction-field", "truncation": "site-switch"},
+          "ewald": {"electrostatics": "pme"}}
 MAX_TRIES = 20
 STEP = 0.002  # [ps]
-RUN = """[system]
-molecules = [{{ model = "tip4p", count = {molecules} }}]
-initial_configuration = "{start}"
-
-[forces]
-cutoff = "0.9 nm"
-precision = "{precision}"
-{forces}
-
-[integrator]
-scheme = "velocity-verlet"
-step = "{step} ps"
-
-[run]
-length = "{length:.6f} ps"
-shadow_sample = "0 fs"
-
-[output]
-prefix = "out"
-trajectory_every = "0 ps"
-plot = "none"
-"""
 
 
 class Case(NamedTuple):
@@ -114,24 +91,10 @@ def base_program(base):
 def run_file(case, steps):
     start = "w512" if case.molecules == 512 else f"w{case.molecules}.gro"
     if start.endswith(".gro") and not Path(start).exists():
-        replicate("w512.gro", start, copies(case.molecules))
-    return RUN.format(molecules=case.molecules, start=start, precision=case.precision, forces=FORCES[case.forces],
-                      step=STEP, length=steps * STEP)
-
-
-def replicate(source, target, n):
-    """Writes n × n × n copies of a configuration in GRO format; molecules stay together."""
-    lines = Path(source).read_text(encoding="utf-8").splitlines()
-    atoms, edges = lines[2:-1], [float(word) for word in lines[-1].split()[:3]]
-    first = atoms[0].index(".")
-    width = atoms[0].index(".", first + 1) - first  # of a column
-    with Path(target).open("w", encoding="utf-8") as out:
-        print(f"{n}³ copies", len(atoms) * n**3, sep="\n", file=out)
-        for shift in itertools.product(range(n), repeat=3):
-            for atom in atoms:
-                place = (float(atom[20 + width * d:20 + width * (d + 1)]) + shift[d] * edges[d] for d in range(3))
-                print(atom[:20] + "".join(f"{x:{width}.{width - 5}f}" for x in place) + atom[20 + 3 * width:], file=out)
-        print(*(f"{n * edge:.9f}" for edge in edges), file=out)
+        water.replicate("w512.gro", start, copies(case.molecules))
+    return water.run_file(case.molecules, start, forces={"cutoff": "0.9 nm", "precision": case.precision, **FORCES[case.forces]},
+                          integrator={"scheme": "velocity-verlet", "step": f"{STEP} ps"},
+                          run={"length": f"{steps * STEP:.6f} ps", "shadow_sample": "0 fs"})
 
 
 def run_options(case, steps):
@@ -149,14 +112,9 @@ def file_step(path):
 
 
 def seconds(program, case, steps, cpu_time):
-    environment = {**os.environ, **({"POLHODE_INSTRUCTION_SET": case.instruction_set} if case.instruction_set else {})}
-    before, start = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime, time.perf_counter()
-    run = subprocess.run([program, "run", *run_options(case, steps), "--force", "--json", "--threads", str(case.threads)], env=environment,
-                         check=False, text=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    if run.returncode != 0:
-        sys.exit(f"'{program} run' ended with {run.returncode}: {run.stderr}")
-    wall = time.perf_counter() - start
-    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before if cpu_time else wall
+    environment = {"POLHODE_INSTRUCTION_SET": case.instruction_set} if case.instruction_set else {}
+    wall, user = water.spent([program, "run", *run_options(case, steps), "--force", "--json", "--threads", str(case.threads)], **environment)
+    return user if cpu_time else wall
 
 
 def time_per_step(program, case, steps, cpu_time):

@@ -14,33 +14,12 @@ import time
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
+import water  # noqa: E402
 
-# The same water as that of `polhode bench`, on a lattice; a few short steps, to measure the memory of a run.
-RUN = """[system]
-molecules = [{{ model = "tip4p", count = {molecules} }}]
-density = "1 g/cm3"
-temperature = "297 K"
-
-[forces]
-truncation = "molecule-switch"
-cutoff = "0.9 nm"
-switch = "0.765 nm"
-electrostatics = "reaction-field"
-precision = "{precision}"
-
-[integrator]
-scheme = "hoa2"
-step = "0.1 fs"
-
-[run]
-length = "1 fs"
-sample = "1 fs"
-
-[output]
-prefix = "out"
-trajectory_every = "0 ps"
-plot = "none"
-"""
+# The same water as `polhode bench` has, on a lattice; a few short steps, to measure the memory of a run.
+RUN = {"forces": {"truncation": "molecule-switch", "cutoff": "0.9 nm", "switch": "0.765 nm", "electrostatics": "reaction-field"},
+       "integrator": {"scheme": "hoa2", "step": "0.1 fs"}, "run": {"length": "1 fs", "sample": "1 fs"},
+       "system": {"density": "1 g/cm3", "temperature": "297 K"}}
 
 
 def arguments():
@@ -103,7 +82,8 @@ def timed(o, molecules, precision):
 def at_rest(o, molecules, precision):
     """Peak memory of a run [bytes], and seconds from the start of the program to the first energies."""
     with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "run.toml").write_text(RUN.format(molecules=molecules, precision=precision), encoding="utf-8")
+        run_file = water.run_file(molecules, None, **{**RUN, "forces": {**RUN["forces"], "precision": precision}})
+        Path(folder, "run.toml").write_text(run_file, encoding="utf-8")
         seconds = outcome([o.polhode, "energy", "run.toml"], folder)[1]
         peak = outcome([o.polhode, "run", "run.toml", "--threads", "1", "--json"], folder, memory=True)[2]
     return {"peak_bytes": peak, "bytes_per_molecule": peak / molecules, "first_energies_s": seconds}

@@ -5,39 +5,18 @@ alternating runs of 512 TIP4P waters in mixed precision, without the first quart
 
 import argparse
 import os
-import resource
 import statistics
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 from typing import NamedTuple
 
-sys.path.append(str(Path(__file__).resolve().parents[2] / "studies"))
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import water  # noqa: E402
 from lib import study  # noqa: E402
 
-RUN = """[system]
-molecules = [{{ model = "tip4p", count = 512 }}]
-initial_configuration = "w512"
-temperature = "298 K"
-[forces]
-cutoff = "0.9 nm"
-precision = "mixed"
-electrostatics = "{electrostatics}"
-[integrator]
-scheme = "{scheme}"
-step = "{step} fs"
-{tables}[run]
-length = "{length} fs"
-sample = "{sample} fs"
-shadow_sample = "0 fs"
-[output]
-prefix = "out"
-trajectory_every = "0 ps"
-plot = "none"
-"""
-LANGEVIN, RESCALING = '[thermostat]\ntype = "langevin"\n', '[thermostat]\ntype = "rescaling"\n'
-CELL, MOVES = ('[barostat]\ntype = "cell-rescaling"\npressure = "1 bar"\n', '[barostat]\ntype = "monte-carlo"\npressure = "1 bar"\n')
+LANGEVIN, RESCALING = ({"thermostat": {"type": name}} for name in ("langevin", "rescaling"))
+CELL, MOVES = ({"barostat": {"type": name, "pressure": "1 bar"}} for name in ("cell-rescaling", "monte-carlo"))
 
 
 class Ensemble(NamedTuple):
@@ -45,7 +24,7 @@ class Ensemble(NamedTuple):
     scheme: str
     constant_energy: str  # the scheme without a bath
     step: int  # [fs]
-    tables: str
+    tables: dict
 
 
 ENSEMBLES = (
@@ -55,21 +34,19 @@ ENSEMBLES = (
     Ensemble("Langevin, obabo", "obabo", "velocity-verlet", 2, LANGEVIN),
     Ensemble("rescaling", "hoa2", "hoa2", 4, RESCALING),
     Ensemble("rescaling", "velocity-verlet", "velocity-verlet", 2, RESCALING),
-    Ensemble("Langevin, cell rescaling", "hoa2-ends", "hoa2", 4, LANGEVIN + CELL),
-    Ensemble("Langevin, cell rescaling", "baoab", "velocity-verlet", 2, LANGEVIN + CELL),
-    Ensemble("Langevin, Monte Carlo", "hoa2-ends", "hoa2", 4, LANGEVIN + MOVES),
-    Ensemble("Langevin, Monte Carlo", "baoab", "velocity-verlet", 2, LANGEVIN + MOVES))
+    Ensemble("Langevin, cell rescaling", "hoa2-ends", "hoa2", 4, LANGEVIN | CELL),
+    Ensemble("Langevin, cell rescaling", "baoab", "velocity-verlet", 2, LANGEVIN | CELL),
+    Ensemble("Langevin, Monte Carlo", "hoa2-ends", "hoa2", 4, LANGEVIN | MOVES),
+    Ensemble("Langevin, Monte Carlo", "baoab", "velocity-verlet", 2, LANGEVIN | MOVES))
 
 
 def seconds(program, electrostatics, scheme, step, tables, steps):
     """User time of a run."""
-    Path("run.toml").write_text(RUN.format(electrostatics=electrostatics, scheme=scheme, step=step, tables=tables, length=step * steps,
-                                           sample=100 * step), encoding="utf-8")
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    run = subprocess.run([program, "run", "run.toml", "--force", "--threads", "1"], check=False, text=True, capture_output=True)
-    if run.returncode:
-        sys.exit(f"{program} run: exit code {run.returncode}\n{run.stderr}")
-    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+    Path("run.toml").write_text(water.run_file(
+        system={"temperature": "298 K"}, forces={"cutoff": "0.9 nm", "precision": "mixed", "electrostatics": electrostatics},
+        integrator={"scheme": scheme, "step": f"{step} fs"}, **tables,
+        run={"length": f"{step * steps} fs", "sample": f"{100 * step} fs", "shadow_sample": "0 fs"}), encoding="utf-8")
+    return water.spent([program, "run", "run.toml", "--force", "--threads", "1"])[1]
 
 
 def time_per_step(few, many, *case):
@@ -97,7 +74,7 @@ def main():
                     continue
                 reference, ratios = [], []
                 for _ in range(o.rounds):
-                    reference.append(time_per_step(short, o.steps, program, electrostatics, e.constant_energy, e.step, ""))
+                    reference.append(time_per_step(short, o.steps, program, electrostatics, e.constant_energy, e.step, {}))
                     ratios.append(time_per_step(short, o.steps, program, electrostatics, e.scheme, e.step, e.tables) / reference[-1])
                 print(f"| {electrostatics} | {e.name} | {e.scheme}, {e.step} fs | {statistics.median(reference):.3f} "
                       f"| {statistics.median(ratios):.3f} | {min(ratios):.3f} to {max(ratios):.3f} |", flush=True)

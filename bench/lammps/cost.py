@@ -12,39 +12,14 @@ hardly depend on how busy the computer is. FOLDER is what lammps/environment.py 
 
 import argparse
 import datetime
-import os
-import resource
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path += [str(ROOT / "studies"), str(ROOT / "bench/engine")]
-import compare  # noqa: E402
+sys.path += [str(ROOT / "studies"), str(ROOT / "bench")]
+import water  # noqa: E402
 from lib import study  # noqa: E402
-
-RUN = """[system]
-molecules = [{{ model = "tip4p", count = {waters} }}]
-initial_configuration = "{start}"
-temperature = "297 K"
-[forces]
-truncation = "{truncation}"
-electrostatics = "reaction-field"
-cutoff = "1 nm"
-precision = "{precision}"
-[integrator]
-scheme = "velocity-verlet"
-step = "2 fs"
-[run]
-length = "{length} fs"
-sample = "200 fs"
-shadow_sample = "0 fs"
-[output]
-prefix = "{prefix}"
-trajectory_every = "0 ps"
-plot = "none"
-"""
 
 SCRIPT = """plugin load {plugin}
 units real
@@ -104,36 +79,30 @@ def arguments():
     return p.parse_args()
 
 
-def user_time(command, folder, environment):
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    done = subprocess.run(command, cwd=folder, env=environment, text=True, capture_output=True)
-    if done.returncode != 0:
-        sys.exit(done.stdout[-2000:] + done.stderr[-2000:])
-    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-
-
 class Bench:
     def __init__(self, options, folder):
         self.options, self.folder = options, folder
         self.program = study.program(options.polhode)
         self.lmp = next(options.environment.resolve().glob("lib/python3*/site-packages/lammps/lmp"))
-        self.environment = {**os.environ, "OMP_NUM_THREADS": "1",
-                            "LD_LIBRARY_PATH": str(options.environment.resolve() / "lib")}
-        self.write("start.toml", self.run_file(1, 1000, truncation="site-switch", prefix="water"))
-        self.run([self.program, "export", "lammps", "start.toml"])
+        self.mpiexec = options.environment.resolve() / "bin/mpiexec"
+        self.environment = {"OMP_NUM_THREADS": "1", "LD_LIBRARY_PATH": str(options.environment.resolve() / "lib")}
 
     def write(self, name, text):
         (self.folder / name).write_text(text)
 
     def run(self, command):
-        return user_time(command, self.folder, self.environment)
+        return water.spent(command, self.folder, **self.environment)[1]
+
+    def export(self, text, style="table"):
+        """Writes the input of LAMMPS for a run file."""
+        self.write("start.toml", text)
+        self.run([self.program, "export", "lammps", "start.toml", "--pair-style", style, "--force"])
 
     def run_file(self, copies, steps, truncation="molecule-switch", precision="double", prefix="run"):
-        start = f"w{512 * copies**3}.gro" if copies > 1 else "w512"
-        if copies > 1:
-            compare.replicate(ROOT / "data/start/w512.gro", self.folder / start, copies)
-        return RUN.format(waters=512 * copies**3, start=start, truncation=truncation, precision=precision, length=2 * steps,
-                          prefix=prefix)
+        return water.run_file(*water.start(copies, self.folder), prefix, system={"temperature": "297 K"},
+                              forces={"truncation": truncation, "electrostatics": "reaction-field", "cutoff": "1 nm", "precision": precision},
+                              integrator={"scheme": "velocity-verlet", "step": "2 fs"},
+                              run={"length": f"{2 * steps} fs", "sample": "200 fs", "shadow_sample": "0 fs"})
 
     def polhode(self, copies, precision, steps):
         self.write("run.toml", self.run_file(copies, steps, precision=precision))
@@ -154,11 +123,11 @@ def main():
     options = arguments()
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(options, Path(folder))
+        bench.export(bench.run_file(1, 1000, truncation="site-switch", prefix="water"))
         print(f"{datetime.date.today()}, {study.processor()}\n")
         print("| waters | program | ms per step | against polhode in the same precision |\n| --- | --- | --- | --- |")
         for copies in options.copies:
-            bench.write("start.toml", bench.run_file(copies, 1000, prefix="particles"))
-            bench.run([bench.program, "export", "lammps", "start.toml", "--pair-style", "polhode-particles", "--force"])
+            bench.export(bench.run_file(copies, 1000, prefix="particles"), "polhode-particles")
             own = {precision: bench.step(lambda steps, p=precision: bench.polhode(copies, p, steps), copies)
                    for precision in ("double", "mixed")}
             rows = [(f"polhode, {precision}", time, precision) for precision, time in own.items()]

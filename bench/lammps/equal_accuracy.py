@@ -26,32 +26,11 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tests/lammps"), str(ROOT / "bench/engine"), str(ROOT / "bench"), str(ROOT / "studies")]
-import compare  # noqa: E402
+sys.path[:0] = [str(ROOT / "tests/lammps"), str(ROOT / "bench/lammps"), str(ROOT / "bench"), str(ROOT / "studies")]
+import cost  # noqa: E402
 import engine  # noqa: E402
+import water  # noqa: E402
 from lib import study  # noqa: E402
-
-RUN = """[system]
-molecules = [{{ model = "tip4p", count = {waters} }}]
-initial_configuration = "{start}"
-temperature = "297 K"
-velocities = "new"
-seed = {seed}
-[forces]
-truncation = "{law}"
-electrostatics = "reaction-field"
-cutoff = "1 nm"
-precision = "{precision}"
-[integrator]
-scheme = "velocity-verlet"
-step = "1 fs"
-[run]
-length = "1 fs"
-[output]
-prefix = "{prefix}"
-trajectory_every = "0 ps"
-plot = "none"
-"""
 
 OTHER = "rigid/nve/small"
 # The force evaluations of a step, and the steps at which R is measured [fs].
@@ -76,24 +55,13 @@ FORMS = {
 }
 
 
-class Bench:
-    def __init__(self, options, folder):
-        self.options, self.folder = options, folder
-        self.program = study.program(options.polhode)
-        self.lmp = next(options.environment.resolve().glob("lib/python3*/site-packages/lammps/lmp"))
-        self.mpiexec = options.environment.resolve() / "bin/mpiexec"
-        self.environment = {**os.environ, "OMP_NUM_THREADS": "1",
-                            "LD_LIBRARY_PATH": str(options.environment.resolve() / "lib")}
-
+class Bench(cost.Bench):
     def exported(self, style, precision, law, seed=1, copies=1):
         """The script up to its fix, and the arguments of fix polhode that the molecules need."""
-        start = "w512" if copies == 1 else f"w{512 * copies**3}.gro"
-        if copies > 1:
-            compare.replicate(ROOT / "data/start/w512.gro", self.folder / start, copies)
-        (self.folder / "run.toml").write_text(RUN.format(waters=512 * copies**3, start=start, seed=seed, precision=precision,
-                                                         law=law, prefix="run"))
-        subprocess.run([self.program, "export", "lammps", "run.toml", "--pair-style", style, "--force"], cwd=self.folder, check=True,
-                       capture_output=True)
+        self.export(water.run_file(
+            *water.start(copies, self.folder), "run", system={"temperature": "297 K", "velocities": "new", "seed": seed},
+            forces={"truncation": law, "electrostatics": "reaction-field", "cutoff": "1 nm", "precision": precision},
+            integrator={"scheme": "velocity-verlet", "step": "1 fs"}, run={"length": "1 fs"}), style)
         head, _, rest = (self.folder / "run.in").read_text().partition("fix rigid")
         return head, re.search(r'scheme "[^"]*"(.*)', rest)[1]
 
@@ -102,7 +70,7 @@ class Bench:
         command = [self.lmp, "-in", "bench.in", "-log", "none", "-var", "plugin", self.options.plugin.resolve()]
         if ranks > 1:
             command = [self.mpiexec, "-n", str(ranks), *command]
-        done = subprocess.run(command, cwd=self.folder, env=self.environment, text=True, capture_output=True)
+        done = subprocess.run(command, cwd=self.folder, env={**os.environ, **self.environment}, text=True, capture_output=True)
         if done.returncode != 0:
             sys.exit(done.stdout[-2000:] + done.stderr[-2000:])
         return done.stdout

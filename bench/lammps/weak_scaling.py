@@ -62,11 +62,10 @@ def replicated(data, copies):
 class Bench(cost.Bench):
     def __init__(self, options, folder):
         super().__init__(options, folder)
-        self.mpiexec = options.environment.resolve() / "bin/mpiexec"
         subprocess.run(["cc", "-shared", "-fPIC", "-O1", f"-I{options.environment.resolve()}/include", "-o", folder / "messages.so",
                         HERE / "messages.c"], check=True)
-        self.write("start.toml", self.run_file(1, 1000, prefix="particles"))
-        self.run([self.program, "export", "lammps", "start.toml", "--pair-style", "polhode-particles", "--force"])
+        self.export(self.run_file(1, 1000, truncation="site-switch", prefix="water"))
+        self.export(self.run_file(1, 1000, prefix="particles"), "polhode-particles")
         (folder / "particles.data").rename(folder / "one.data")
 
     def script(self, form, copies, steps):
@@ -84,7 +83,7 @@ class Bench(cost.Bench):
         """(messages, bytes, collective operations) of the process that sends most, in a whole run."""
         self.write("run.in", self.script(form, copies, steps))
         done = subprocess.run([self.mpiexec, "-n", str(ranks), "-env", "LD_PRELOAD", self.folder / "messages.so", self.lmp,
-                               "-in", "run.in", "-log", "none"], cwd=self.folder, env=self.environment, text=True,
+                               "-in", "run.in", "-log", "none"], cwd=self.folder, env={**os.environ, **self.environment}, text=True,
                               capture_output=True)
         found = re.findall(r"sent rank \d+ messages (\d+) bytes (\d+) collectives (\d+)", done.stderr + done.stdout)
         if done.returncode != 0 or len(found) != ranks:

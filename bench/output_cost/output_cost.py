@@ -14,34 +14,21 @@ from pathlib import Path
 from statistics import median, quantiles
 from subprocess import DEVNULL, PIPE, run
 
-sys.path.append(str(Path(__file__).resolve().parents[2] / "studies"))
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import water  # noqa: E402
 from lib import study  # noqa: E402
 
-RUN_FILE = """[system]
-molecules = [{{ model = "tip4p", count = {waters} }}]
-{place}
-[forces]
-precision = "mixed"
-[integrator]
-step = "4 fs"
-[run]
-equilibrate = "0 ps"
-length = "{length:g} ps"
-[output]
-plot = "none"
-trajectory_every = "{every:g} ps"
-formats = ["{format}"]
-checkpoint_every = "{checkpoint:g} s"
-"""
 NEVER = 1e6  # [s]
 
 
 def seconds(o, waters, length, form="xtc", every=0.0, checkpoint=NEVER):
     """The parts of the time of a run, and the bytes of the files whose names contain a word."""
     with tempfile.TemporaryDirectory(dir=o.folder) as folder:
-        place = 'initial_configuration = "w512"' if waters == 512 else 'density = "0.997 g/cm3"'
-        Path(folder, "run.toml").write_text(RUN_FILE.format(waters=waters, place=place, length=length, format=form,
-                                                            every=every, checkpoint=checkpoint))
+        on_lattice = waters != 512
+        Path(folder, "run.toml").write_text(water.run_file(
+            waters, None if on_lattice else "w512", system={"density": "0.997 g/cm3"} if on_lattice else {},
+            forces={"precision": "mixed"}, integrator={"step": "4 fs"}, run={"equilibrate": "0 ps", "length": f"{length:g} ps"},
+            output={"trajectory_every": f"{every:g} ps", "formats": [form], "checkpoint_every": f"{checkpoint:g} s"}))
         done = run([o.program, "run", "run.toml", "--threads", "1", "--json"], cwd=folder, check=True,
                    stdout=PIPE, stderr=DEVNULL, text=True)
         summary = json.loads(done.stdout)

@@ -8,7 +8,6 @@ import datetime
 import os
 import shlex
 import shutil
-import subprocess
 import sys
 import tempfile
 from math import isfinite

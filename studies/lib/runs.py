@@ -10,8 +10,6 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import pandas
-
 QUIET = {"trajectory_every": "0 ps", "plot": "none"}  # of [output]: neither trajectory nor figure
 
 
@@ -81,6 +79,7 @@ def parallel(o, work, cases):
 
 def columns(path):
     """A CSV file of the program as a table whose columns are named without their units."""
+    import pandas  # only here: benchmarks need none
     return pandas.read_csv(path, comment="#").rename(columns=lambda name: name.split(" [")[0])
 
 

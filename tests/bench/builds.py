@@ -26,12 +26,12 @@ plot = "none"
 ENGINE = Path(__file__).resolve().parents[2] / "bench/engine"
 sys.path.append(str(ENGINE))
 import compare  # noqa: E402
+import water  # noqa: E402
 
 
 def energy(folder, molecules, start):
     """Potential energy of a configuration [kJ/mol]."""
-    (folder / "run.toml").write_text(compare.RUN.format(molecules=molecules, start=start, precision="double", step=0.002, length=0.002,
-                                                        forces=compare.FORCES["reaction-field"]), encoding="utf-8")
+    (folder / "run.toml").write_text(water.run_file(molecules, start, forces={"cutoff": "0.9 nm", **compare.FORCES["reaction-field"]}), encoding="utf-8")
     run = subprocess.run([built_program.PROGRAM, "energy", "run.toml", "--json"], cwd=folder, text=True, capture_output=True, check=True)
     return json.loads(run.stdout)["potential_kJ_per_mol"]
 
@@ -70,7 +70,7 @@ class Compare(unittest.TestCase):
             folder = Path(name)
             (folder / "run.toml").write_text(compare.run_file(compare.Case("reaction-field", "double", 512, "", 1), 1), encoding="utf-8")
             subprocess.run([built_program.PROGRAM, "run", "run.toml"], cwd=folder, capture_output=True, check=True)
-            compare.replicate(folder / "out-final.gro", folder / "w4096.gro", 2)
+            water.replicate(folder / "out-final.gro", folder / "w4096.gro", 2)
             energies = energy(folder, 512, "out-final.gro"), energy(folder, 4096, "w4096.gro")
             # Ten decimals of positions and a sum over 4096 molecules.
             self.assertAlmostEqual(energies[1] / energies[0], 8, delta=8e-9)
