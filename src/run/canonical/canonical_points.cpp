@@ -6,6 +6,7 @@
 
 #include "math/prediction.hpp"
 #include "polhode/run/canonical/canonical_study.hpp"
+#include "run/study/study_tasks.hpp"
 
 namespace polhode {
 namespace {
@@ -28,17 +29,6 @@ std::optional<Estimate> mean_over(const std::vector<CanonicalRun>& runs, const V
   return mean_of(std::move(values));
 }
 
-/// The runs of a method, sorted by initial configuration: sums do not depend on which run ended
-/// first.
-std::vector<CanonicalRun> runs_of(const CanonicalMethod& method,
-                                  const std::vector<CanonicalRun>& runs) {
-  std::vector<CanonicalRun> own;
-  for (const CanonicalRun& run : runs)
-    if (run.scheme == method.text && std::abs(run.step - method.step) < 1e-12) own.push_back(run);
-  std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.start < b.start; });
-  return own;
-}
-
 /// The mean of a quantity by exact sampling, over all methods but one: of each initial
 /// configuration over the steps, then over the configurations, whose runs are independent.
 std::optional<Estimate> exact_mean(const std::vector<CanonicalMethod>& methods,
@@ -47,7 +37,7 @@ std::optional<Estimate> exact_mean(const std::vector<CanonicalMethod>& methods,
   std::map<int, std::vector<double>> of_start;
   for (const CanonicalMethod& method : methods) {
     if (!method.hybrid || (method.text == without.text && method.step == without.step)) continue;
-    for (const CanonicalRun& run : runs_of(method, runs))
+    for (const CanonicalRun& run : runs_of(method.text, method.step, runs))
       if (run.stable && std::isfinite(run.means[quantity]))
         of_start[run.start].push_back(run.means[quantity]);
   }
@@ -110,7 +100,7 @@ std::vector<CanonicalPoint> canonical_points(const std::vector<CanonicalMethod>&
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<CanonicalPoint> points;
   for (const CanonicalMethod& method : methods) {
-    const std::vector<CanonicalRun> own = runs_of(method, runs);
+    const std::vector<CanonicalRun> own = runs_of(method.text, method.step, runs);
     if (own.empty()) continue;
     CanonicalPoint point{.method = method};
     point.runs = static_cast<int>(own.size());

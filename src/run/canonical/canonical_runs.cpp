@@ -5,9 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <mutex>
-#include <set>
-#include <tuple>
 
 #include "measure/autocorrelation_time.hpp"
 #include "polhode/base/units.hpp"
@@ -19,6 +16,7 @@
 #include "polhode/run/canonical/canonical_study.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
+#include "run/study/study_tasks.hpp"
 
 namespace polhode {
 namespace {
@@ -161,92 +159,30 @@ System canonical_start(const System& base, const Config& config, std::size_t ind
   return start;
 }
 
-/// The runs of a study that are still to be done.
-class CanonicalJobs {
- public:
-  CanonicalJobs(const Config& config, const std::vector<CanonicalRun>& known,
-                const std::function<void(const CanonicalRun&)>& finished,
-                const Callbacks& callbacks, Workers& workers)
-      : config_(config), finished_(finished), callbacks_(callbacks), workers_(workers) {
-    std::set<std::tuple<std::string, double, int>> done;
-    for (const CanonicalRun& run : known) done.emplace(run.scheme, run.step, run.start);
-    const std::vector<CanonicalMethod> methods = canonical_methods(config.study);
-    for (const CanonicalMethod& method : methods) shortest_ = std::min(shortest_, method.step);
-    // All methods from one configuration before the next, so that a study that is interrupted has
-    // points with equal numbers of runs.
-    for (int start = 0; start < config.study.runs; ++start)
-      for (const CanonicalMethod& method : methods)
-        if (!done.contains({method.text, method.step, start})) add({method, start});
-  }
-
-  void perform() {
-    if (jobs_.empty()) return;
-    prepare_starts();
-    workers_.each(jobs_.size(), [&](std::size_t k) { perform(jobs_[k]); });
-  }
-
- private:
-  struct Job {
-    CanonicalMethod method;
-    int start;
-  };
-
-  void add(const Job& job) {
-    jobs_.push_back(job);
-    work_ += job.method.cost() * config_.study.length;
-  }
-
-  bool needed(std::size_t start) const {
-    return std::any_of(jobs_.begin(), jobs_.end(), [&](const Job& job) {
-      return static_cast<std::size_t>(job.start) == start;
-    });
-  }
-
-  void prepare_starts() {
-    const System base = build_system(config_);
-    starts_.assign(static_cast<std::size_t>(config_.study.runs), base);
-    workers_.each(starts_.size(), [&](std::size_t r) {
-      if (!needed(r) || callbacks_.stopped()) return;
-      starts_[r] = canonical_start(base, config_, r, shortest_, callbacks_.stop);
-      advance(0, "preparing initial configurations");
-    });
-  }
-
-  void perform(const Job& job) {
-    if (callbacks_.stopped()) return;
-    const auto start = static_cast<std::size_t>(job.start);
-    const CanonicalRun run = one_run(starts_[start], start, job.method, config_, callbacks_.stop);
-    if (callbacks_.stopped()) return;  // the run may be incomplete
-    {
-      const std::lock_guard lock(guard_);
-      finished_(run);
-    }
-    advance(job.method.cost() * config_.study.length, job.method.name);
-  }
-
-  void advance(double by, const std::string& what) {
-    const std::lock_guard lock(guard_);
-    done_ += by;
-    callbacks_.report({"study", done_ / work_, what});
-  }
-
-  const Config& config_;
-  const std::function<void(const CanonicalRun&)>& finished_;
-  const Callbacks& callbacks_;
-  Workers& workers_;
-  std::vector<Job> jobs_;
-  std::vector<System> starts_;
-  std::mutex guard_;
-  double shortest_ = std::numeric_limits<double>::infinity();  // step [ps]
-  double work_ = 0, done_ = 0;                                 // in force evaluations
-};
-
 }  // namespace
 
 void perform_canonical_runs(const Config& config, const std::vector<CanonicalRun>& known,
                             const std::function<void(const CanonicalRun&)>& finished,
                             const Callbacks& callbacks, Workers& workers) {
-  CanonicalJobs(config, known, finished, callbacks, workers).perform();
+  const StudySettings& study = config.study;
+  const std::vector<CanonicalMethod> methods = canonical_methods(study);
+  double shortest = std::numeric_limits<double>::infinity();  // step [ps]
+  for (const CanonicalMethod& method : methods) shortest = std::min(shortest, method.step);
+  // All methods from one configuration before the next, so that a study that is interrupted has
+  // points with equal numbers of runs.
+  StudyTasks<CanonicalMethod> tasks(callbacks, workers);
+  for (int start = 0; start < study.runs; ++start)
+    for (const CanonicalMethod& method : methods)
+      tasks.add(method, method.text, start, method.cost() * study.length, known);
+  if (tasks.empty()) return;
+  const System base = build_system(config);
+  tasks.prepare(base, study.runs, 0, [&](std::size_t start) {
+    return canonical_start(base, config, start, shortest, callbacks.stop);
+  });
+  tasks.perform(finished,
+                [&](const CanonicalMethod& method, const System& start, std::size_t index) {
+                  return one_run(start, index, method, config, callbacks.stop);
+                });
 }
 
 }  // namespace polhode

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <mutex>
 #include <numeric>
 
 #include "io/settings/output_units.hpp"
@@ -17,6 +16,7 @@
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "run/simulation/system/near_forces.hpp"
+#include "study_tasks.hpp"
 
 namespace polhode {
 namespace {
@@ -44,8 +44,6 @@ std::vector<double> default_steps(const NestedScheme& nested, bool coarse) {
 
 /// Assumed weight of near forces, for distributing the work before anything is measured.
 constexpr double typical_near_weight = 0.3;
-
-bool same(double a, double b) { return std::abs(a - b) < 1e-12; }
 
 StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point,
                  const Config& config, double near_weight, const Callbacks& callbacks) {
@@ -91,105 +89,12 @@ void add_point(std::vector<StudyPoint>& points, const StudyPoint& point) {
           fmt::format("the study has two schemes with the name '{}'; tables distinguish schemes by "
                       "their names, so give one of them another name",
                       point.name));
-    else if (other.name == point.name && same(other.step, point.step))
+    else if (other.name == point.name && same_step(other.step, point.step))
       throw Error(fmt::format(
           "the study has {} with a step of {:g} fs twice; give each scheme and each step once",
           point.name, units::fs_per_ps * point.step));
   points.push_back(point);
 }
-
-/// The runs of a study that are still to be done.
-class StudyJobs {
- public:
-  StudyJobs(const Config& config, const std::vector<StudyRun>& known,
-            const std::function<void(const StudyRun&)>& finished, const Callbacks& callbacks,
-            Workers& workers)
-      : config_(config),
-        finished_(finished),
-        callbacks_(callbacks),
-        workers_(workers),
-        needed_(static_cast<std::size_t>(config.study.runs), false) {
-    std::map<std::pair<std::string, int>, std::vector<double>> steps_done;  // by scheme and run
-    for (const StudyRun& run : known) steps_done[{run.scheme, run.start}].push_back(run.step);
-    for (const StudyPoint& point : study_points(config.study))
-      for (int r = 0; r < config.study.runs; ++r)
-        if (!contains(steps_done[{point.record_name(), r}], point.step)) add({point, r});
-    // The most expensive first, so that the last ones are short.
-    std::stable_sort(jobs_.begin(), jobs_.end(),
-                     [](const Job& a, const Job& b) { return a.work() > b.work(); });
-  }
-
-  void perform() {
-    if (jobs_.empty()) return;
-    work_ += preparation() * static_cast<double>(std::count(needed_.begin(), needed_.end(), true));
-    const System base = build_system(config_);
-    prepare_starts(base);
-    if (callbacks_.stopped()) return;
-    for (const Job& job : jobs_)  // measured while nothing else runs
-      if (!near_weights_.contains(job.point.name))
-        near_weights_[job.point.name] = near_weight(base, job.point.scheme.inner);
-    workers_.each(jobs_.size(), [&](std::size_t k) { perform(jobs_[k]); });
-  }
-
- private:
-  struct Job {
-    StudyPoint point;
-    int start;
-    double work() const { return point.cost(typical_near_weight); }  // per ps
-  };
-
-  static bool contains(const std::vector<double>& steps, double step) {
-    return std::any_of(steps.begin(), steps.end(), [&](double one) { return same(one, step); });
-  }
-
-  void add(const Job& job) {
-    jobs_.push_back(job);
-    needed_[static_cast<std::size_t>(job.start)] = true;
-    work_ += job.work() * config_.study.length;
-  }
-
-  /// Force evaluations for an initial configuration, in steps of 1 fs.
-  double preparation() const { return 1000 * config_.study.decorrelate; }
-
-  void prepare_starts(const System& base) {
-    starts_.assign(needed_.size(), base);
-    workers_.each(starts_.size(), [&](std::size_t r) {
-      if (!needed_[r] || callbacks_.stopped()) return;
-      starts_[r] = prepare_start(base, config_, r, config_.study.decorrelate, callbacks_.stop);
-      advance(preparation(), "preparing initial configurations");
-    });
-  }
-
-  void perform(const Job& job) {
-    if (callbacks_.stopped()) return;
-    const auto start = static_cast<std::size_t>(job.start);
-    const StudyRun run = one_run(starts_[start], start, job.point, config_,
-                                 near_weights_.at(job.point.name), callbacks_);
-    if (callbacks_.stopped()) return;  // the run may be incomplete
-    {
-      const std::lock_guard lock(guard_);
-      finished_(run);
-    }
-    advance(job.work() * config_.study.length, job.point.name);
-  }
-
-  void advance(double by, const std::string& what) {
-    const std::lock_guard lock(guard_);
-    done_ += by;
-    callbacks_.report({"study", done_ / work_, what});
-  }
-
-  const Config& config_;
-  const std::function<void(const StudyRun&)>& finished_;
-  const Callbacks& callbacks_;
-  Workers& workers_;
-  std::vector<bool> needed_;  // initial configurations
-  std::vector<Job> jobs_;
-  std::vector<System> starts_;
-  std::map<std::string, double> near_weights_;  // of schemes
-  std::mutex guard_;
-  double work_ = 0, done_ = 0;  // in force evaluations
-};
 
 }  // namespace
 
@@ -243,7 +148,27 @@ System prepare_start(const System& base, const Config& config, std::size_t index
 void perform_study_runs(const Config& config, const std::vector<StudyRun>& known,
                         const std::function<void(const StudyRun&)>& finished,
                         const Callbacks& callbacks, Workers& workers) {
-  StudyJobs(config, known, finished, callbacks, workers).perform();
+  const StudySettings& study = config.study;
+  StudyTasks<StudyPoint> tasks(callbacks, workers);
+  for (const StudyPoint& point : study_points(study))
+    for (int start = 0; start < study.runs; ++start)
+      tasks.add(point, point.record_name(), start, point.cost(typical_near_weight) * study.length,
+                known);
+  if (tasks.empty()) return;
+  tasks.sort_by_work();
+  const System base = build_system(config);
+  constexpr double steps_per_ps = 1000;  // of an equilibration
+  tasks.prepare(base, study.runs, steps_per_ps * study.decorrelate, [&](std::size_t start) {
+    return prepare_start(base, config, start, study.decorrelate, callbacks.stop);
+  });
+  if (callbacks.stopped()) return;
+  std::map<std::string, double> near_weights;  // measured while nothing else runs
+  for (const auto& task : tasks.all())
+    if (!near_weights.contains(task.point.name))
+      near_weights[task.point.name] = near_weight(base, task.point.scheme.inner);
+  tasks.perform(finished, [&](const StudyPoint& point, const System& start, std::size_t index) {
+    return one_run(start, index, point, config, near_weights.at(point.name), callbacks);
+  });
 }
 
 namespace {
@@ -295,24 +220,13 @@ void add_means(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
   point.rounding = mean(roundings).value;
 }
 
-/// The runs of a point, sorted by initial configuration: sums do not depend on which run ended
-/// first.
-std::vector<StudyRun> runs_of(const StudyPoint& point, const std::vector<StudyRun>& runs) {
-  const std::string name = point.record_name();
-  std::vector<StudyRun> own;
-  for (const StudyRun& run : runs)
-    if (run.scheme == name && same(run.step, point.step)) own.push_back(run);
-  std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.start < b.start; });
-  return own;
-}
-
 }  // namespace
 
 std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& points,
                                                const std::vector<StudyRun>& runs, double length) {
   std::vector<EfficiencyPoint> result;
   for (const StudyPoint& point : points) {
-    const std::vector<StudyRun> own = runs_of(point, runs);
+    const std::vector<StudyRun> own = runs_of(point.record_name(), point.step, runs);
     if (own.empty()) continue;
     EfficiencyPoint e;
     e.scheme = point.name;

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// What studies have in common between their points and their runs.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/run/callbacks.hpp"
+#include "polhode/run/simulation/system/system.hpp"
+
+namespace polhode {
+
+/// Whether two time steps [ps] are the same.
+inline bool same_step(double a, double b) { return std::abs(a - b) < 1e-12; }
+
+/// The runs of a scheme, as records name it, with one step, sorted by initial configuration: sums
+/// do not depend on which run ended first.
+template <class Run>
+std::vector<Run> runs_of(const std::string& scheme, double step, const std::vector<Run>& runs) {
+  std::vector<Run> own;
+  for (const Run& run : runs)
+    if (run.scheme == scheme && same_step(run.step, step)) own.push_back(run);
+  std::sort(own.begin(), own.end(), [](const Run& a, const Run& b) { return a.start < b.start; });
+  return own;
+}
+
+/// The runs of a study that are still to be done, as many at a time as there are workers.
+/// @tparam Point  a scheme with a step, and its `name`
+template <class Point>
+class StudyTasks {
+ public:
+  struct Task {
+    Point point;
+    std::size_t start;  // index of its initial configuration
+    double work;        // force evaluations
+  };
+
+  StudyTasks(const Callbacks& callbacks, Workers& workers)
+      : callbacks_(callbacks), workers_(workers) {}
+
+  /// Adds a run unless it is known.
+  template <class Run>
+  void add(const Point& point, const std::string& scheme, int start, double work,
+           const std::vector<Run>& known) {
+    if (std::any_of(known.begin(), known.end(), [&](const Run& run) {
+          return run.scheme == scheme && run.start == start && same_step(run.step, point.step);
+        }))
+      return;
+    tasks_.push_back({point, static_cast<std::size_t>(start), work});
+    work_ += work;
+  }
+
+  bool empty() const { return tasks_.empty(); }
+  const std::vector<Task>& all() const { return tasks_; }
+
+  /// Performs the most expensive ones first, so that the last ones are short.
+  void sort_by_work() {
+    std::stable_sort(tasks_.begin(), tasks_.end(),
+                     [](const Task& a, const Task& b) { return a.work > b.work; });
+  }
+
+  /// Makes those of the first `count` initial configurations that are needed.
+  /// @param work  of each, in force evaluations
+  /// @param make  a function of the index
+  template <class Make>
+  void prepare(const System& base, int count, double work, const Make& make) {
+    starts_.assign(static_cast<std::size_t>(count), base);
+    std::vector<bool> needed(starts_.size(), false);
+    for (const Task& task : tasks_) needed[task.start] = true;
+    work_ += work * static_cast<double>(std::count(needed.begin(), needed.end(), true));
+    workers_.each(starts_.size(), [&](std::size_t k) {
+      if (!needed[k] || callbacks_.stopped()) return;
+      starts_[k] = make(k);
+      advance(work, "preparing initial configurations");
+    });
+  }
+
+  /// @param finished  takes each run(point, initial configuration, its index) when it ends
+  template <class Finished, class MakeRun>
+  void perform(const Finished& finished, const MakeRun& run) {
+    workers_.each(tasks_.size(), [&](std::size_t k) {
+      const auto& [point, start, work] = tasks_[k];
+      if (callbacks_.stopped()) return;
+      const auto done = run(point, starts_[start], start);
+      if (callbacks_.stopped()) return;  // the run may be incomplete
+      {
+        const std::lock_guard lock(guard_);
+        finished(done);
+      }
+      advance(work, point.name);
+    });
+  }
+
+ private:
+  void advance(double by, const std::string& what) {
+    const std::lock_guard lock(guard_);
+    done_ += by;
+    callbacks_.report({"study", done_ / work_, what});
+  }
+
+  const Callbacks& callbacks_;
+  Workers& workers_;
+  std::vector<Task> tasks_;
+  std::vector<System> starts_;
+  std::mutex guard_;
+  double work_ = 0, done_ = 0;  // in force evaluations
+};
+
+}  // namespace polhode
