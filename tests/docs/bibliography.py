@@ -6,12 +6,12 @@ make the inner one a link, `[vanzon2008]: bibliography.md#vanzon2008`, are at th
 entry, and every entry a citation, is checked by tests/lints/citations.py.
 """
 
-import argparse
 import os
 import re
-import sys
 import unicodedata
 from pathlib import Path
+
+from pages import is_current, options, report
 
 KEY = r"[a-z]{3,}(?:1[6-9]|20)\d\d[a-z]?"
 CITED = re.compile(rf"(?<![\w/.-])({KEY})(?![\w/-])")
@@ -99,26 +99,16 @@ def pages(root):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[2])
-    parser.add_argument("--write", action="store_true", help="bring the bibliography and the links up to date")
-    options = parser.parse_args()
-    root, wrong = options.root.resolve(), []
+    given = options(__doc__, "bring the bibliography and the links up to date")
+    root, wrong = given.root, []
     current = {"docs/bibliography.md": bibliography(root)}
     for name, page in pages(root):
         text = page.read_text(encoding="utf-8")
         wrong += [f"{name}:{line}: {key} is not linked; write [[{key}]]" for line, key in unlinked(text)]
         current[name] = linked(page, root, text)
-    for name, text in current.items():
-        page = root / name
-        if page.exists() and page.read_text(encoding="utf-8") == text:
-            continue
-        if options.write:
-            page.write_text(text, encoding="utf-8")
-        else:
-            wrong.append(f"{name} lacks links or entries; run tests/docs/bibliography.py --write")
-    print("\n".join(wrong) or f"{len(current)} documents, every citation is linked")
-    sys.exit(1 if wrong else 0)
+    wrong += [f"{name} lacks links or entries; run tests/docs/bibliography.py --write"
+              for name, text in current.items() if not is_current(root / name, text, given.write)]
+    report(wrong, f"{len(current)} documents, every citation is linked")
 
 
 if __name__ == "__main__":

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 """docs/manual/dictionary.md has each run parameter of GROMACS that the program reads, and its keys are those of run files."""
 
-import argparse
 import re
-import sys
-from pathlib import Path
+
+from pages import options, report
 
 PAGE, SOURCE = "docs/manual/dictionary.md", "src/io/gromacs/mdp.cpp"
 KEYS = ("docs/manual/run-files.md", "docs/manual/ensembles.md", "docs/manual/gromacs.md", "docs/manual/molecule-files.md")
@@ -30,13 +29,5 @@ def findings(root):
                 yield f"{PAGE}: run files have no key {key[1]}; correct the row"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[2])
-    found = list(findings(parser.parse_args().root.resolve()))
-    print("\n".join(found) or "each parameter and each key of the dictionary exists")
-    sys.exit(1 if found else 0)
-
-
 if __name__ == "__main__":
-    main()
+    report(findings(options(__doc__).root), "each parameter and each key of the dictionary exists")

@@ -5,10 +5,9 @@ docs/theory.md has Eq. (1), (2), ..., docs/theory-rotor.md Eq. (R1), (R2), ...: 
 file it is cited. Equations of papers are cited without parentheses: [[vanzon2008], Eq. 3].
 """
 
-import argparse
 import re
-import sys
-from pathlib import Path
+
+from pages import is_current, options, report
 
 PAGES = {"docs/theory.md": "", "docs/theory-rotor.md": "R"}  # with the letter before their numbers
 CITING = ("docs", "README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "include", "src", "cli", "tests", "bench", "studies", "examples")
@@ -48,28 +47,22 @@ def cited(text):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[2])
-    parser.add_argument("--write", action="store_true", help="number the equations, and correct the citations")
-    options = parser.parse_args()
-    root, new, wrong = options.root.resolve(), {}, []
+    given = options(__doc__, "number the equations, and correct the citations")
+    root, new, wrong = given.root, {}, []
     for name, letter in PAGES.items():
         text = (root / name).read_text(encoding="utf-8")
         in_order, numbers = numbered(text, letter)
         new |= numbers
-        if in_order != text and options.write:
-            (root / name).write_text(in_order, encoding="utf-8")
-        elif in_order != text:
+        if not is_current(root / name, in_order, given.write):
             wrong.append(f"{name}: equations are not numbered in order; run tests/docs/equations.py --write")
     for path in citing_files(root):
         text = path.read_text(encoding="utf-8")
         wrong += [f"{path.relative_to(root)}:{line}: there is no Eq. ({number}); correct it"
                   for line, number in cited(text) if number not in new]
         renewed = CITATION.sub(lambda c: re.sub(NUMBER, lambda n: f"({new.get(n[1], n[1])})", c[0]), text)
-        if options.write and renewed != text:
-            path.write_text(renewed, encoding="utf-8")
-    print("\n".join(wrong) or f"{len(new)} equations, numbered in order")
-    sys.exit(1 if wrong else 0)
+        if given.write:
+            is_current(path, renewed, write=True)
+    report(wrong, f"{len(new)} equations, numbered in order")
 
 
 if __name__ == "__main__":

@@ -5,10 +5,9 @@ A kind is the first text of a `Warning{"kind", ...}`, also after `return` in a f
 heading ### `kind`. A message in the page, a quote, must be a text of the source with values in place of its {}.
 """
 
-import argparse
 import re
-import sys
-from pathlib import Path
+
+from pages import options, report
 
 PAGE = "docs/manual/messages.md"
 LITERAL = r'"(?:[^"\\]|\\.)*"'
@@ -50,13 +49,5 @@ def findings(root):
             yield f"{PAGE}:{page.count(chr(10), 0, quote.start()) + 1}: the source has no text like this; show a message as it is printed"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[2])
-    found = list(findings(parser.parse_args().root.resolve()))
-    print("\n".join(found) or "each warning is explained, and each message shown is one of the source")
-    sys.exit(1 if found else 0)
-
-
 if __name__ == "__main__":
-    main()
+    report(findings(options(__doc__).root), "each warning is explained, and each message shown is one of the source")

@@ -6,11 +6,10 @@ the line of an option in a help page, and in a sentence that names the command. 
 in sentences such as "`skin` (default: 0.05 nm)". A value that is stated once is not checked.
 """
 
-import argparse
 import re
-import sys
 from collections import defaultdict
-from pathlib import Path
+
+from pages import options, report
 
 NOT_CHECKED = ("bench/results", "studies/records", "build", "third_party", "CHANGELOG.md", "docs/glossary.md", "docs/bibliography.md")
 BLOCK = re.compile(r"^```(\w*).*?\n(.*?)^```", re.S | re.M)
@@ -116,9 +115,7 @@ def facts(text):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[2])
-    root = parser.parse_args().root.resolve()
+    root = options(__doc__).root
     stated = defaultdict(lambda: defaultdict(list))  # what, value: where
     documents = dict(pages(root))
     tables = defaultdict(set)
@@ -137,8 +134,7 @@ def main():
     wrong += [f"{what} has several values, correct all but one: " + "; ".join(f"{value} ({', '.join(places)})" for value, places in values.items())
              for what, values in stated.items() if len(values) > 1]
     several = sum(sum(map(len, values.values())) > 1 for values in stated.values())
-    print("\n".join(wrong) or f"{several} values are stated several times, the same each time")
-    sys.exit(1 if wrong else 0)
+    report(wrong, f"{several} values are stated several times, the same each time")
 
 
 if __name__ == "__main__":
