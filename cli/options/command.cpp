@@ -58,8 +58,8 @@ void Command::add_settings() {
       overlay->settings.push_back({row.key, values, option});
     };
     app_->add_option_function<std::vector<std::string>>(names_of(option, row.old_name), set,
-                                                        row.meaning)
-        ->expected(1, row.is_list ? CLI::detail::expected_max_vector_size : 1);
+                                                        row.meaning())
+        ->expected(1, row.is_list() ? CLI::detail::expected_max_vector_size : 1);
   }
 }
 

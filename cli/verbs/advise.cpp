@@ -5,13 +5,13 @@
 #include <memory>
 
 #include "../options/job_options.hpp"
-#include "../reports/hybrid_advice.hpp"
 #include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "polhode/base/error.hpp"
 #include "run/adviser/advice_report.hpp"
+#include "run/canonical/hybrid_adviser.hpp"
 #include "run/requests.hpp"
 
 namespace polhode::cli {
@@ -19,11 +19,24 @@ namespace {
 
 using Options = RequestOptions<AdviceRequest>;
 
+/// Advice for hybrid Monte Carlo, which has no bias to bound.
+int advise_canonical(const Options& o, const Config& config, bool schemes_given) {
+  const HybridAdviserSettings settings = o.request.hybrid_settings(config, schemes_given);
+  Workers workers = o.workers();
+  const HybridAdvice advice = advise_hybrid(config, settings, console(), workers);
+  if (advice.stopped) {
+    log("interrupted before the search ended\n");
+    return 130;
+  }
+  print_results(quantities(advice), o.json);
+  if (advice.finalists.empty()) throw RunError(answer(advice));
+  return 0;
+}
+
 int advise(const Options& o, bool schemes_given) {
   const Config config = o.config();
+  if (o.request.is_canonical()) return advise_canonical(o, config, schemes_given);
   Workers workers = o.workers();
-  if (o.request.is_canonical())
-    return advise_hybrid(o.request.hybrid_settings(config, schemes_given), config, o.json, workers);
   const AdviserSettings settings = o.request.settings(config);
   const AdviceReport report =
       run_adviser(config, settings, o.request.prefix(), o.output(), console(), workers);

@@ -2,11 +2,10 @@
 // polhode top: the rotation of one free top, exact and with NO_SQUISH, or a table of tops.
 #include "polhode/run/top/top.hpp"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <memory>
-#include <string>
-#include <vector>
+#include <optional>
 
 #include "../options/job_options.hpp"
 #include "../reports/reports.hpp"
@@ -14,63 +13,39 @@
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "run/top/top_figure.hpp"
+#include "run/top/top_request.hpp"
 
 namespace polhode::cli {
 namespace {
 
-struct Options : JobOptions {
-  std::vector<double> J, L;
-  double step = 0, length = 0;
-  std::string table, prefix, method = "series";
-};
+using Options = RequestOptions<TopRequest>;
 
 int print_trajectory(const Options& o) {
-  if (o.J.size() != 3 || o.L.size() != 3)
-    throw Error(
-        "a top needs three principal moments and three components of angular momentum: write for "
-        "example --J 1,2,3 --L 0.1,0.2,1, or give --table FILE.csv",
-        "--J, --L");
-  const Vec3<double> J{o.J[0], o.J[1], o.J[2]}, L{o.L[0], o.L[1], o.L[2]};
-  const TopFigure figure(o.prefix);
-  if (!o.prefix.empty()) check_prefix(o.prefix);
-  if (!o.prefix.empty()) check_outputs(figure.files(), o.output().existing);
+  const auto [J, L, step, length] = o.request.top();
+  std::optional<TopFigure> figure;
+  if (o.request.output) figure.emplace(o.request.output.text, o.output());
   const Callbacks callbacks = console();
-  const TopTrajectory trajectory = integrate_top(J, L, o.step, o.length, callbacks.stop);
+  const TopTrajectory trajectory = integrate_top(J, L, step, length, callbacks.stop);
   print_results(quantities(trajectory), false);
   if (trajectory.interrupted) {
     log("interrupted; the table ends at the last sample before\n");
     return 130;
   }
-  if (o.prefix.empty()) return 0;
-  draw_top(figure, J, L, callbacks);
-  log("wrote {}, {}, {} and {}\n", figure.svg, figure.png, figure.data, figure.script);
+  if (!figure) return 0;
+  draw_top(*figure, J, L, callbacks);
+  log("wrote {}\n", fmt::join(figure->files(), ", "));
   return 0;
 }
 
 }  // namespace
 
 Action top_verb(Command& command) {
-  auto options = std::make_shared<Options>();
-  command
-      .add_option("--J", options->J, "principal moments, for example 1,2,3; any consistent units")
-      .separated_by(',');
-  command.add_option("--L", options->L, "body-frame angular momentum, for example 0.1,0.2,1")
-      .separated_by(',');
-  command.add_option("--step", options->step, "time step; default: the top turns by 0.2 per step");
-  command.add_option("--length", options->length, "length of the trajectory; default: 200 steps");
-  command.add_option("--output", options->prefix,
-                     "draw the polhode on the inertia ellipsoid: PREFIX.svg, .png, .dat, .gp");
-  options->declare_force(command);
-  command.add_option(
-      "--table", options->table,
-      "read tops from a CSV file with columns I1,I2,I3,L1,L2,L3,t and print their rotations");
-  command.add_option("--method", options->method,
-                     "for --table: series (default), closed, theta, recursive, no-squish, "
-                     "symmetric-product");
-  return [options] {
-    if (options->table.empty()) return print_trajectory(*options);
-    fmt::print(
-        "{}", rotate_table(options->table, given_name<RotorMethod>({options->method, "--method"})));
+  auto o = std::make_shared<Options>();
+  command.add_request(o->request);
+  o->declare_force(command);
+  return [o] {
+    if (!o->request.table) return print_trajectory(*o);
+    fmt::print("{}", o->request.rotated_table());
     return 0;
   };
 }

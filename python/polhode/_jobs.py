@@ -41,7 +41,7 @@ def _text(value):
 
 
 # Arguments that are no options of a job: those of all jobs, and settings.
-_COMMON = ("source", "keywords", "run", "particles", "resume", "force", "threads", "progress", "messages")
+_COMMON = ("source", "keywords", "kind", "path", "run", "particles", "resume", "force", "threads", "progress", "messages")
 
 
 class _Job:
@@ -91,31 +91,17 @@ def new(kind: str, path: Path | None = None, *, ensemble: str | None = None,
     Args:
         kind (str): "water", "nvt", "npt", "mixture", "gromacs" or "lammps".
         path: file to write; default: KIND.toml. An existing one is never overwritten.
-        ensemble (str): "nvt" or "npt", for a kind at constant energy.
-        mdp: run parameters of GROMACS to translate; kind is "gromacs".
+        ensemble (str): ensemble of a kind without one (gromacs, lammps, water, mixture): nvt adds a
+            thermostat, npt a barostat, too.
+        mdp: run parameters of GROMACS to translate; those without counterpart are listed.
         messages: called with each parameter without counterpart, and why, such as print.
 
     Returns:
         pathlib.Path: the file.
     """
-    path = pathlib.Path(f"{kind}.toml" if path is None else path)
-    if mdp is None:
-        text = _core.run_file_template(kind, ensemble or "")
-    elif kind != "gromacs" or ensemble is not None:
-        raise Error("mdp has parameters of GROMACS, with the ensemble; give the kind \"gromacs\" "
-                    "and no ensemble")
-    else:
-        text, differences = _core.read_mdp(os.fspath(mdp), path.stem)
-        for parameter, reason in differences if messages is not None else []:
-            messages(f"note: {parameter}: {reason}")
-    try:
-        with open(path, "x", encoding="utf-8") as file:
-            file.write(text)
-    except FileExistsError:
-        raise Error(f"'{path}' exists and is never overwritten; give another name") from None
-    except OSError as e:
-        raise Error(f"'{path}' cannot be written: {e.strerror}; give another name") from None
-    return path
+    job = _Job(new, {**locals(), "progress": False})
+    with job as options:
+        return pathlib.Path(_core.new_run_file(kind, "" if path is None else os.fspath(path), job.texts, options))
 
 
 @takes_settings
@@ -125,11 +111,11 @@ def run(source: Source = None, *, output: Path | None = None, resume: bool = Fal
     """Simulates with all output files, as ``polhode run``: energies, trajectories, checkpoints.
 
     Args:
-        source, **keywords: as in settings().
-        output: prefix of the files; default: that of the settings.
-        resume (bool): continue from the last checkpoint, if there is one.
-        force (bool): overwrite files that exist.
-        threads (int): default: one for each available core.
+        source, **keywords: as in settings(); the other arguments have precedence.
+        output: prefix of the output files, which must not end in /.
+        resume (bool): resume from the last checkpoint; start if there is none.
+        force (bool): overwrite output files that exist.
+        threads (int): number of threads; default: one for each available core.
         progress, messages: see Progress.
 
     Returns:
@@ -153,7 +139,7 @@ def energy(source: Source = None, *, gradient: bool = False, derivative: bool = 
     """Energies and pressure of an initial configuration, as ``polhode energy``.
 
     Args:
-        source, **keywords: as in settings().
+        source, **keywords: as in settings(); the other arguments have precedence.
         gradient (bool): evaluate the directional derivative of the forces, too.
         derivative (bool): the name of gradient before version 0.3.
 
@@ -172,9 +158,10 @@ def prepare(source: Source = None, *, pressure: Quantity | None = None, nvt: Qua
     """Prepares an equilibrated start, as ``polhode prepare``: minimises, NVT, NPT.
 
     Args:
-        source, **keywords: as in settings().
-        pressure: of the barostat: "1 bar"; default: that of the settings.
-        nvt, npt: lengths of the stages: "20 ps", "100 ps".
+        source, **keywords: as in settings(); the other arguments have precedence.
+        pressure: pressure of the barostat: "1 bar"; without any, the volume is constant.
+        nvt: length of the stage of prepare at constant volume: "20 ps".
+        npt: length of the stage of prepare at constant pressure, if there is a barostat: "100 ps".
         output, resume, force, threads, progress, messages: as in run().
 
     Returns:
@@ -195,9 +182,10 @@ def minimise(source: Source = None, *, max_force: Quantity | None = None,
     """Minimises the energy of an initial configuration, as ``polhode minimise``.
 
     Args:
-        source, **keywords: as in settings().
-        max_force, max_torque: bounds at which it ends: "10 kJ/mol/nm", "1 kJ/mol".
-        max_steps (int): of one force evaluation each; default: 20000.
+        source, **keywords: as in settings(); the other arguments have precedence.
+        max_force: bound on the largest force on a molecule; default: "10 kJ/mol/nm".
+        max_torque: bound on the largest torque; default: "1 kJ/mol".
+        max_steps (int): maximum number of steps; default: 20000.
         output, force, threads, progress, messages: as in run().
 
     Returns:
@@ -225,16 +213,28 @@ def analyze(trajectory: Path, *, run: Source = None, molecules: Mapping[str, int
     Args:
         trajectory: file of frames.
         run: settings or run file of the trajectory, for its molecules and electrostatics.
-        molecules (dict): instead: {"tip4p": 512}, in the order of the file.
-        names: coordinate file with the names of the atoms, for formats without them.
-        what (list of str): any of "rdf", "msd", "rotation", "velocity", "dielectric", "density".
-        start, interval, window, cutoff, bin: times and lengths: "10 ps", "0.1 ps", "1 nm".
-        fit: two lags between which D is fitted: ("2 ps", "10 ps").
-        pairs (list of str): of sites, for g(r): ["OW-OW", "OW-HW"].
-        viscosity, temperature, electrostatics: as the options of the command line.
-        energies: energies file of the run, for the time-step bias; needs run.
-        output: prefix of the files with the curves; default: polhode-analysis.
-        plot (str): "svg", "png" or "none"; Report.plot() draws, too.
+        molecules (dict): models and counts, instead of a run file: "tip4p 512, na-tip4p-ew 4", in the order
+            of the file.
+        names: coordinate file with the atom names, for formats without them.
+        what (list of str): observables: rdf, msd, rotation, velocity, dielectric, density; default: all that
+            the frames allow.
+        start: time of the first frame: "10 ps".
+        interval: time between frames, instead of the times in the file: "0.1 ps".
+        window: maximum lag of correlations; default: "10 ps".
+        fit: range of lags of the line fitted for D: "2 ps, 10 ps"; default: from a fifth of the maximum lag
+            to the maximum lag.
+        pairs (list of str): site pairs of g(r): "OW-OW, OW-HW"; HW means HW1 and HW2; default: all pairs.
+        cutoff: maximum distance of g(r); default: "1 nm", or half of the shortest edge.
+        bin: bin width of g(r); default: "0.002 nm".
+        viscosity: viscosity of the liquid, "0.855 mPa s", for the Yeh-Hummer finite-size correction of D;
+            default: the published value of the model.
+        temperature: temperature, "298 K"; default: the temperature of the velocities, or of the run file.
+        electrostatics (str): electrostatics, instead of the run file's: pme, reaction-field (of 78.5),
+            coulomb.
+        energies: energies file of the run, for the time-step bias in g(r) and the dielectric constant; needs
+            the run file.
+        output: prefix of the output files; default: polhode-analysis.
+        plot (str): format of figures: svg, png, none; default: svg.
         force, threads, progress, messages: as in run().
 
     Returns:
@@ -255,11 +255,13 @@ def convert(source: Path, target: Path, *, names: Path | None = None,
 
     Args:
         source, target: files; their extensions select the formats.
-        names: file with the atom names, if the source has none.
+        names: file with the atom names, for formats without them: XTC, TRR, DCD.
         particles: settings of the run whose molecules the particles of a LAMMPS dump file are.
-        every (int): write every n-th frame.
-        start, stop: times between which frames are taken: "10 ps".
-        force (bool): overwrite the target.
+        every (int): interval of the frames that are written; default: 1.
+        start: time of the first frame: "10 ps".
+        stop: time of the last frame.
+        force (bool): overwrite output files that exist.
+        progress, messages: see Progress.
 
     Returns:
         int: number of frames written.
@@ -279,11 +281,12 @@ def export(program: str, source: Source = None, *, pair_style: str = "table",
 
     Args:
         program (str): "lammps".
-        source, **keywords: as in settings().
-        pair_style (str): "table", the pair laws as tables; "polhode", that of the plugin; or
-            "polhode-particles", the same with one particle a molecule.
-        output: prefix of the files; default: that of the settings.
-        force (bool): overwrite existing files.
+        source, **keywords: as in settings(); the other arguments have precedence.
+        pair_style (str): table: the pair laws as tables; polhode: pair_style polhode of the plugin;
+            polhode-particles: the same with one particle a molecule; default: table.
+        output: prefix of the output files, which must not end in /.
+        force (bool): overwrite output files that exist.
+        progress, messages: see Progress.
 
     Returns:
         list of Path: data file, tables of the pair laws if there are any, input script.
@@ -309,18 +312,19 @@ def study(source: Source = None, *, schemes: Texts | None = None,
     A study that was interrupted resumes from its record of runs.
 
     Args:
-        source, **keywords: as in settings().
-        schemes (list of str): names, or stages as text.
-        steps (list): steps for every scheme: ["2 fs", "4 fs"].
+        source, **keywords: as in settings(); the other arguments have precedence.
+        schemes (list of str): schemes to compare, also nested ones.
+        steps (list): time steps: "2 fs".
         runs (int): independent runs at each point.
-        length, decorrelate: of each run, "15 ps", and of the equilibration before it, "10 ps".
-        configurational_sample: time between samples of the configurational temperature: "20 fs".
-        ensemble (str): "nve": R and energy drift; "nvt": bias of canonical averages.
-        quick (bool): a small version.
-        from_record: make tables and figure from this record, without new runs.
-        output: prefix of the files; default: study.
-        force (bool): start over if results of another study exist.
-        threads (int): simultaneous runs; default: one for each available core.
+        length: length of each run: "15 ps".
+        decorrelate: equilibration of each initial configuration after drawing new momenta: "10 ps".
+        configurational_sample: interval between values of the configurational temperatures: "20 fs".
+        ensemble (str): accuracy measured as R, or as the bias of canonical averages: nve, nvt.
+        quick (bool): a small version: one to three minutes on two cores.
+        from_record: record of any version from which tables and figure are made, without new runs.
+        output: prefix of the output files; default: study.
+        force (bool): overwrite output files that exist.
+        threads (int): number of simultaneous runs; default: one for each available core.
         progress, messages: see Progress.
 
     Returns:
@@ -344,17 +348,21 @@ def advise(source: Source = None, *, accuracy: Quantity | None = None,
     """Chooses scheme and step for a required accuracy, as ``polhode advise``.
 
     Args:
-        source, **keywords: as in settings().
-        accuracy: largest R: "0.5 %"; or
-        drift: largest energy drift per molecule: "0.1 kJ/mol/ns"; or
-        temperature_bias: "0.5 %"; or
-        bias (str): of an average by the step: "0.1 K", "energy 0.01 kJ/mol", "pressure 4 bar".
-        schemes (list of str): to choose from.
-        ensemble (str): "nvt": step and trajectory length of hybrid Monte Carlo instead.
-        evaluations (int): with "nvt": force evaluations of each pilot run; default: 5000.
-        time (float): approximate computing time [s]; default: 60.
-        length: of the runs to be planned: "15 ps"; default: that of the settings.
-        output: prefix of the files; default: advice.
+        source, **keywords: as in settings(); the other arguments have precedence.
+        accuracy: largest R of a run: "0.5 %".
+        drift: largest energy drift per molecule: "0.1 kJ/mol/ns".
+        temperature_bias: largest difference between the temperatures of translation and rotation: "0.5 %".
+        bias (str): largest time-step bias of an average: "0.1 K" of T_rot - T_trans, "energy 0.01 kJ/mol",
+            "pressure 4 bar", "density 0.02 %".
+        schemes (list of str): schemes from which the adviser chooses, also nested ones.
+        ensemble (str): ensemble: nve, or nvt for step and trajectory length of hybrid Monte Carlo; default:
+            nve.
+        evaluations (int): force evaluations of each pilot run in the ensemble nvt; default: 5000.
+        time (float): approximate computing time, in seconds; default: 60.
+        length: length of the run, rounded to whole steps, at least one: "15 ps"; the adviser plans such a
+            run.
+        output: prefix of the output files; default: advice.
+        force, threads, progress, messages: as in study().
 
     Returns:
         Report: with the keys of ``polhode advise --json``, and ``answer``, a sentence.
@@ -378,10 +386,15 @@ def tune_scheme(source: Source = None, *, scheme: str | None = None, step: Quant
     """Optimizes the parameters of a scheme for a system and step, as ``polhode tune-scheme``.
 
     Args:
-        source, **keywords: as in settings().
-        scheme (str): stages with free parameters: "free b = 0.2; B(b) A(1/2) ...".
-        step, length, decorrelate, sample: times: "5 fs", "2 ps", "2 ps", "20 fs".
-        runs (int): for the measurement, and again for the confirmation; default: 4.
+        source, **keywords: as in settings(); the other arguments have precedence.
+        scheme (str): stages with free parameters: "free b = 0.2; B(b) A(1/2) ..."; without any the run
+            file's, or the families of hoa2 and gier4.
+        step: time step to tune for: "5 fs".
+        runs (int): number of runs for the measurement, and again for the confirmation; default: 4.
+        length: length of each run; default: "2 ps".
+        decorrelate: equilibration of each initial configuration; default: "2 ps".
+        sample: time between samples of the error brackets; default: "20 fs".
+        threads, progress, messages: as in study().
 
     Returns:
         Report: with the keys of ``polhode tune-scheme --json``.
@@ -410,9 +423,11 @@ def bench(*, quick: bool = False, sizes: Sequence[SupportsIndex] | None = None,
     """Measures the speed of this computer on water, as ``polhode bench``.
 
     Args:
-        quick (bool): a few seconds.
-        sizes (list of int): numbers of waters.
-        precision (str): "double" or "mixed"; default: both.
+        quick (bool): 512 waters only, fewer and shorter repeats: a few seconds.
+        sizes (list of int): numbers of waters; default: 512,4096.
+        precision (str): precision of pair interactions, double or mixed; default: both.
+        threads (int): number of threads, compared with one; default: one for each available core.
+        progress, messages: see Progress.
 
     Returns:
         Report: with the keys of ``polhode bench --json``.

@@ -90,8 +90,8 @@ def verify(scheme: Scheme | str, *, order: int = 0, lambda_: float | None = None
 
     Args:
         scheme: a Scheme, a name, or stages as text.
-        order (int): expected; 0: that of the table.
-        lambda_ (float): of finite-difference gradients, from 1e-8 to 1.
+        order (int): expected order, from 1 to 12; default: as the table of schemes has it.
+        lambda_ (float): scale of the displacement of a finite-difference gradient.
 
     Returns:
         Report: "measured_order", "declared_order", "holds" (None without a declared order), and

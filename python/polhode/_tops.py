@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._arrays import reals
 from .errors import Error
-from ._progress import hooks
+from ._jobs import _Job
 from ._types import Messages, Path
 
 __all__ = ["free_rotation", "rotation_matrix", "top", "rotate_table"]
@@ -76,15 +76,18 @@ def _triple(values, name):
     return array.tolist()
 
 
-def top(J: ArrayLike, L: ArrayLike, step: float = 0.0, length: float = 0.0, *,
+def top(J: ArrayLike, L: ArrayLike, step: float | None = None, length: float | None = None, *,
         output: Path | None = None, force: bool = False, messages: Messages = None) -> np.ndarray:
     """The trajectory of one free top, exactly and by two integrators, as ``polhode top``.
 
     Args:
-        J, L: three principal moments, and the angular momentum in the body frame.
-        step, length (float): times in the units of J and L; 0: a fifth of a radian; 200 steps.
-        output: prefix of a figure of the polhode, drawn by gnuplot; None: no figure.
-        force (bool): overwrite its files.
+        J: principal moments: "1, 2, 3"; any consistent units.
+        L: body-frame angular momentum: "0.1, 0.2, 1".
+        step (float): time step; default: the top turns by 0.2 per step.
+        length (float): length of the trajectory; default: 200 steps.
+        output: prefix of a figure of the polhode on the inertia ellipsoid: PREFIX.svg, .png, .dat, .gp.
+        force (bool): overwrite output files that exist.
+        messages: see Progress.
 
     Returns:
         numpy.ndarray: structured, one row per sample: "t"; for each of "exact", "series" and
@@ -92,15 +95,14 @@ def top(J: ArrayLike, L: ArrayLike, step: float = 0.0, length: float = 0.0, *,
         "_momentum_error", relative, and an "_angle" to the exact orientation [rad].
     """
     J, L = _triple(J, "J"), _triple(L, "L")
-    rows, _ = _core.top(J, L, float(step), float(length))
+    job = _Job(top, {**locals(), "progress": False})
+    with job as options:
+        rows = _core.top(job.texts, options)
     fields = [("t", float), ("exact_rotation", float, 4), ("exact_L", float, 3)]
     for name in ("series", "no_squish"):
         fields += [(f"{name}_rotation", float, 4), (f"{name}_L", float, 3),
                    (f"{name}_energy_error", float), (f"{name}_momentum_error", float),
                    (f"{name}_angle", float)]
-    if output is not None:
-        with hooks(False, messages) as h:
-            _core.draw_top(os.fspath(output), J, L, force, h.message)
     table = np.zeros(len(rows), dtype=fields)
     column = 0
     for field in fields:
@@ -112,4 +114,4 @@ def top(J: ArrayLike, L: ArrayLike, step: float = 0.0, length: float = 0.0, *,
 
 def rotate_table(path: Path, method: str = "series") -> str:
     """Rotates the tops of a CSV file, as ``polhode top --table``; returns CSV text."""
-    return _core.rotate_table(os.fspath(path), method)
+    return _core.rotate_table({"table": os.fspath(path), "method": method})

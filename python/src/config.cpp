@@ -3,7 +3,6 @@
 
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
@@ -17,9 +16,7 @@
 #include "base/threads.hpp"
 #include "bind.hpp"
 #include "io/settings/quantity.hpp"
-#include "io/settings/run_file_template.hpp"
 #include "io/settings/settings.hpp"
-#include "io/topology/gromacs_mdp.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 #include "run/job_settings.hpp"
 #include "run/listing/settings.hpp"
@@ -128,16 +125,6 @@ void bind_config(nb::module_& m) {
       "settings_json",
       [](const std::string& name, const Config* config) { return settings_json(name, config); },
       "name"_a, "config"_a.none());
-  m.def("run_file_template", [](const std::string& kind, const std::string& ensemble) {
-    return run_file_template(kind, ensemble);
-  });
-  m.def("read_mdp", [](const std::string& path, const std::string& prefix) {
-    MdpImport read = read_mdp(path, {.prefix = prefix});
-    std::vector<std::pair<std::string, std::string>> differences;
-    for (MdpDifference& d : read.differences)
-      differences.emplace_back(std::move(d.parameter), std::move(d.reason));
-    return std::pair{std::move(read.run_file), std::move(differences)};
-  });
   m.def(
       "threads", [](std::optional<int> threads) { return requested_threads(threads); },
       "threads"_a = nb::none());

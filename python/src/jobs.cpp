@@ -16,6 +16,7 @@
 #include "run/analysis/analysis_request.hpp"
 #include "run/benchmark/benchmark_report.hpp"
 #include "run/conversion/lammps_export.hpp"
+#include "run/new_run_file.hpp"
 #include "run/requests.hpp"
 
 namespace polhode::python {
@@ -53,6 +54,14 @@ std::string minimise_start(const Config& config, const Options& given, const Job
   return options.run([&](const Callbacks& callbacks, Workers& workers) {
     return report_text(
         quantities(minimise_configuration(config, settings, options.output, callbacks, workers)));
+  });
+}
+
+std::string write_run_file(const std::string& kind, const std::string& file, const Options& given,
+                           const JobOptions& options) {
+  const auto request = request_of<NewRunFileRequest>(given);
+  return options.run([&](const Callbacks& callbacks, Workers&) {
+    return new_run_file(kind, file, request, callbacks);
   });
 }
 
@@ -140,6 +149,7 @@ void bind_jobs(nb::module_& m) {
                 JobOptions{threads, {files, command}, std::move(progress), std::move(message)};
           },
           "threads"_a, "existing"_a, "command"_a, "progress"_a.none(), "message"_a.none());
+  m.def("new_run_file", &write_run_file);
   m.def("run", &run);
   m.def("energy", &energy, "config"_a, "gradient"_a, "message"_a.none());
   m.def("prepare", &prepare_start);

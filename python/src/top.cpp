@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Free rotation of many tops, and of one.
-#include <nanobind/stl/array.h>
+#include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
-#include <nanobind/stl/vector.h>
+
+#include <optional>
 
 #include "arrays.hpp"
-#include "base/suggest.hpp"
 #include "bind.hpp"
-#include "job.hpp"
-#include "polhode/base/error.hpp"
-#include "polhode/run/outputs.hpp"
+#include "job_options.hpp"
 #include "polhode/run/top/top.hpp"
 #include "run/top/top_figure.hpp"
+#include "run/top/top_request.hpp"
 
 namespace polhode::python {
 namespace {
@@ -19,20 +18,15 @@ namespace {
 namespace nb = nanobind;
 using namespace nb::literals;
 using Numbers = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
-using Triple = std::array<double, 3>;
 
 Vec3<double> row(const Rows& rows, std::size_t i) {
   const double* const x = rows.data() + 3 * i;
   return {x[0], x[1], x[2]};
 }
 
-Vec3<double> vector(const Triple& x) { return {x[0], x[1], x[2]}; }
-
 /// Rotations of n tops over their times: quaternions (n, 4), and angular momenta after it (n, 3).
 nb::tuple rotations(const Rows& J, const Rows& L, const Numbers& t, const std::string& method) {
-  const auto chosen = value_of<RotorMethod>(method);
-  if (!chosen)
-    throw Error("method = \"" + method + "\" " + must_be_one_of(enum_names<RotorMethod>, method));
+  const auto chosen = given_name<RotorMethod>({method, "method"});
   const std::size_t n = t.shape(0);
   if (J.shape(0) != n || L.shape(0) != n || J.shape(1) != 3 || L.shape(1) != 3)
     throw Error("J and L must have the shape (n, 3), and t the shape (n)");
@@ -42,7 +36,7 @@ nb::tuple rotations(const Rows& J, const Rows& L, const Numbers& t, const std::s
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3<double> moments = row(J, i), momentum = row(L, i);
       check_top(moments, momentum, t.data()[i], "J", "top " + std::to_string(i));
-      const FreeRotation r = free_rotation(moments, momentum, t.data()[i], *chosen);
+      const FreeRotation r = free_rotation(moments, momentum, t.data()[i], chosen);
       q[4 * i] = r.rotation.w, q[4 * i + 1] = r.rotation.x;
       q[4 * i + 2] = r.rotation.y, q[4 * i + 3] = r.rotation.z;
       for (std::size_t k = 0; k < 3; ++k) after[3 * i + k] = r.L[k];
@@ -57,10 +51,16 @@ void add(std::vector<double>& row, const Quaternion<double>& q, const Vec3<doubl
 
 /// The samples of TopTrajectory: t; rotation and L, exact, of the series, of NO_SQUISH; and for
 /// the last two the relative errors of energy and momentum, and the angle.
-nb::tuple top(const Triple& J, const Triple& L, double step, double length) {
-  const TopTrajectory trajectory =
-      Job({nb::none(), nb::none()}).run([&](const Callbacks& callbacks) {
-        return integrate_top(vector(J), vector(L), step, length, callbacks.stop);
+nb::object top(const Options& given, const JobOptions& options) {
+  const auto request = request_of<TopRequest>(given);
+  const auto [J, L, step, length] = request.top();
+  std::optional<TopFigure> figure;
+  if (request.output) figure.emplace(request.output.text, options.output);
+  const TopTrajectory trajectory = options.run(
+      [&, J = J, L = L, step = step, length = length](const Callbacks& callbacks, Workers&) {
+        TopTrajectory made = integrate_top(J, L, step, length, callbacks.stop);
+        if (figure && !made.interrupted) draw_top(*figure, J, L, callbacks);
+        return made;
       });
   std::vector<double> rows;
   for (const TopSample& s : trajectory.samples) {
@@ -72,19 +72,7 @@ nb::tuple top(const Triple& J, const Triple& L, double step, double length) {
     }
   }
   const std::size_t n = trajectory.samples.size(), columns = n == 0 ? 0 : rows.size() / n;
-  return nb::make_tuple(array_of(std::move(rows), {n, columns}), trajectory.step);
-}
-
-std::vector<std::string> draw(const std::string& prefix, const Triple& J, const Triple& L,
-                              bool replace, nb::object message) {
-  const TopFigure figure(prefix);
-  check_prefix(prefix);
-  check_outputs(figure.files(), replace ? ExistingFiles::replace : ExistingFiles::refuse);
-  Job({nb::none(), std::move(message)}).run([&](const Callbacks& callbacks) {
-    draw_top(figure, vector(J), vector(L), callbacks);
-    return true;
-  });
-  return figure.files();
+  return array_of(std::move(rows), {n, columns});
 }
 
 }  // namespace
@@ -92,13 +80,8 @@ std::vector<std::string> draw(const std::string& prefix, const Triple& J, const 
 void bind_top(nb::module_& m) {
   m.def("rotations", &rotations);
   m.def("top", &top);
-  m.def("draw_top", &draw, "prefix"_a, "J"_a, "L"_a, "replace"_a, "message"_a.none());
-  m.def("rotate_table", [](const std::string& file, const std::string& method) {
-    const auto chosen = value_of<RotorMethod>(method);
-    if (!chosen)
-      throw Error("method = \"" + method + "\" " + must_be_one_of(enum_names<RotorMethod>, method));
-    return rotate_table(file, *chosen);
-  });
+  m.def("rotate_table",
+        [](const Options& given) { return request_of<TopRequest>(given).rotated_table(); });
 }
 
 }  // namespace polhode::python

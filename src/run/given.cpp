@@ -56,6 +56,17 @@ double given_number(const Given& given, double min, double max) {
   return value;
 }
 
+std::vector<double> given_numbers(const Given& given, std::size_t count, std::string_view example) {
+  std::vector<double> numbers;
+  bool all = true;
+  for (const std::string& word : given_words(given))
+    all = read(word, numbers.emplace_back()) && all;
+  if (!all || numbers.size() != count)
+    refuse(given, fmt::format("must be {}; write for example {}",
+                              count == 1 ? "a number" : fmt::format("{} numbers", count), example));
+  return numbers;
+}
+
 std::uint64_t given_whole_number(const Given& given, std::uint64_t min, std::uint64_t max) {
   std::uint64_t value = 0;
   if (!read(given.text, value) || value < min || value > max)

@@ -44,6 +44,8 @@ void take_positive(double& value, const Given& given, Dimension dimension,
 double given_fraction(const Given& given);
 /// A number from min to max.
 double given_number(const Given& given, double min, double max);
+/// As many numbers, with commas between them.
+std::vector<double> given_numbers(const Given& given, std::size_t count, std::string_view example);
 std::uint64_t given_whole_number(const Given& given, std::uint64_t min, std::uint64_t max);
 /// Splits "a, b" into words.
 std::vector<std::string> given_words(const Given& given);

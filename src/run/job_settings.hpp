@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "polhode/io/settings/overlay.hpp"
@@ -11,11 +12,15 @@
 namespace polhode {
 
 struct JobSetting {
-  const char* name;  ///< "hybrid_steps": --hybrid-steps, or the keyword hybrid_steps
-  const char* key;   ///< "hybrid_monte_carlo.steps"
-  const char* meaning;
-  bool is_list = false;            ///< takes one or more texts
+  const char* name;                ///< "hybrid_steps": --hybrid-steps, or the keyword hybrid_steps
+  const char* key;                 ///< "hybrid_monte_carlo.steps"
+  const char* note = "";           ///< what it means besides its key, after the meaning
   const char* old_name = nullptr;  ///< an option that is accepted, too
+
+  /// Its meaning in a few words: those of the key, and the note.
+  std::string meaning() const;
+  /// Whether it takes one or more texts.
+  bool is_list() const;
 };
 
 /// @param job  "run", "study"

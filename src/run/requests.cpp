@@ -36,10 +36,10 @@ std::vector<RequestOption<MinimisationRequest>> MinimisationRequest::options() {
   using R = MinimisationRequest;
   const MinimisationSettings defaults;
   return {{"max_force", &R::max_force,
-           fmt::format("bound of the largest force on a molecule; default: \"{:g} kJ/mol/nm\"",
+           fmt::format("bound on the largest force on a molecule; default: \"{:g} kJ/mol/nm\"",
                        defaults.force)},
           {"max_torque", &R::max_torque,
-           fmt::format("bound of the largest torque; default: \"{:g} kJ/mol\"", defaults.torque)},
+           fmt::format("bound on the largest torque; default: \"{:g} kJ/mol\"", defaults.torque)},
           {"max_steps", &R::max_steps,
            fmt::format("maximum number of steps; default: {}", defaults.max_steps)}};
 }
@@ -56,10 +56,10 @@ std::vector<RequestOption<ConversionRequest>> ConversionRequest::options() {
   using R = ConversionRequest;
   return {{"particles", &R::particles,
            "run file with the molecules that the particles of a LAMMPS dump file are"},
-          {"names", &R::names, "file with the atom names, if IN has none: XTC, TRR, DCD"},
-          {"every", &R::every, "write every Nth frame only"},
-          {"start", &R::start, "ignore frames before this time: \"10 ps\"", "from"},
-          {"stop", &R::stop, "ignore frames after this time", "to"}};
+          {"names", &R::names, "file with the atom names, for formats without them: XTC, TRR, DCD"},
+          {"every", &R::every, "interval of the frames that are written; default: 1"},
+          {"start", &R::start, "time of the first frame: \"10 ps\"", "from"},
+          {"stop", &R::stop, "time of the last frame", "to"}};
 }
 
 Conversion ConversionRequest::conversion(const std::string& from, const std::string& to,
@@ -83,9 +83,10 @@ std::vector<RequestOption<AdviceRequest>> AdviceRequest::options() {
            "largest time-step bias of an average: \"0.1 K\" of T_rot - T_trans, \"energy 0.01 "
            "kJ/mol\", \"pressure 4 bar\", \"density 0.02 %\""},
           {"ensemble", &R::ensemble,
-           "nvt: step and trajectory length of hybrid Monte Carlo; default: nve"},
+           "ensemble: nve, or nvt for step and trajectory length of hybrid Monte Carlo; default: "
+           "nve"},
           {"evaluations", &R::evaluations,
-           fmt::format("with ensemble nvt: force evaluations of each pilot run; default: {}",
+           fmt::format("force evaluations of each pilot run in the ensemble nvt; default: {}",
                        HybridAdviserSettings{}.evaluations)},
           {"time", &R::time,
            fmt::format("approximate computing time, in seconds; default: {:g}",
@@ -138,7 +139,7 @@ HybridAdviserSettings AdviceRequest::hybrid_settings(const Config& config,
 std::vector<RequestOption<StudyRequest>> StudyRequest::options() {
   using R = StudyRequest;
   return {{"from_record", &R::from_record,
-           "make tables and figure from this record, written by any version, without new runs"},
+           "record of any version from which tables and figure are made, without new runs"},
           {"output", &R::output, "prefix of the output files; default: " + R{}.prefix()}};
 }
 
@@ -150,9 +151,9 @@ std::vector<RequestOption<TuneRequest>> TuneRequest::options() {
   };
   return {
       {"scheme", &R::scheme,
-       "stages with free parameters: \"free b = 0.2; B(b) A(1/2) ...\"; default: the run "
-       "file's if it has any, otherwise the families of hoa2 and gier4"},
-      {"step", &R::step, "time step to tune for: \"5 fs\"; default: the run file's"},
+       "stages with free parameters: \"free b = 0.2; B(b) A(1/2) ...\"; without any the run "
+       "file's, or the families of hoa2 and gier4"},
+      {"step", &R::step, "time step to tune for: \"5 fs\""},
       {"runs", &R::runs,
        fmt::format("number of runs for the measurement, and again for the confirmation; "
                    "default: {}",
@@ -200,8 +201,9 @@ BenchmarkSettings BenchmarkRequest::settings(bool is_quick, int threads) const {
 
 std::vector<RequestOption<VerificationRequest>> VerificationRequest::options() {
   using R = VerificationRequest;
-  return {{"order", &R::order, "expected order, from 1 to 12; default: that of the table"},
-          {"lambda", &R::lambda, "scale of the displacement of a finite-difference gradient"}};
+  return {
+      {"order", &R::order, "expected order, from 1 to 12; default: as the table of schemes has it"},
+      {"lambda", &R::lambda, "scale of the displacement of a finite-difference gradient"}};
 }
 
 int VerificationRequest::expected_order() const {

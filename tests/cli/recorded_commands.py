@@ -21,6 +21,7 @@ COMMANDS = (
                "--seed", "2", "--output", "nve", "--threads", "1", "--force"), "nve.csv"),
     ("study", ("--ensemble", "nvt", "--schemes", "hoa2", "--steps", "1 fs", "2 fs", "--runs", "2", "--length", "0.4 ps", "--decorrelate", "0.02 ps",
                "--precision", "mixed", "--output", "nvt", "--threads", "1"), "nvt.csv"),
+    ("top", ("--J", "1, 2, 2.5", "--L", "0.3,1.5,0.9", "--step", "0.1", "--output", "nut", "--force"), "nut.dat"),
 )
 
 
@@ -34,10 +35,10 @@ class RecordedCommands(Sandbox):
         self.done("run", RUN)
         for verb, options, name in COMMANDS:
             with self.subTest(verb=verb, file=name):
-                file = "out-trajectory.gro" if verb == "analyze" else "run.toml"
-                process = self.polhode(verb, file, *options)
+                file = {"analyze": ["out-trajectory.gro"], "top": []}.get(verb, ["run.toml"])
+                process = self.polhode(verb, *file, *options)
                 self.assertEqual(process.returncode, 0, process.err)
-                expected = ["polhode", verb, file, *(word for word in options if word not in WITHOUT_EFFECT)]
+                expected = ["polhode", verb, *file, *(word for word in options if word not in WITHOUT_EFFECT)]
                 self.assertEqual(self.command_in(name), expected)
 
     def test_a_resumed_run_has_the_first_command(self):

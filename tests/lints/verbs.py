@@ -8,7 +8,7 @@ from tree import Finding, line_of, lines, main
 
 # Verb: functions of the library that its file of the command line and the Python module call.
 CALLS = {
-    "new": ["run_file_template", "read_mdp"],
+    "new": ["new_run_file"],
     "prepare": ["prepare"],
     "minimise": ["minimise_configuration"],
     "run": ["Simulation"],
@@ -23,7 +23,7 @@ CALLS = {
     "molecules": ["find_molecules", "records"],
     "schemes": ["all_schemes", "quantities"],
     "settings": ["settings_json"],
-    "top": ["integrate_top", "draw_top", "rotate_table"],
+    "top": ["integrate_top", "draw_top", "rotated_table"],
     "bench": ["run_benchmark", "quantities"],
 }
 

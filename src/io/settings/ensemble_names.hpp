@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Names and bounds of the settings of an ensemble, as in run files.
+// Names and defaults of the settings of an ensemble, as in run files.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <string>
 #include <string_view>
 #include <variant>
 
@@ -36,12 +35,6 @@ void set_type(std::variant<Types...>& type, std::string_view name) {
   std::size_t k = 0;
   ((type_names<std::variant<Types...>>[k++] == name ? void(type = Types{}) : void()), ...);
 }
-
-/// What is wrong with a friction [1/ps]; empty if nothing.
-std::string wrong_friction(double rate);
-
-/// Of one trajectory of hybrid Monte Carlo.
-inline constexpr std::size_t max_hybrid_steps = 1'000'000;
 
 /// The compressibility of liquid water [nm³ mol/kJ].
 double default_compressibility();

@@ -117,10 +117,12 @@ SettingTable thermostat_table() {
   return {
       "thermostat",
       {row("type", type_member(thermostat_of),
-           "[friction and noise on every momentum](../theory.md#thermostats); one factor for all "
-           "momenta; one factor each for translation and rotation"),
+           "thermostat: [friction and noise on every momentum](../theory.md#thermostats), one "
+           "factor "
+           "for all momenta, or one factor each for translation and rotation"),
        row("friction", parameter(thermostat_of, &Langevin::friction), per_ps, rate,
-           "friction γ of translation; 0 1/ps is constant energy, bit for bit",
+           "friction γ of translation, and of rotation without `rotational_friction`; 0 1/ps is "
+           "constant energy, bit for bit",
            More{.by = "type", .read = read_friction}),
        row("rotational_friction", parameter(thermostat_of, &Langevin::rotational_friction), per_ps,
            rate, "friction γ of rotation", More{.fallback = "value of `friction`", .by = "type"}),
@@ -136,9 +138,11 @@ SettingTable barostat_table() {
   const auto barostat = in_table(&EnsembleSettings::barostat);
   return {"barostat",
           {row("type", type_member(moves_of),
-               "[stochastic cell rescaling, or moves of random size](../theory.md#barostats)"),
+               "barostat: [stochastic cell rescaling, or moves of random "
+               "size](../theory.md#barostats)"),
            row("pressure", barostat(&B::pressure), SettingUnit{Dimension::pressure, "bar", "1 bar"},
-               "pressure; may be negative: a liquid under tension, until it cavitates",
+               "pressure of the barostat; may be negative: a liquid under tension, until it "
+               "cavitates",
                More{.fallback = "required"}),
            row("compressibility", barostat(&B::compressibility),
                SettingUnit{Dimension::compressibility, "1/bar", "4.5e-5 1/bar"},
@@ -178,7 +182,6 @@ SettingTable hybrid_monte_carlo_table() {
           [](TomlTable&, Config& config) { config.ensemble.hybrid_monte_carlo.emplace(); }};
 }
 
-std::string wrong_friction(double rate) { return wrong_value("thermostat.friction", rate); }
 double default_compressibility() { return 4.5e-5 * unit("1/bar", Dimension::compressibility); }
 BarostatSettings default_barostat(double pressure) {
   return {.type = {}, .pressure = pressure, .compressibility = default_compressibility()};

@@ -8,22 +8,11 @@
 #include <sstream>
 
 #include "polhode/base/error.hpp"
+#include "setting_rows.hpp"
 #include "toml_table.hpp"
 
 namespace polhode {
 namespace {
-
-/// A parameter that a thermostat or barostat has for one type only, or for all but that one.
-struct TypeParameter {
-  std::string_view table, key, type;
-  bool has = true;
-};
-constexpr std::array type_parameters{
-    TypeParameter{"thermostat", "friction", "langevin"},
-    TypeParameter{"thermostat", "rotational_friction", "langevin"},
-    TypeParameter{"thermostat", "time_constant", "langevin", false},
-    TypeParameter{"barostat", "time_constant", "cell-rescaling"},
-    TypeParameter{"barostat", "metropolis", "cell-rescaling"}};
 
 /// A setting, and another that it replaces.
 constexpr std::array<std::array<std::string_view, 2>, 7> replacements{
@@ -119,19 +108,22 @@ class Effects {
             fmt::format("{} contradicts {} none; give one of them", pressure->place, type->place));
       removed_.push_back(table);
     }
-    for (const TypeParameter& p : type_parameters)
-      if (p.table == table && value_is(key, p.type) != p.has && given(table, p.key) == nullptr)
-        remove(document_, fmt::format("{}.{}", table, p.key));
+    for (const SettingRow& row : setting_table(table).rows) {
+      const auto types = deciding_names(row);
+      if (!types.empty() && given(table, row.key) == nullptr &&
+          std::none_of(types.begin(), types.end(),
+                       [&](const std::string& one) { return value_is(key, one); }))
+        remove(document_, fmt::format("{}.{}", table, row.key));
+    }
   }
 
   void check_thermostat() const {
     if (present("thermostat") || given("thermostat.type") != nullptr) return;
-    for (const TypeParameter& p : type_parameters)
-      if (const Override* const one = given(p.table, p.key);
-          one != nullptr && p.table == "thermostat")
+    for (const SettingRow& row : setting_table("thermostat").rows)
+      if (const Override* const one = given(row.table, row.key))
         throw Error(fmt::format("{} belongs to a thermostat, and this run has none; select the "
                                 "thermostat {}, too",
-                                p.key, p.has ? p.type : "rescaling"),
+                                row.key, deciding_names(row).front()),
                     one->place);
   }
 

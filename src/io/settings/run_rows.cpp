@@ -65,11 +65,11 @@ void read_steps(TomlTable& table, const SettingRow& row, Config& config) {
   for (const std::string& text : table.texts(row.key).value_or(std::vector<std::string>{})) {
     double step = 0;
     try {
-      step = quantity(text, Dimension::time, row.key, "2 fs");
+      step = quantity(text, Dimension::time, row.key, row.unit.example);
     } catch (const Error& e) {
       throw e.at(table.where(row.key));
     }
-    table.require(step > 0, row.key, "must all be longer than 0 fs");
+    table.require(is_valid(row, step), row.key, complaint(row));
     config.study.steps.push_back(step);
   }
 }
@@ -170,9 +170,11 @@ SettingTable prepare_table() {
   return {
       "prepare",
       {row("nvt", prepare(&PreparationSettings::nvt), ps, equilibration,
-           "length of the part of [prepare](prepare.md) at constant volume", More{.free = true}),
+           "length of the stage of [prepare](prepare.md) at constant volume", More{.free = true}),
        row("npt", prepare(&PreparationSettings::npt), ps, equilibration,
-           "length of its part at constant pressure, if there is a barostat", More{.free = true})}};
+           "length of the stage of [prepare](prepare.md) at constant pressure, if there is a "
+           "barostat",
+           More{.free = true})}};
 }
 
 SettingTable output_table() {
@@ -180,8 +182,8 @@ SettingTable output_table() {
   const auto output = in(&Config::output);
   return {"output",
           {row("prefix", output(&O::prefix),
-               "the beginning of all output file names, so it must not end in `/`; relative to the "
-               "working directory",
+               "prefix of the output files, which must not end in `/`; relative to the working "
+               "directory",
                More{.read = read_prefix, .free = true}),
            row("trajectory_every", output(&O::trajectory_every), ps,
                from(0, "; 0 ps means no trajectory"),
@@ -215,8 +217,8 @@ SettingTable study_table() {
                "schemes to compare, also nested ones; [your own](schemes.md#schemes-of-your-own) "
                "may have a name, `\"mine: B(1/6) A(1/2) ...\"`",
                More{.read = read_schemes, .free = true}),
-           row("steps", "time steps",
-               More{.domain = "list of times > 0",
+           row("steps", SettingUnit{Dimension::time, "fs", "2 fs"}, above(0), "time steps",
+               More{.domain = "list of times > 0 fs",
                     .fallback = "a ladder per scheme",
                     .read = read_steps,
                     .kinds = {SettingKind::texts}}),

@@ -14,20 +14,12 @@
 namespace polhode {
 namespace {
 
-/// A text for errors: the example of the row, or its default.
-std::string example_of(const SettingRow& row) {
-  if (!row.unit.example.empty()) return std::string(row.unit.example);
-  const std::string text = text_of(row, defaults());
-  return text.empty() ? fmt::format("1 {}", row.unit.symbol) : text;
-}
-
 /// The value of a key of its row's kind; nothing if the key is absent.
 SettingValue read_value(TomlTable& table, const SettingRow& row) {
   const auto found = [](const auto& value) {
     return value ? SettingValue(*value) : SettingValue{};
   };
-  if (row.unit.dimension)
-    return found(table.quantity(row.key, *row.unit.dimension, example_of(row)));
+  if (row.unit.dimension) return found(table.quantity(row.key, *row.unit.dimension, example(row)));
   switch (row.member.kind) {
     case SettingKind::number:
       return found(table.number(row.key));
@@ -73,6 +65,12 @@ std::vector<SettingTable> all_tables() {
 const std::vector<SettingTable>& setting_tables() {
   static const std::vector<SettingTable> tables = all_tables();
   return tables;
+}
+
+std::string example(const SettingRow& row) {
+  if (!row.unit.example.empty()) return std::string(row.unit.example);
+  const std::string text = text_of(row, defaults_with(row));
+  return text.empty() ? fmt::format("1 {}", row.unit.symbol) : text;
 }
 
 const SettingTable& setting_table(std::string_view name) {
@@ -177,6 +175,13 @@ const Config& defaults() {
     made.ensemble.hybrid_monte_carlo.emplace();
     return made;
   }();
+  return config;
+}
+
+Config defaults_with(const SettingRow& row) {
+  Config config = defaults();
+  if (const auto names = deciding_names(row); !names.empty())
+    setting_row(row.table, row.more.by).member.set(config, names.front());
   return config;
 }
 

@@ -106,6 +106,9 @@ std::string tidy_exponent(std::string number);
 /// A number in its shortest form, "1e12".
 std::string short_number(double value);
 
+/// A quantity as a text, for errors and help: the example of the row, or its default.
+std::string example(const SettingRow& row);
+
 /// "must be 0 K or more, ...".
 std::string complaint(const SettingRow& row);
 
@@ -117,6 +120,9 @@ std::string text_of(const SettingRow& row, const Config& config);
 
 /// A run with all tables, whose members have their defaults.
 const Config& defaults();
+
+/// A run that has a use for the setting; all members have their defaults.
+Config defaults_with(const SettingRow& row);
 
 /// Those values of the deciding key for which a setting has a meaning, as names; empty: all.
 std::vector<std::string> deciding_names(const SettingRow& row);

@@ -58,9 +58,7 @@ std::string domain_of(const SettingRow& row) {
 std::string fallback_of(const SettingRow& row) {
   if (!row.more.fallback.empty()) return std::string(row.more.fallback);
   if (!row.member.value) return "";
-  Config config = defaults();
-  if (const auto names = deciding_names(row); !names.empty())
-    setting_row(row.table, row.more.by).member.set(config, names.front());
+  const Config config = defaults_with(row);
   const SettingValue value = row.member.value(config);
   if (std::holds_alternative<std::monostate>(value)) return "";
   if (const auto* list = std::get_if<std::vector<std::string>>(&value))
@@ -69,6 +67,12 @@ std::string fallback_of(const SettingRow& row) {
   if (text.empty()) return "";
   return row.unit.dimension || std::holds_alternative<std::string>(value) ? code(text)
                                                                           : "`" + text + "`";
+}
+
+/// All names, or a quantity as it is written on a command line, "2 fs" with its quotes.
+std::string example_of(const SettingRow& row) {
+  if (!row.member.names.empty()) return fmt::format("{}", fmt::join(row.member.names, ", "));
+  return row.unit.dimension ? fmt::format("\"{}\"", example(row)) : "";
 }
 
 std::string doc_of(const SettingRow& row) {
@@ -84,8 +88,9 @@ std::vector<Setting> all_settings() {
   for (const SettingTable& table : setting_tables())
     for (const SettingRow& row : table.rows)
       all.push_back({std::string(table.name), std::string(row.key), kinds_of(row),
-                     std::string(row.unit.symbol), domain_of(row), fallback_of(row), row.bounds,
-                     std::string(row.more.by), deciding_names(row), doc_of(row)});
+                     std::string(row.unit.symbol), domain_of(row), fallback_of(row),
+                     example_of(row), row.bounds, std::string(row.more.by), deciding_names(row),
+                     doc_of(row)});
   return all;
 }
 
@@ -161,6 +166,12 @@ std::string plain_text(std::string_view markdown) {
       text += markdown[k];
   }
   return text;
+}
+
+std::string brief_meaning(const Setting& setting) {
+  const std::string meaning = plain_text(setting.doc);
+  const std::string brief = meaning.substr(0, meaning.find_first_of(":;"));
+  return setting.example.empty() ? brief : brief + ": " + setting.example;
 }
 
 std::string manual_table(std::string_view table) {

@@ -54,6 +54,7 @@ struct Setting {
   std::string unit;                   ///< in which texts state a quantity; empty for others
   std::string domain;                 ///< its values and bounds, "temperature ≥ 0 K"
   std::string fallback;               ///< its value if it is not given, or in words; empty: none
+  std::string example;                ///< a value, "2 fs", or the names of all; empty for others
   SettingBounds bounds;               ///< of numbers
   std::string by;                     ///< the key whose value decides whether it has a meaning
   std::vector<std::string> by_names;  ///< for which values of that key it has one; empty: all
@@ -92,6 +93,9 @@ std::vector<std::pair<std::string, std::string>> recorded_settings(
 
 /// The meaning of a setting without the links and marks of Markdown.
 std::string plain_text(std::string_view markdown);
+
+/// The meaning of a setting in a few words, with its values or an example, for help texts.
+std::string brief_meaning(const Setting& setting);
 
 /// A table of the manual: key, values and bounds, default and meaning of the settings of a table.
 std::string manual_table(std::string_view table);

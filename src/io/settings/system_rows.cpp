@@ -72,15 +72,16 @@ void read_box(TomlTable& table, const SettingRow& row, Config& config) {
     const auto edges = table.texts(row.key);
     table.require(edges->size() == 3, row.key, "must be one edge or a list of three");
     for (std::size_t k = 0; k < 3; ++k) try {
-        box[k] = quantity((*edges)[k], Dimension::length, fmt::format("box[{}]", k), "2.5 nm");
+        box[k] =
+            quantity((*edges)[k], Dimension::length, fmt::format("box[{}]", k), row.unit.example);
       } catch (const Error& e) {
         throw e.at(table.where(row.key));
       }
   } else {
-    const double edge = *table.quantity(row.key, Dimension::length, "2.5 nm");
+    const double edge = *table.quantity(row.key, Dimension::length, row.unit.example);
     box = {edge, edge, edge};
   }
-  table.require(std::min({box.x, box.y, box.z}) > 0, row.key, "must have edges longer than 0 nm");
+  table.require(is_valid(row, std::min({box.x, box.y, box.z})), row.key, complaint(row));
 }
 
 void check_extent(const TomlTable& table, const SystemSettings& system) {
@@ -289,7 +290,8 @@ SettingTable system_table() {
                ", the density of osmium, the densest element; is it in kg/m3? Water has 1 g/cm3"),
            "density of a lattice in a cubic box; excludes `box` and `initial_configuration`",
            More{.free = true}),
-       row("box", "box edges of a lattice; excludes `density`",
+       row("box", SettingUnit{Dimension::length, "nm", "2.5 nm"}, above(0),
+           "box edges of a lattice; excludes `density`",
            More{.domain = "length, or list of three, > 0",
                 .read = read_box,
                 .kinds = {SettingKind::quantity, SettingKind::texts}}),

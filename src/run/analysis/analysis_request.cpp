@@ -2,6 +2,7 @@
 #include "run/analysis/analysis_request.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -116,14 +117,15 @@ std::vector<RequestOption<Request>> Request::options() {
        "energies file of the run, for the time-step bias in g(r) and the dielectric constant; "
        "needs the run file"},
       {"molecules", &Request::molecules,
-       "instead of a run file: \"tip4p 512, na-tip4p-ew 4\", in the order of the file"},
-      {"names", &Request::names, "coordinate file with the names of the atoms"},
+       "models and counts, instead of a run file: \"tip4p 512, na-tip4p-ew 4\", in the order of "
+       "the file"},
+      {"names", &Request::names, "coordinate file with the atom names, for formats without them"},
       {"what", &Request::what,
-       fmt::format("any of {}; default: all that the frames allow",
+       fmt::format("observables: {}; default: all that the frames allow",
                    join_names(observable_names()))},
       {"output", &Request::output,
        fmt::format("prefix of the output files; default: {}", AnalysisInput{}.prefix)},
-      {"start", &Request::start, "ignore frames before this time: \"10 ps\"", "from"},
+      {"start", &Request::start, "time of the first frame: \"10 ps\"", "from"},
       {"interval", &Request::interval,
        "time between frames, instead of the times in the file: \"0.1 ps\""},
       {"window", &Request::window,
@@ -141,11 +143,14 @@ std::vector<RequestOption<Request>> Request::options() {
        "viscosity of the liquid, \"0.855 mPa s\", for the Yeh-Hummer finite-size correction of D; "
        "default: the published value of the model"},
       {"temperature", &Request::temperature,
-       "\"298 K\"; default: the temperature of the velocities, or of the run file"},
+       "temperature, \"298 K\"; default: the temperature of the velocities, or of the run file"},
       {"electrostatics", &Request::electrostatics,
-       fmt::format("instead of the run file's: pme, reaction-field (of {:g}) or coulomb",
-                   ForceSettings{}.dielectric)},
-      {"plot", &Request::plot, fmt::format("svg, png or none; default: {}", AnalysisInput{}.plot)}};
+       fmt::format(
+           "electrostatics, instead of the run file's: pme, reaction-field (of {:g}), coulomb",
+           ForceSettings{}.dielectric)},
+      {"plot", &Request::plot,
+       fmt::format("format of figures: {}; default: {}", fmt::join(plot_formats, ", "),
+                   AnalysisInput{}.plot)}};
 }
 
 AnalysisInput analysis_input(const Request& request, const std::string& trajectory,

@@ -116,8 +116,9 @@ struct StepRepeats {
 void repeat(StepRepeats& repeats, const Motion& motion, System& water,
             const ForceSettings& settings, Workers& workers, double seconds) {
   constexpr std::size_t min_repeats = 10;
-  Config config = default_config();
-  set_precision(config, settings.precision);
+  const Config config = default_config(
+      {.settings = {
+           {"forces.precision", {std::string(name_of(settings.precision))}, "benchmark"}}});
   const Scheme scheme = scheme_of(motion.scheme);
   ForceField forces(water.topology, settings, water.state.box, workers);
   TimedForces timed{forces};

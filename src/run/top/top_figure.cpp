@@ -9,11 +9,12 @@
 #include <numbers>
 #include <ostream>
 
+#include "base/printable.hpp"
+#include "base/version.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/figures/plot.hpp"
 #include "polhode/io/files/table_file.hpp"
 #include "polhode/rotor/free_rotor.hpp"
-#include "polhode/run/outputs.hpp"
 
 namespace polhode {
 namespace {
@@ -116,13 +117,14 @@ void add_ellipsoid(Points& points, const Vec3<double>& radius) {
   }
 }
 
-void write_data(std::ostream& out, const Vec3<double>& J, const Vec3<double>& L, double twice_E) {
+void write_data(std::ostream& out, const std::string& command, const Vec3<double>& J,
+                const Vec3<double>& L, double twice_E) {
   fmt::print(
       out,
-      "# polhode top --J {},{},{} --L {},{},{}\n"
+      "# polhode {}\n# command: {}\n"
       "# omega1 omega2 omega3; blocks: 0 ellipsoid, 1 polhodes of the same energy, 2 of this "
       "top,\n# 3 its omega\n",
-      J.x, J.y, J.z, L.x, L.y, L.z);
+      version(), printable(command));
   Points points(out);
   add_ellipsoid(points,
                 {std::sqrt(twice_E / J.x), std::sqrt(twice_E / J.y), std::sqrt(twice_E / J.z)});
@@ -138,6 +140,12 @@ void write_data(std::ostream& out, const Vec3<double>& J, const Vec3<double>& L,
 
 }  // namespace
 
+TopFigure::TopFigure(const std::string& common, const OutputOptions& output)
+    : prefix(common), command(output.command) {
+  check_prefix(prefix);
+  check_outputs(files(), output.existing);
+}
+
 void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L,
               const Callbacks& callbacks) {
   const double twice_E = L.x * L.x / J.x + L.y * L.y / J.y + L.z * L.z / J.z;
@@ -145,9 +153,10 @@ void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>
     throw Error(
         "the inertia ellipsoid of this top has no three finite axes (J = 0, L = 0, or overflow in "
         "these units), so it cannot be drawn; leave out the figure");
-  write_file(figure.data, [&](std::ostream& out) { write_data(out, J, L, twice_E); });
+  write_file(figure.data(),
+             [&](std::ostream& out) { write_data(out, figure.command, J, L, twice_E); });
   pass_messages(callbacks, [&](std::ostream& warnings) {
-    polhode_plot(figure.prefix, {figure.data, J, L}, warnings);
+    polhode_plot(figure.prefix, {figure.data(), J, L}, warnings);
   });
 }
 

@@ -7,19 +7,19 @@
 
 #include "polhode/base/vec3.hpp"
 #include "polhode/run/callbacks.hpp"
+#include "polhode/run/outputs.hpp"
 
 namespace polhode {
 
 /// The files of a figure, all in the same folder.
 struct TopFigure {
-  std::string prefix, data, script, svg, png;
-  explicit TopFigure(const std::string& common)
-      : prefix(common),
-        data(prefix + ".dat"),
-        script(prefix + ".gp"),
-        svg(prefix + ".svg"),
-        png(prefix + ".png") {}
-  std::vector<std::string> files() const { return {data, script, svg, png}; }
+  std::string prefix, command;
+  /// @throws Error  if a file cannot be written, or exists and is not to be replaced
+  TopFigure(const std::string& common, const OutputOptions& output);
+  std::string data() const { return prefix + ".dat"; }
+  std::vector<std::string> files() const {
+    return {prefix + ".svg", prefix + ".png", data(), prefix + ".gp"};
+  }
 };
 
 /// Writes data and script and runs gnuplot: the ellipsoid Σ J_k ω_k² = 2E (Poinsot), in light

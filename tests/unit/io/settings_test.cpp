@@ -119,7 +119,8 @@ namespace {
 std::string with(const Setting& one, const std::string& value) {
   std::map<std::string, std::string> tables{
       {"system", "molecules = [{ model = \"tip4p\", count = 2 }]\n"}};
-  if (one.path() != "system.density") tables["system"] += "density = \"1 g/cm3\"\n";
+  if (one.path() != "system.density" && one.path() != "system.box")
+    tables["system"] += "density = \"1 g/cm3\"\n";
   tables[one.table] += one.key + " = " + value + "\n";
   tables["thermostat"];  // cools at 0 K
   if (one.table == "barostat") tables["barostat"] += "pressure = \"1 bar\"\n";
@@ -129,8 +130,10 @@ std::string with(const Setting& one, const std::string& value) {
   return text;
 }
 
-/// The number in the unit of a setting.
+/// The number in the unit of a setting; a list has it alone.
 std::string written(const Setting& one, double value) {
+  if (one.kinds.front() == SettingKind::texts)
+    return fmt::format("[\"{:.17g} {}\"]", value, one.unit);
   if (one.kinds.front() == SettingKind::integer) return fmt::format("{:.0f}", value);
   return one.unit.empty() ? fmt::format("{:.17g}", value)
                           : fmt::format("\"{:.17g} {}\"", value, one.unit);

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "run/new_run_file.hpp"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <ostream>
+
+#include "base/printable.hpp"
+#include "io/settings/run_file_template.hpp"
+#include "io/topology/gromacs_mdp.hpp"
+#include "polhode/run/outputs.hpp"
+
+namespace polhode {
+namespace {
+
+std::string text_of(const std::string& kind, const std::string& file,
+                    const NewRunFileRequest& request, const Callbacks& callbacks) {
+  const Given& mdp = request.mdp;
+  if (!mdp) return run_file_template(kind, request.ensemble.text);
+  if (kind != "gromacs")
+    throw Error(
+        fmt::format("{0} has parameters of GROMACS, and the kind is '{1}'; give the kind "
+                    "gromacs, or leave out {0}",
+                    mdp.name, kind));
+  if (request.ensemble)
+    throw Error(fmt::format("{} has the ensemble, tcoupl and pcoupl; leave out {}", mdp.name,
+                            request.ensemble.name));
+  MdpImport read = read_mdp(mdp.text, {.prefix = std::filesystem::path(file).stem().string()});
+  for (const auto& [parameter, reason] : read.differences)
+    callbacks.note(fmt::format("note: {}: {}", printable(parameter), reason));
+  return std::move(read.run_file);
+}
+
+}  // namespace
+
+std::vector<RequestOption<NewRunFileRequest>> NewRunFileRequest::options() {
+  using R = NewRunFileRequest;
+  return {{"ensemble", &R::ensemble,
+           "ensemble of a kind without one (gromacs, lammps, water, mixture): nvt adds a "
+           "thermostat, npt a barostat, too"},
+          {"mdp", &R::mdp,
+           "run parameters of GROMACS to translate; those without counterpart are listed"}};
+}
+
+std::string new_run_file(const std::string& kind, const std::string& file,
+                         const NewRunFileRequest& request, const Callbacks& callbacks) {
+  const std::string name = file.empty() ? kind + ".toml" : file;
+  const std::string text = text_of(kind, name, request, callbacks);
+  if (std::filesystem::exists(name))
+    throw Error(fmt::format(
+        "'{}' exists and is never overwritten; give another name, for example my-{}.toml", name,
+        kind));
+  check_outputs({name}, ExistingFiles::refuse);
+  write_file(name, [&](std::ostream& out) { out << text; });
+  return name;
+}
+
+}  // namespace polhode

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "run/top/top_request.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "polhode/run/top/top.hpp"
+
+namespace polhode {
+namespace {
+
+Vec3<double> three_numbers(const Given& given) {
+  const std::vector<double> x = given_numbers(given, 3, "\"1, 2, 3\"");
+  return {x[0], x[1], x[2]};
+}
+
+}  // namespace
+
+std::vector<RequestOption<TopRequest>> TopRequest::options() {
+  using R = TopRequest;
+  return {
+      {"J", &R::J, "principal moments: \"1, 2, 3\"; any consistent units"},
+      {"L", &R::L, "body-frame angular momentum: \"0.1, 0.2, 1\""},
+      {"step", &R::step, "time step; default: the top turns by 0.2 per step"},
+      {"length", &R::length, "length of the trajectory; default: 200 steps"},
+      {"output", &R::output,
+       "prefix of a figure of the polhode on the inertia ellipsoid: PREFIX.svg, .png, .dat, .gp"},
+      {"table", &R::table,
+       "CSV file of tops with columns I1,I2,I3,L1,L2,L3,t, whose rotations are printed"},
+      {"method", &R::method,
+       fmt::format("method for the table: {}; default: {}",
+                   fmt::join(enum_names<RotorMethod>, ", "), enum_names<RotorMethod>[0])}};
+}
+
+FreeTop TopRequest::top() const {
+  if (!J || !L)
+    throw Error(fmt::format("a top needs three principal moments and three components of angular "
+                            "momentum: write for example {} 1,2,3 {} 0.1,0.2,1, or give a {}",
+                            J.name, L.name, table.name),
+                J.name + ", " + L.name);
+  FreeTop top{three_numbers(J), three_numbers(L)};
+  if (step) top.step = given_numbers(step, 1, "0.1").front();
+  if (length) top.length = given_numbers(length, 1, "20").front();
+  return top;
+}
+
+std::string TopRequest::rotated_table() const {
+  return rotate_table(table.text, method ? given_name<RotorMethod>(method) : RotorMethod::series);
+}
+
+}  // namespace polhode

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What a front end was given for a free top, or a table of them, as texts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "polhode/base/vec3.hpp"
+#include "run/given.hpp"
+
+namespace polhode {
+
+/// A free top and the times of its trajectory, in any consistent units.
+struct FreeTop {
+  Vec3<double> J, L;  ///< principal moments; angular momentum in the body frame
+  double step = 0, length = 0;
+};
+
+struct TopRequest {
+  Given J, L, step, length, output, table, method;
+
+  static std::vector<RequestOption<TopRequest>> options();
+  /// @throws Error  naming the option, unless there are three moments and three components
+  FreeTop top() const;
+  /// The rotations of a table of tops, as rotate_table().
+  std::string rotated_table() const;
+};
+
+}  // namespace polhode
