@@ -12,6 +12,8 @@ const std::vector<VerbGroup>& verb_groups() {
         {"prepare", "an equilibrated start: minimise, NVT, NPT", prepare_verb},
         {"minimise", "minimise the energy of an initial configuration", minimise_verb},
         {"run", "simulate: a trajectory with its energies and summary", run_verb},
+        {"measure", "properties of a model, each to a requested error", measure_verb},
+        {"merge", "the properties from the records of all shards", merge_verb},
         {"energy", "energies of an initial configuration; forces and torques, too", energy_verb},
         {"analyze", "structure and dynamics from a trajectory: g(r), diffusion, relaxation",
          analyze_verb},

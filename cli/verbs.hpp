@@ -19,6 +19,8 @@ Action bench_verb(Command& command);
 Action convert_verb(Command& command);
 Action energy_verb(Command& command);
 Action export_verb(Command& command);
+Action measure_verb(Command& command);
+Action merge_verb(Command& command);
 Action minimise_verb(Command& command);
 Action molecules_verb(Command& command);
 Action new_verb(Command& command);

@@ -23,7 +23,7 @@ else()
   list(FILTER sources EXCLUDE REGEX "formats/(h5md_(reader|series|writer)|variable_text)\\.cpp$")
 endif()
 file(GLOB embedded CONFIGURE_DEPENDS data/molecules/*.toml data/molecules/*.txt data/start/*.gro data/runs/*.toml
-     data/plots/*.gp data/plots/*.toml)
+     data/plots/*.gp data/plots/*.toml data/pages/*.html)
 polhode_embed(embedded_source ${embedded})
 # Compilers have no limit of 64 KiB, of which clang++ warns as the standard's.
 set_source_files_properties(${embedded_source} PROPERTIES COMPILE_OPTIONS -Wno-overlength-strings)

@@ -34,6 +34,8 @@ template CommandOption Command::add_option(const std::string&, double&, const st
 template CommandOption Command::add_option(const std::string&, std::string&, const std::string&);
 template CommandOption Command::add_option(const std::string&, std::vector<double>&,
                                            const std::string&);
+template CommandOption Command::add_option(const std::string&, std::vector<std::string>&,
+                                           const std::string&);
 
 namespace {
 

@@ -9,7 +9,7 @@
     print(run.ratio)                        # R
     simulation.state.positions              # a view (n, 3) [nm]
 
-The verbs of the command line are functions: run, prepare, minimise, energy, analyze, convert, export,
+The verbs of the command line are functions: run, prepare, minimise, measure, merge, energy, analyze, convert, export,
 advise, study, tune_scheme, verify, molecules, schemes, top, bench, new. Quantities are texts with
 units, "2 fs", or those of pint or openmm.unit. Wrong input raises polhode.Error.
 """
@@ -19,6 +19,7 @@ from ._files import Frame, read, read_frames, write
 from ._jobs import (advise, analyze, bench, convert, energy, export, minimise, new, prepare, run, study,
                     tune_scheme)
 from ._lookup import Molecule, Scheme, molecules, schemes, verify
+from ._measure import measure, merge
 from ._progress import hooks as Progress
 from ._quantities import quantity
 from ._results import EnergySeries, Report, Run
@@ -34,7 +35,7 @@ __version__ = _core.version
 __all__ = ["EnergySeries", "Error", "ExternalForces", "Frame", "Molecule", "OutputError",
            "Progress", "Report", "Run", "RunError", "Scheme", "Settings", "Simulation", "State",
            "advise", "analyze", "bench", "convert", "energy", "export", "free_rotation", "instruction_set",
-           "minimise", "molecules", "new", "prepare", "quantity", "read", "read_frames",
+           "measure", "merge", "minimise", "molecules", "new", "prepare", "quantity", "read", "read_frames",
            "rotate_table", "rotation_matrix", "run", "schemes", "settings", "study", "top",
            "tune_scheme", "verify", "write"]
 

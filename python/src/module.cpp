@@ -14,6 +14,7 @@ NB_MODULE(_core, m) {
   python::bind_config(m);
   python::bind_simulation(m);
   python::bind_jobs(m);
+  python::bind_measure(m);
   python::bind_study(m);
   python::bind_lookup(m);
   python::bind_top(m);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/prediction.hpp"
 #include "polhode/math/fit.hpp"
 
 namespace polhode {
@@ -76,14 +77,26 @@ struct Noise {
   double modes = 0;  ///< from which it was estimated
 };
 
-/// @param modes  after subtraction of the mean
-Noise noise(Modes modes) {
-  double squares = 0, count = 0;
+/// @param runs  each with all of its modes, the first of which is the deviation of its mean from
+///              the common one
+Noise noise(std::vector<Modes> runs) {
+  double squares = 0, count = -1;
+  for (Modes& run : runs) {
+    const double deviation = run.next();
+    if (runs.size() > 1) squares += std::pow(deviation, 2);
+    ++count;
+  }
   const auto take = [&] {
-    for (std::size_t k = 0; k < slowest; ++k, ++count) squares += std::pow(modes.next(), 2);
+    for (Modes& run : runs)
+      for (std::size_t k = 0; k < slowest; ++k, ++count) squares += std::pow(run.next(), 2);
     return squares / count;
   };
-  const double slow = take(), fast = modes.squares_above() / modes.left();
+  const auto faster = [&] {
+    double above = 0, left = 0;
+    for (const Modes& run : runs) above += run.squares_above(), left += run.left();
+    return above / left;
+  };
+  const double slow = take(), fast = faster();
   if (slow > too_slow * fast) return {.known = Known::too_short};
   if (slow <= white * fast) return {take(), Known::yes, count};
   return {slow * (1 + growth * (slow / fast - 1)), Known::yes, count};
@@ -113,28 +126,45 @@ double three_sigma(const SeriesEstimate& estimate) {
 
 SeriesEstimate series_estimate(const BlockMeans& blocks,
                                const std::function<double(std::span<const double>)>& statistic) {
-  if (blocks.empty()) return {std::nan("")};
-  SeriesEstimate result{statistic(blocks.mean())};
-  if (blocks.blocks().size() < min_samples) return result;
-  const BlockMeans::Block all = blocks.sum();
-  std::vector<double> weights, times, influences, without(all.sum.size());
-  double time = 0, largest = 0;  // in samples; of the influences
-  for (const auto& [weight, sum] : blocks.blocks()) {
-    const double rest = all.weight - weight;
-    for (std::size_t k = 0; k < without.size(); ++k) without[k] = (all.sum[k] - sum[k]) / rest;
-    weights.push_back(weight);
-    times.push_back(time + weight / 2);
-    influences.push_back((result.value - statistic(without)) * rest / weight);
-    if (!std::isfinite(influences.back())) return result;
-    largest = std::max(largest, std::abs(influences.back()));
-    time += weight;
+  return pooled_estimate(std::span(&blocks, 1), statistic);
+}
+
+SeriesEstimate pooled_estimate(std::span<const BlockMeans> runs,
+                               const std::function<double(std::span<const double>)>& statistic) {
+  std::vector<BlockMeans::Block> sums;
+  for (const BlockMeans& run : runs)
+    if (!run.empty()) sums.push_back(run.sum());
+  if (sums.empty()) return {std::nan("")};
+  const BlockMeans all_runs(std::move(sums));
+  const BlockMeans::Block all = all_runs.sum();
+  SeriesEstimate result{statistic(all_runs.mean())};
+  std::vector<Modes> modes;
+  std::vector<double> without(all.sum.size());
+  double largest = 0;  // of the influences
+  for (const BlockMeans& run : runs) {
+    if (run.blocks().size() < min_samples) return result;
+    std::vector<double> weights, times, influences;
+    double time = 0;  // in samples
+    for (const auto& [weight, sum] : run.blocks()) {
+      const double rest = all.weight - weight;
+      for (std::size_t k = 0; k < without.size(); ++k) without[k] = (all.sum[k] - sum[k]) / rest;
+      weights.push_back(weight);
+      times.push_back(time + weight / 2);
+      influences.push_back((result.value - statistic(without)) * rest / weight);
+      if (!std::isfinite(influences.back())) return result;
+      largest = std::max(largest, std::abs(influences.back()));
+      time += weight;
+    }
+    modes.emplace_back(std::move(weights), std::move(times), std::move(influences));
   }
   constexpr double rounding = 1e-12;  // of sums of a few thousand equal numbers, relative
   if (largest <= rounding * std::abs(result.value)) return {result.value, 0, Known::yes};
-  Modes modes(std::move(weights), std::move(times), std::move(influences));
-  modes.next();  // the mean
   const Noise found = noise(std::move(modes));
   return {result.value, std::sqrt(found.variance / all.weight), found.known, found.modes};
+}
+
+double interval_factor(const SeriesEstimate& estimate, double probability) {
+  return t_quantile((1 + probability) / 2, estimate.modes);
 }
 
 SeriesEstimate scaled(SeriesEstimate estimate, double factor) {

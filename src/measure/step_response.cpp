@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace polhode {
 namespace {
@@ -100,7 +101,33 @@ std::size_t StepResponse::samples() const {
 
 SeriesEstimate StepResponse::bias(double degrees_of_freedom, FixedMeans fixed,
                                   const Function& f) const {
-  return series_estimate(blocks.means(), [&](std::span<const double> mean) {
+  return step_bias(std::span(this, 1), degrees_of_freedom, fixed, f);
+}
+
+StepResponse StepResponse::relative_to(const std::vector<double>& other) const {
+  StepResponse moved = *this;
+  moved.first = other;
+  const std::size_t averages = first.size() - factors;
+  std::vector<double> by(first.size());
+  for (std::size_t k = 0; k < by.size(); ++k) by[k] = first[k] - other[k];
+  for (BlockMeans::Block& block : moved.blocks.blocks) {
+    for (std::size_t factor = 0; factor < factors; ++factor)
+      for (std::size_t a = 0; a < averages; ++a)
+        block.sum[factors + averages + factor * averages + a] +=
+            by[factor] * block.sum[factors + a] + by[factors + a] * block.sum[factor] +
+            block.weight * by[factor] * by[factors + a];
+    for (std::size_t k = 0; k < by.size(); ++k) block.sum[k] += block.weight * by[k];
+  }
+  return moved;
+}
+
+SeriesEstimate step_bias(std::span<const StepResponse> runs, double degrees_of_freedom,
+                         FixedMeans fixed, const StepResponse::Function& f) {
+  if (runs.empty()) return {std::nan("")};
+  std::vector<BlockMeans> means;
+  for (const StepResponse& run : runs) means.push_back(run.blocks.means());
+  const std::vector<double>& first = runs.front().first;
+  return pooled_estimate(means, [&](std::span<const double> mean) {
     return bias_at(mean, first, Shifts(mean, first, degrees_of_freedom, fixed), f);
   });
 }

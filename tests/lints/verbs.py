@@ -12,6 +12,8 @@ CALLS = {
     "prepare": ["prepare"],
     "minimise": ["minimise_configuration"],
     "run": ["Simulation"],
+    "measure": ["measure", "quantities"],
+    "merge": ["measure", "quantities"],
     "energy": ["single_point", "quantities"],
     "analyze": ["run_analysis"],
     "convert": ["convert"],

@@ -52,6 +52,15 @@ double three_sigma(const SeriesEstimate& estimate);
 SeriesEstimate series_estimate(const BlockMeans& blocks,
                                const std::function<double(std::span<const double>)>& statistic);
 
+/// The same from independent runs of one process, such as replicas. The modes of all runs together
+/// give the error. The deviation of each run's mean from the common mean is a mode as well.
+SeriesEstimate pooled_estimate(std::span<const BlockMeans> runs,
+                               const std::function<double(std::span<const double>)>& statistic);
+
+/// The multiple of the error within which the true value lies with a probability, by Student's t
+/// with `modes` degrees of freedom.
+double interval_factor(const SeriesEstimate& estimate, double probability);
+
 /// The integrated autocorrelation time τ = n ε²/2σ² of a stationary quantity [samples], from the
 /// error ε of its mean and the variance σ² of its samples. n samples are worth n/2τ independent
 /// samples. Its relative standard error is √(2/modes) (docs/statistics.md).

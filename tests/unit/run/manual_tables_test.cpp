@@ -12,6 +12,7 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/schemes.hpp"
 #include "polhode/run/prepare/minimisation.hpp"
+#include "polhode/run/properties/measure.hpp"
 #include "polhode/run/simulation/system/single_point.hpp"
 #include "polhode/run/study/tune.hpp"
 #include "run/adviser/advice_report.hpp"
@@ -104,6 +105,14 @@ TuneResult tuning() {
           .families = {tuned}};
 }
 
+MeasureReport measurement() {
+  MeasuredPoint point{.at = {300, 0.06}, .molecules = 256, .replicas = 4, .step_max = 0.004};
+  point.properties = {{{&property("density")},
+                       {997, 0.5, Known::yes, 30},
+                       SeriesEstimate{0.1, 0.01, Known::yes, 30}}};
+  return {.points = {point}, .system = "256 spce"};
+}
+
 }  // namespace
 
 TEST_CASE("the manual has the keys of results as their lists state them") {
@@ -120,6 +129,7 @@ TEST_CASE("the manual has the keys of results as their lists state them") {
   check_manual("verify", "verification",
                quantities(Verification{NamedScheme("hoa2"), {{{0.01, 0.1}}, 2}, 2}));
   check_manual("bench", "benchmark", quantities(benchmark(), {"a processor", "avx2", {1}}));
+  check_manual("measure", "measurement", quantities(measurement()));
   check_manual("minimise", "minimisation", quantities(MinimisationReport{}));
   const char* const argon =
       "[system]\nmolecules = [{ model = \"argon\", count = 27 }]\nbox = \"2.5 nm\"\n[forces]\n"

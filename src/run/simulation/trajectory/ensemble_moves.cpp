@@ -49,6 +49,10 @@ void check_ensemble(const TrajectorySettings& settings) {
     throw Error(
         "the scheme has a bath O, and a bath needs a thermostat; add a table [thermostat], or "
         "leave the stages O(...) out of the scheme");
+  if (e.thermostat && !settings.scheme.has(Flow::bath) && !e.hybrid_monte_carlo)
+    throw Error(
+        "the scheme has no bath O, in which the thermostat acts; add it with with_bath(), or leave "
+        "the thermostat out");
   if (e.hybrid_monte_carlo) {
     if (e.thermostat)
       throw Error("hybrid Monte Carlo keeps the temperature itself; leave the thermostat out");

@@ -39,6 +39,7 @@ void Sampler::sample(std::size_t step, double exchanged, Clocks& clocks, const W
   clocks.add_motion();
   Energies now = energies_now(step, exchanged, clocks);
   sample_shadow(now, watch);
+  if (watch.load) watch.load(system_.state, integrator_.last_load());
   if (watch.sample) watch.sample(step, system_.state, now);
   const std::optional<StepError> error = error_of(now);
   if (error) statistics_.step_bias.add(*error, now);

@@ -75,6 +75,8 @@ struct Watch {
   std::function<void(RunState)> checkpoint;
   /// Called at samples that have error brackets.
   std::function<void(const BracketSample&)> brackets;
+  /// Called at every sample, before `sample`, with the forces, energies and virial at the state.
+  std::function<void(const State&, const Load&)> load{};
 };
 
 struct Trajectory {

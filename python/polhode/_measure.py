@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: MIT
+"""Properties of a model, each to a requested error."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
+from typing import SupportsIndex
+
+from . import _core
+from ._jobs import _Job
+from ._quantities import text_of
+from ._results import Report
+from ._types import Messages, Path, Progress, Quantity
+
+__all__ = ["measure", "merge"]
+
+
+def _words(properties):
+    """The words of the command line: names, each of which may be followed by its error."""
+    if isinstance(properties, str):
+        return [properties]
+    if isinstance(properties, Mapping):
+        pairs = properties.items()
+        return [word for name, error in pairs for word in ((name,) if error is None else (name, text_of(error)))]
+    return [str(word) for word in properties]
+
+
+def _perform(system, words, texts, task):
+    """A task of an executor: the record of a replica afterwards."""
+    return _core.perform_replica(system, words, texts, *task)
+
+
+def measure(system: Path, properties: str | Sequence[str] | Mapping[str, Quantity | None], *,
+            at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None,
+            replicas: SupportsIndex | None = None, time_limit: Quantity | None = None,
+            shard: str | None = None, seed: SupportsIndex | None = None,
+            output: Path | None = None, executor: Executor | None = None,
+            threads: int | None = None, progress: Progress = None,
+            messages: Messages = None) -> Report:
+    """Measures properties of a model, each to a requested error, as ``polhode measure``.
+
+    What is computed is kept in records; the same call, also with other properties or errors, resumes from them.
+
+    Args:
+        system: run file, molecule file, name of a model, or a mixture: "spce 488, na-spce 12".
+        properties: names, or a dict of names with their errors: {"density": "0.1 %"}; default of the error: 1 %.
+        at (str or list of str): state points: "298.15 K, 1 bar", "250 K to 320 K, 7 points".
+        molecules (int): number of molecules of a pure substance; default: 256.
+        replicas (int): number of independent simulations of each state point; default: 4.
+        time_limit: wall-clock time after which the results so far are returned: "2 h".
+        shard (str): part of the replicas for this process: "2/8".
+        seed (int): of all replicas.
+        output: prefix of the records; default: measure.
+        executor (concurrent.futures.Executor): computes the replicas: a pool of processes, dask's
+            ``Client.get_executor()``, ``mpi4py.futures.MPIPoolExecutor``. The bits do not depend on it.
+
+    Returns:
+        Report: with the keys of ``polhode measure --json``.
+
+    Raises:
+        Error: if there is no such property, or the model does not have it.
+        RunError: if a replica blows up, or the molecules evaporate.
+    """
+    return _measured(measure, locals(), executor=executor)
+
+
+def merge(system: Path, properties: str | Sequence[str] | Mapping[str, Quantity | None], *,
+          at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None,
+          replicas: SupportsIndex | None = None, seed: SupportsIndex | None = None,
+          output: Path | None = None) -> Report:
+    """The properties from the records of all shards, without computing more, as ``polhode merge``.
+
+    Args:
+        system, properties, at, molecules, replicas, seed, output: as in measure().
+
+    Returns:
+        Report: as of measure().
+    """
+    return _measured(merge, locals(), only_evaluate=True)
+
+
+def _measured(function, given, *, executor=None, only_evaluate=False):
+    at = given["at"]
+    at = at if at is None or isinstance(at, str) else "; ".join(at)
+    job = _Job(function, {**given, "at": at})
+    texts = {name: text for name, text in job.texts.items() if name not in ("system", "properties", "executor")}
+    words, system = _words(given["properties"]), os.fspath(given["system"])
+
+    def execute(tasks):
+        futures = [executor.submit(_perform, system, words, texts, task) for task in tasks]
+        return [future.result() for future in futures]
+
+    with job as options:
+        text, files = _core.measure(system, words, texts, only_evaluate, execute if executor is not None else None,
+                                    options)
+    return Report(function.__name__, json.loads(text), files)

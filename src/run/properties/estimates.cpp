@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: MIT
+#include "run/properties/estimates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "io/settings/quantity.hpp"
+#include "measure/convergence.hpp"
+#include "measure/displacement.hpp"
+#include "measure/reorientation.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/model/degrees_of_freedom.hpp"
+#include "polhode/run/properties/second_virial.hpp"
+
+namespace polhode {
+namespace {
+
+using Means = std::span<const double>;
+using Statistic = std::function<double(Means)>;
+
+constexpr const char* too_short = "the runs are too short";
+
+constexpr const char* no_equilibrium =
+    "a replica has reached no equilibrium; if longer runs do not help, the state is a crystal, a "
+    "glass or two phases";
+
+/// Averages in equilibrium, a run for each replica.
+std::vector<BlockMeans> averages_of(const PointData& data) {
+  std::vector<BlockMeans> runs;
+  for (const Replica& replica : data.replicas) {
+    std::vector<BlockMeans::Block> blocks;
+    for (std::size_t k = equilibrated(replica); k < replica.averages.size(); ++k)
+      blocks.push_back(replica.averages[k].sums);
+    runs.emplace_back(std::move(blocks));
+  }
+  return runs;
+}
+
+std::vector<StepResponse> responses_of(const PointData& data) {
+  std::vector<StepResponse> runs;
+  for (const Replica& replica : data.replicas) {
+    if (replica.averages.empty()) continue;
+    StepResponse run{.first = replica.averages.front().response.first, .blocks = {}};
+    for (std::size_t k = equilibrated(replica); k < replica.averages.size(); ++k)
+      run.blocks.blocks.push_back(replica.averages[k].response.blocks.blocks.front());
+    run.blocks.samples_per_block = run.blocks.blocks.empty() ? 1 : run.blocks.blocks[0].weight;
+    runs.push_back(runs.empty() ? run : run.relative_to(runs.front().first));
+  }
+  return runs;
+}
+
+/// Dynamics: a run for each replica, or one of all segments while the replicas are short.
+std::vector<BlockMeans> dynamics_of(const PointData& data) {
+  std::vector<BlockMeans> runs;
+  std::vector<BlockMeans::Block> all;
+  std::size_t shortest = std::numeric_limits<std::size_t>::max();
+  for (const Replica& replica : data.replicas) {
+    runs.emplace_back(replica.dynamics);
+    all.insert(all.end(), replica.dynamics.begin(), replica.dynamics.end());
+    shortest = std::min(shortest, replica.dynamics.size());
+  }
+  if (shortest >= min_samples) return runs;
+  return {BlockMeans(std::move(all))};
+}
+
+Conditions conditions_of(const PointData& data) {
+  return {.at = data.at,
+          .molecules = data.topology.size(),
+          .mass = data.topology.mass(),
+          .degrees_of_freedom = degrees_of_freedom(data.topology).all()};
+}
+
+/// The value of a statistic without its time-step bias.
+SeriesEstimate without(const SeriesEstimate& value, const SeriesEstimate& bias) {
+  SeriesEstimate corrected = value;
+  corrected.value -= bias.value;
+  corrected.error = std::hypot(value.error, bias.error);
+  return corrected;
+}
+
+void estimate_average(MeasuredProperty& m, const PointData& data) {
+  const Conditions conditions = conditions_of(data);
+  const Property& property = *m.request.property;
+  const auto statistic = [&](Means means) { return property.value(means, conditions); };
+  const std::vector<BlockMeans> runs = averages_of(data);
+  m.value = pooled_estimate(runs, statistic);
+  if (m.value.known != Known::yes) {
+    m.obstacle = in_equilibrium(data) ? too_short : no_equilibrium;
+    return;
+  }
+  const std::vector<StepResponse> responses = responses_of(data);
+  const SeriesEstimate bias = step_bias(responses, conditions.degrees_of_freedom,
+                                        FixedMeans::kinetic_energy_and_pressure, statistic);
+  if (bias.known != Known::yes) return;
+  m.bias = bias;
+  m.value = without(m.value, bias);
+}
+
+double edge_of(const PointData& data) {
+  double sum = 0;
+  for (const Replica& replica : data.replicas)
+    sum += std::cbrt((replica.moving ? *replica.moving : replica.state).box.volume());
+  return data.replicas.empty() ? 0 : sum / static_cast<double>(data.replicas.size());
+}
+
+/// Lines are fitted from a third of the longest lag on.
+FitWindow fit_window(double interval) {
+  const double longest = interval * static_cast<double>(lags - 1);
+  return {longest / 3, longest};
+}
+
+double slope_between(Means correlation, double interval, const FitWindow& window) {
+  std::vector<double> t, y;
+  for (std::size_t k = 0; k < correlation.size(); ++k) {
+    const double lag = static_cast<double>(k) * interval;
+    if (lag < window.from || lag > window.to) continue;
+    t.push_back(lag);
+    y.push_back(correlation[k]);
+  }
+  return t.size() < 2 ? std::nan("") : slope(t, y).value;
+}
+
+double viscosity_of(Means flux, double interval, const FitWindow& window, double volume,
+                    double kT) {
+  // Five components over two bodies: the sum of their mean squares grows as 10 kT η t/V.
+  return 2 * slope_between(flux, interval, window) * volume / (10 * kT);
+}
+
+/// The correlation functions of the dynamics of all replicas.
+class Dynamics {
+ public:
+  explicit Dynamics(const PointData& data)
+      : data_(data), runs_(dynamics_of(data)), which_(data.topology) {
+    const auto any =
+        std::find_if(runs_.begin(), runs_.end(), [](const auto& run) { return !run.empty(); });
+    if (any == runs_.end()) return;
+    interval_ = lag_interval(data.replicas.front());
+    length_ = any->blocks().front().sum.size() / which_.count;
+    edge_ = edge_of(data);
+  }
+  bool empty() const { return length_ == 0; }
+
+  void viscosity(MeasuredProperty& m) const {
+    estimate(m, [this](Means all, const FitWindow& fit) { return eta(all, fit); });
+    m.value = scaled(m.value, 1 / unit("mPa s", Dimension::viscosity));
+  }
+
+  /// With the finite-size correction, whose error is correlated with that of the slope.
+  void diffusion(MeasuredProperty& m) const {
+    const FitWindow window = fit_window(interval_);
+    estimate(m, [this](Means all, const FitWindow& fit) { return D(all, fit); });
+    m.value =
+        pooled_estimate(runs_, [&](Means all) { return D(all, window) + correction(all, window); });
+    constexpr double nm2_per_ps = 1e-3;  // 1e-9 m²/s
+    m.finite_size =
+        pooled_estimate(runs_, [&](Means all) { return correction(all, window); }).value /
+        nm2_per_ps;
+    m.value = scaled(m.value, 1 / nm2_per_ps);
+  }
+
+  /// Of the slowest axis.
+  void relaxation(MeasuredProperty& m) const {
+    for (const auto& axes : which_.rotation)
+      for (const std::size_t axis : axes) {
+        const auto times = relaxation_times(function(axis), interval_);
+        if (!times) {
+          m.obstacle = "the orientation does not relax within the window of lags";
+          m.value = {std::nan("")};
+          return;
+        }
+        if (!(times->integral.value <= m.value.value)) m.value = times->integral;
+      }
+  }
+
+ private:
+  Means part(Means all, std::size_t k) const { return all.subspan(k * length_, length_); }
+  double eta(Means all, const FitWindow& fit) const {
+    return viscosity_of(part(all, CorrelationsOfDynamics::momentum_flux), interval_, fit,
+                        edge_ * edge_ * edge_, units::boltzmann * data_.at.temperature);
+  }
+  double D(Means all, const FitWindow& fit) const {
+    return slope_between(part(all, which_.displacement.front()), interval_, fit) / 6;
+  }
+  double correction(Means all, const FitWindow& fit) const {
+    return yeh_hummer_correction(data_.at.temperature, eta(all, fit), edge_);
+  }
+  BlockMeans function(std::size_t which) const {
+    std::vector<BlockMeans::Block> blocks;
+    for (const BlockMeans& run : runs_)
+      for (const BlockMeans::Block& block : run.blocks()) {
+        const Means C = part(block.sum, which);
+        blocks.push_back({block.weight, {C.begin(), C.end()}});
+      }
+    return BlockMeans(std::move(blocks));
+  }
+  /// A slope, and whether it is the same in both halves of the window.
+  template <class Slope>
+  void estimate(MeasuredProperty& m, const Slope& slope) const {
+    const FitWindow window = fit_window(interval_);
+    const double middle = (window.from + window.to) / 2;
+    m.value = pooled_estimate(runs_, [&](Means all) { return slope(all, window); });
+    const SeriesEstimate rise = pooled_estimate(runs_, [&](Means all) {
+      return slope(all, FitWindow{middle, window.to}) - slope(all, FitWindow{window.from, middle});
+    });
+    if (m.value.known == Known::yes && differs(rise, m.value.value))
+      m.obstacle =
+          "the slope still changes within the window of lags: the motion is slower than it";
+  }
+
+  const PointData& data_;
+  std::vector<BlockMeans> runs_;
+  CorrelationsOfDynamics which_;
+  double interval_ = 0, edge_ = 0;
+  std::size_t length_ = 0;
+};
+
+void estimate_dynamics(MeasuredProperty& m, const PointData& data) {
+  const Dynamics dynamics(data);
+  const std::string_view name = m.request.property->name;
+  if (dynamics.empty())
+    m.obstacle = too_short;
+  else if (name == "viscosity")
+    dynamics.viscosity(m);
+  else if (name == "diffusion")
+    dynamics.diffusion(m);
+  else
+    dynamics.relaxation(m);
+  if (m.value.known != Known::yes && m.obstacle.empty()) m.obstacle = too_short;
+}
+
+void estimate_pair(MeasuredProperty& m, const PointData& data) {
+  const double per_mol = 1 / (1e21 / units::avogadro);
+  std::size_t points = 1024;
+  do {
+    const Estimate B = second_virial(data.topology.parts.front().molecule, data.mixing,
+                                     data.at.temperature, points)
+                           .value;
+    m.value = {B.value * per_mol, B.error * per_mol, Known::yes, 15};
+    points *= 4;
+  } while (!m.reached() && points <= 65536);
+}
+
+}  // namespace
+
+double MeasuredProperty::requested_error() const {
+  return request.relative ? request.error * std::abs(value.value) : request.error;
+}
+
+bool MeasuredProperty::reached() const {
+  return value.known == Known::yes && obstacle.empty() && value.error <= requested_error();
+}
+
+bool in_equilibrium(const PointData& data) {
+  constexpr double max_discarded = 0.5;
+  return std::all_of(data.replicas.begin(), data.replicas.end(), [](const Replica& replica) {
+    return static_cast<double>(equilibrated(replica)) <=
+           max_discarded * static_cast<double>(replica.averages.size());
+  });
+}
+
+MeasuredProperty estimate(const RequestedProperty& request, const PointData& data) {
+  MeasuredProperty m{.request = request, .value = {std::nan("")}};
+  switch (request.property->measured_in) {
+    case MeasuredIn::averages:
+      estimate_average(m, data);
+      break;
+    case MeasuredIn::dynamics:
+      estimate_dynamics(m, data);
+      break;
+    case MeasuredIn::pair:
+      estimate_pair(m, data);
+      break;
+  }
+  return m;
+}
+
+std::vector<SeriesEstimate> stages_of(const RequestedProperty& request, const PointData& data) {
+  if (request.property->measured_in == MeasuredIn::pair) return {};
+  constexpr std::size_t stages = 10;
+  std::vector<SeriesEstimate> list;
+  for (std::size_t k = 1; k <= stages; ++k) {
+    std::vector<Replica> first(data.replicas.begin(), data.replicas.end());
+    for (Replica& replica : first) {
+      replica.averages.resize(replica.averages.size() * k / stages);
+      replica.dynamics.resize(replica.dynamics.size() * k / stages);
+    }
+    PointData part = data;
+    part.replicas = first;
+    list.push_back(estimate(request, part).value);
+  }
+  return list;
+}
+
+namespace {
+
+std::vector<EquilibrationTrace> traces_of(const PointData& data) {
+  std::vector<EquilibrationTrace> traces;
+  for (const Replica& replica : data.replicas) {
+    EquilibrationTrace trace;
+    const double part = replica.step * static_cast<double>(steps_of_averages) / parts_of_averages;
+    for (const AveragesSegment& segment : replica.averages)
+      for (std::size_t k = 0; k < segment.potentials.size(); ++k) {
+        trace.time.push_back((static_cast<double>(trace.time.size()) + 0.5) * part);
+        trace.potential.push_back(segment.potentials[k] /
+                                  static_cast<double>(data.topology.size()));
+        trace.density.push_back(data.topology.mass() / segment.volumes[k] /
+                                unit("kg/m3", Dimension::density));
+      }
+    trace.begin = static_cast<double>(equilibrated(replica) * parts_of_averages) * part;
+    traces.push_back(std::move(trace));
+  }
+  return traces;
+}
+
+/// The mean-square displacement of each kind of molecule, and that of the momentum flux.
+std::vector<MeasuredCurve> curves_of(const PointData& data) {
+  const std::vector<BlockMeans> runs = dynamics_of(data);
+  if (runs.empty() || runs.front().empty()) return {};
+  const CorrelationsOfDynamics which(data.topology);
+  const double interval = lag_interval(data.replicas.front());
+  const std::size_t length = runs.front().blocks().front().sum.size() / which.count;
+  const auto curve = [&](std::string title, std::string in, std::size_t correlation,
+                         double factor) {
+    MeasuredCurve c{std::move(title), std::move(in), {}, {}};
+    constexpr std::size_t every = 8;  // lags: fewer points than a figure can show
+    for (std::size_t k = 0; k < length; k += every) {
+      c.time.push_back(static_cast<double>(k) * interval);
+      c.value.push_back(
+          pooled_estimate(runs, [&](Means all) { return factor * all[correlation * length + k]; }));
+    }
+    return c;
+  };
+  std::vector<MeasuredCurve> curves;
+  for (std::size_t part = 0; part < which.displacement.size(); ++part)
+    curves.push_back(curve("mean-square displacement of " + data.topology.parts[part].molecule.name,
+                           "nm2", which.displacement[part], 1));
+  const double edge = edge_of(data);
+  const double to_mPa = edge * edge * edge / (5 * units::boltzmann * data.at.temperature) /
+                        unit("mPa s", Dimension::viscosity);
+  curves.push_back(curve("momentum flux: its slope is the viscosity", "mPa s ps",
+                         CorrelationsOfDynamics::momentum_flux, to_mPa));
+  return curves;
+}
+
+}  // namespace
+
+MeasuredPoint described(const PointData& data) {
+  MeasuredPoint point{.at = data.at,
+                      .molecules = data.topology.size(),
+                      .replicas = data.replicas.size(),
+                      .step_min = std::numeric_limits<double>::infinity(),
+                      .edge = edge_of(data)};
+  for (const Replica& replica : data.replicas) {
+    const double segment = replica.step * static_cast<double>(steps_of_averages);
+    const auto discarded = static_cast<double>(equilibrated(replica));
+    point.step_min = std::min(point.step_min, replica.step);
+    point.step_max = std::max(point.step_max, replica.step);
+    point.equilibration_max = std::max(point.equilibration_max, discarded * segment);
+    point.length_of_averages +=
+        (static_cast<double>(replica.averages.size()) - discarded) * segment;
+    point.length_of_dynamics += static_cast<double>(replica.dynamics.size()) * replica.step *
+                                static_cast<double>(steps_of_lags * windows_in_segment);
+  }
+  point.traces = traces_of(data);
+  point.curves = curves_of(data);
+  return point;
+}
+
+}  // namespace polhode

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/properties/measure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <mutex>
+
+#include "base/stopwatch.hpp"
+#include "io/files/checksum.hpp"
+#include "io/files/draft.hpp"
+#include "io/files/with_error.hpp"
+#include "io/settings/output_units.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/run/prepare/preparation.hpp"
+#include "run/properties/estimates.hpp"
+#include "run/properties/replica.hpp"
+#include "run/properties/replica_file.hpp"
+#include "run/simulation/files/identity.hpp"
+#include "run/simulation/system/system_notes.hpp"
+
+namespace polhode {
+namespace {
+
+/// Segments of each replica before the first decision, so that errors are known; then lengths grow
+/// by a factor: to decide more often would favour errors that are small by chance.
+constexpr std::size_t first_averages = 24, first_dynamics = 4;
+constexpr double growth = 1.5;
+/// Segments after which a replica without equilibrium is not continued.
+constexpr std::size_t max_equilibration = 600;
+
+struct Target {
+  std::size_t averages = 0, dynamics = 0;
+};
+
+/// Segments of each kind that a replica needs at least.
+bool has(const Replica& replica, const Target& target) {
+  return replica.prepared() && replica.averages.size() >= target.averages &&
+         replica.dynamics.size() >= target.dynamics;
+}
+
+/// What all replicas of a state point have in common.
+struct PointSystem {
+  ReplicaSettings common;
+  Topology topology;
+  std::string identity;
+
+  PointSystem(const MeasureSettings& settings, const StatePoint& at)
+      : common{.config = settings.config, .at = at, .max_bias = max_bias(settings)} {
+    Config& config = common.config;
+    config.system.temperature = at.temperature;
+    topology = build_topology(config.system);
+    Config lattice = config;
+    if (config.system.initial_configuration.empty() && !config.system.density && !config.system.box)
+      lattice.system.density = estimated_density(topology);
+    identity =
+        text_hash(polhode::identity(config, build_system(lattice), {at.temperature, at.pressure}));
+  }
+
+  /// A third of the smallest relative error that is requested of an average; 0.1 % otherwise.
+  static double max_bias(const MeasureSettings& settings) {
+    double bound = 0.001;
+    for (const RequestedProperty& p : settings.properties)
+      if (p.relative && p.property->measured_in == MeasuredIn::averages)
+        bound = std::min(bound, p.error / 3);
+    return bound;
+  }
+};
+
+/// Does the next piece of work that a replica needs.
+/// @return  false if it was stopped
+bool extend_by_one(Replica& replica, const Target& target, const ReplicaSettings& settings) {
+  if (!replica.prepared()) return prepare(replica, settings);
+  if (replica.averages.size() < target.averages) return add_averages(replica, settings);
+  return add_dynamics(replica, settings, equilibrated(replica));
+}
+
+/// Measures one state point.
+class PointMeasurement {
+ public:
+  PointMeasurement(const MeasureSettings& settings, std::size_t point, const Callbacks& callbacks,
+                   Workers& workers, const ReplicaExecutor& executor, const Stopwatch& since)
+      : settings_(settings),
+        point_(point),
+        callbacks_(callbacks),
+        workers_(workers),
+        executor_(executor),
+        since_(since),
+        system_(settings, settings.points[point]) {
+    system_.common.stop = [this] { return stopped(); };
+    if (settings.only_evaluate && !std::filesystem::exists(file_of(0)))
+      throw Error(
+          fmt::format("there is no record '{}'; give the system, state point and output of "
+                      "the measurement",
+                      file_of(0)));
+    std::vector<std::string> files;
+    for (std::uint64_t k = settings.shard.index; k < settings.replicas; k += settings.shard.count)
+      files.push_back(file_of(k));
+    remove_drafts(files);
+    for (std::uint64_t k = settings.shard.index; k < settings.replicas; k += settings.shard.count)
+      replicas_.push_back(read_replica(file_of(k), k, system_.identity));
+  }
+
+  MeasuredPoint perform();
+  bool out_of_time() const {
+    return settings_.time_limit > 0 && since_.seconds() > settings_.time_limit;
+  }
+  std::vector<std::string> files() const;
+
+ private:
+  bool stopped() const { return callbacks_.stopped() || out_of_time(); }
+  const StatePoint& at() const { return system_.common.at; }
+  std::string file_of(std::uint64_t k) const {
+    const std::string number = k == pilot ? "pilot" : fmt::format("r{}", k);
+    return fmt::format("{}-{}-{}.replica", settings_.prefix, at().file_text(), number);
+  }
+  bool wants(MeasuredIn what) const {
+    return std::any_of(settings_.properties.begin(), settings_.properties.end(),
+                       [&](const auto& p) { return p.property->measured_in == what; });
+  }
+
+  void choose_step();
+  void show_plan(const Target& target, double seconds_per_step) const;
+  Target first_target() const;
+  void extend(const Target& target);
+  void extend(Replica& replica, const Target& target);
+  void execute(const Target& target);
+  void keep(Replica& replica, Replica changed);
+  std::vector<MeasuredProperty> evaluate() const;
+  bool next(Target& target, const std::vector<MeasuredProperty>& values) const;
+  void show(const std::vector<MeasuredProperty>& values) const;
+  PointData data() const {
+    return {system_.topology, system_.common.config.forces.mixing, at(), replicas_};
+  }
+
+  const MeasureSettings& settings_;
+  std::size_t point_;
+  const Callbacks& callbacks_;
+  Workers& workers_;
+  const ReplicaExecutor& executor_;
+  const Stopwatch& since_;
+  PointSystem system_;
+  std::vector<Replica> replicas_;
+  std::mutex guard_;
+  std::size_t done_ = 0, planned_ = 0;  // pieces of work of this round
+};
+
+std::vector<std::string> PointMeasurement::files() const {
+  std::vector<std::string> files;
+  for (const Replica& replica : replicas_)
+    if (replica.prepared()) files.push_back(file_of(replica.index));
+  return files;
+}
+
+void PointMeasurement::choose_step() {
+  Replica first = read_replica(file_of(pilot), pilot, system_.identity);
+  if (!first.prepared()) {
+    callbacks_.note(fmt::format("{}: a pilot chooses the time step", at().text()));
+    if (!prepare(first, system_.common)) return;
+    write_replica(file_of(pilot), first, system_.identity);
+  }
+  system_.common.step = first.step;
+}
+
+/// Writes the record of a replica that has changed, and shows how far the round has come.
+void PointMeasurement::keep(Replica& replica, Replica changed) {
+  write_replica(file_of(changed.index), changed, system_.identity);
+  const std::lock_guard lock(guard_);
+  done_ += changed.averages.size() - replica.averages.size() + changed.dynamics.size() -
+           replica.dynamics.size() + (replica.prepared() ? 0 : 1);
+  replica = std::move(changed);
+  callbacks_.report({"measuring",
+                     std::min(1.0, static_cast<double>(done_) / static_cast<double>(planned_)),
+                     at().text()});
+}
+
+void PointMeasurement::extend(Replica& replica, const Target& target) {
+  while (!has(replica, target) && !stopped()) {
+    Replica changed = replica;
+    if (!extend_by_one(changed, target, system_.common)) return;
+    keep(replica, std::move(changed));
+  }
+}
+
+/// The same by an executor, a few segments at a time, so that little is lost if it is killed.
+void PointMeasurement::execute(const Target& target) {
+  constexpr std::size_t at_once = 8;
+  while (!stopped()) {
+    std::vector<ReplicaTask> tasks;
+    std::vector<Replica*> of;
+    for (Replica& r : replicas_) {
+      if (has(r, target)) continue;
+      tasks.push_back({point_, r.index, std::min(target.averages, r.averages.size() + at_once),
+                       r.averages.size() < target.averages
+                           ? r.dynamics.size()
+                           : std::min(target.dynamics, r.dynamics.size() + 1),
+                       system_.common.step, replica_bytes(r, system_.identity)});
+      of.push_back(&r);
+    }
+    if (tasks.empty()) return;
+    const std::vector<std::string> records = executor_(tasks);
+    if (records.size() != tasks.size())
+      throw Error(fmt::format("the executor returned {} records of {} tasks", records.size(),
+                              tasks.size()));
+    for (std::size_t k = 0; k < records.size(); ++k)
+      keep(*of[k],
+           parse_replica(records[k], "a record of the executor", of[k]->index, system_.identity));
+  }
+}
+
+void PointMeasurement::extend(const Target& target) {
+  done_ = planned_ = 0;
+  const auto missing = [](std::size_t wanted, std::size_t there) {
+    return wanted - std::min(wanted, there);
+  };
+  for (const Replica& r : replicas_)
+    planned_ += (r.prepared() ? 0 : 1) + missing(target.averages, r.averages.size()) +
+                missing(target.dynamics, r.dynamics.size());
+  if (executor_)
+    execute(target);
+  else
+    workers_.each(replicas_.size(), [&](std::size_t k) { extend(replicas_[k], target); });
+}
+
+std::vector<MeasuredProperty> PointMeasurement::evaluate() const {
+  std::vector<MeasuredProperty> values;
+  for (const RequestedProperty& request : settings_.properties)
+    values.push_back(estimate(request, data()));
+  return values;
+}
+
+/// Longer lengths for what has not reached its error; a shard of n need reach √n times the error.
+/// @return  whether anything is left to do
+bool PointMeasurement::next(Target& target, const std::vector<MeasuredProperty>& values) const {
+  const auto longer = [](std::size_t n) {
+    return static_cast<std::size_t>(std::ceil(growth * static_cast<double>(n)));
+  };
+  const double share = std::sqrt(static_cast<double>(settings_.shard.count));
+  bool averages = false, dynamics = false;
+  for (const MeasuredProperty& m : values) {
+    if (m.value.known == Known::yes && m.obstacle.empty() &&
+        m.value.error <= share * m.requested_error())
+      continue;
+    averages |= m.request.property->measured_in == MeasuredIn::averages;
+    dynamics |= m.request.property->measured_in == MeasuredIn::dynamics;
+  }
+  if (!in_equilibrium(data())) {
+    if (target.averages >= max_equilibration) return false;
+    averages = true;
+  }
+  if (averages) target.averages = longer(target.averages);
+  if (dynamics) target.dynamics = longer(target.dynamics);
+  return averages || dynamics;
+}
+
+void PointMeasurement::show(const std::vector<MeasuredProperty>& values) const {
+  for (const MeasuredProperty& m : values)
+    callbacks_.note(fmt::format(
+        "  {} {}{}", m.request.property->name,
+        m.value.known == Known::yes ? fmt::format("{} {}", with_error(m.value.value, m.value.error),
+                                                  m.request.property->unit)
+                                    : "not known yet",
+        m.reached() ? "" : fmt::format(", continues to ± {:.2g}", m.requested_error())));
+}
+
+void PointMeasurement::show_plan(const Target& target, double seconds_per_step) const {
+  constexpr double steps_of_preparation = 25'000;
+  const auto n = static_cast<double>(replicas_.size());
+  const auto averages = static_cast<double>(target.averages * steps_of_averages),
+             dynamics = static_cast<double>(target.dynamics * steps_of_lags * windows_in_segment);
+  const double step = system_.common.step;
+  callbacks_.note(fmt::format(
+      "plan at {}: {} replicas of {} molecules, hoa2 at {:g} fs; first {:.0f} ps of each at "
+      "constant pressure{}, about {:.0f} s; longer where an error is not reached",
+      at().text(), replicas_.size(), system_.topology.size(), step * units::fs_per_ps,
+      averages * step,
+      dynamics > 0 ? fmt::format(" and {:.0f} ps for dynamics", dynamics * step) : "",
+      n * (averages + dynamics + steps_of_preparation) * seconds_per_step /
+          std::min(n, static_cast<double>(workers_.threads()))));
+}
+
+/// Resumed replicas all get the length of the longest.
+Target PointMeasurement::first_target() const {
+  Target target{first_averages, wants(MeasuredIn::dynamics) ? first_dynamics : 0};
+  for (const Replica& r : replicas_) {
+    target.averages = std::max(target.averages, r.averages.size());
+    if (target.dynamics > 0) target.dynamics = std::max(target.dynamics, r.dynamics.size());
+  }
+  return target;
+}
+
+MeasuredPoint PointMeasurement::perform() {
+  if ((wants(MeasuredIn::averages) || wants(MeasuredIn::dynamics)) && !settings_.only_evaluate) {
+    const Stopwatch of_pilot;
+    choose_step();
+    Target target = first_target();
+    // The pilot has taken about as many force evaluations as 30,000 steps do.
+    if (system_.common.step > 0) show_plan(target, of_pilot.seconds() / 15'000);
+    while (system_.common.step > 0 && !stopped()) {
+      extend(target);
+      if (stopped()) break;
+      const std::vector<MeasuredProperty> values = evaluate();
+      if (!next(target, values)) break;
+      show(values);
+    }
+  }
+  MeasuredPoint point = described(data());
+  point.properties = evaluate();
+  for (MeasuredProperty& m : point.properties) m.stages = stages_of(m.request, data());
+  return point;
+}
+
+}  // namespace
+
+bool MeasureReport::reached() const {
+  return std::all_of(points.begin(), points.end(), [](const MeasuredPoint& point) {
+    return std::all_of(point.properties.begin(), point.properties.end(),
+                       [](const MeasuredProperty& m) { return m.reached(); });
+  });
+}
+
+std::string perform(const MeasureSettings& settings, const ReplicaTask& task) {
+  PointSystem system(settings, settings.points.at(task.point));
+  system.common.step = task.step;
+  Replica replica = task.record.empty() ? Replica{.index = task.replica}
+                                        : parse_replica(task.record, "the record of a task",
+                                                        task.replica, system.identity);
+  const Target target{task.averages, task.dynamics};
+  while (!has(replica, target)) extend_by_one(replica, target, system.common);
+  return replica_bytes(replica, system.identity);
+}
+
+MeasureReport measure(const MeasureSettings& settings, const Callbacks& callbacks, Workers& workers,
+                      const ReplicaExecutor& executor) {
+  check_prefix(settings.prefix);
+  const OutputLock lock(fmt::format("{}-{}-of-{}.lock", settings.prefix, settings.shard.index + 1,
+                                    settings.shard.count),
+                        callbacks);
+  const Topology topology = build_topology(settings.config.system);
+  const bool has_mesh = settings.config.forces.electrostatics == Electrostatics::pme;
+  for (const RequestedProperty& request : settings.properties)
+    if (const std::string why = why_not(*request.property, topology, has_mesh); !why.empty())
+      throw Error(fmt::format("{} cannot be measured: {}", request.property->name, why));
+  MeasureReport report;
+  for (const Topology::Part& part : topology.parts)
+    report.system +=
+        fmt::format("{}{} {}", report.system.empty() ? "" : ", ", part.count, part.molecule.name);
+  const Stopwatch since;
+  for (std::size_t k = 0; k < settings.points.size(); ++k) {
+    PointMeasurement point(settings, k, callbacks, workers, executor, since);
+    report.points.push_back(point.perform());
+    for (const std::string& file : point.files()) report.files.push_back(file);
+    report.interrupted = callbacks.stopped();
+    report.out_of_time = !report.interrupted && point.out_of_time();
+    if (report.interrupted || report.out_of_time) break;
+  }
+  const std::string page = settings.prefix + ".html";
+  write_file(page, [&](std::ostream& out) { out << measure_page(report, settings.command); });
+  report.files.push_back(page);
+  return report;
+}
+
+}  // namespace polhode

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "base/version.hpp"
+#include "io/files/embedded.hpp"
+#include "io/files/with_error.hpp"
+#include "io/settings/output_units.hpp"
+#include "polhode/run/properties/measure.hpp"
+#include "run/properties/svg_figure.hpp"
+
+namespace polhode {
+namespace {
+
+std::string value_cell(const MeasuredProperty& m) {
+  if (m.value.known != Known::yes) return "not known";
+  return with_error(m.value.value, m.value.error) + " " + m.request.property->unit;
+}
+
+std::string interval_cell(const MeasuredProperty& m) {
+  if (m.value.known != Known::yes) return "";
+  const double half = interval_factor(m.value, 0.95) * m.value.error;
+  return fmt::format("{:.5g} to {:.5g}", m.value.value - half, m.value.value + half);
+}
+
+std::string row_of(const MeasuredProperty& m) {
+  std::string corrections;
+  if (m.bias)
+    corrections +=
+        fmt::format("time-step bias {} subtracted. ", with_error(m.bias->value, m.bias->error));
+  if (m.finite_size)
+    corrections += fmt::format("Finite-size correction {:.3g} included. ", *m.finite_size);
+  if (!m.obstacle.empty()) corrections += "Not converged: " + m.obstacle + ".";
+  return fmt::format(
+      "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td>"
+      "<td>{}</td></tr>\n",
+      html(m.request.property->name), html(value_cell(m)), interval_cell(m),
+      m.reached() ? "yes" : fmt::format("no: ± {:.2g} requested", m.requested_error()),
+      html(corrections));
+}
+
+std::string table_of(const MeasuredPoint& point) {
+  std::string rows;
+  for (const MeasuredProperty& m : point.properties) rows += row_of(m);
+  return "<div class=\"wide\"><table><tr><th>property</th><th>value</th><th>95 % interval</th>"
+         "<th>error reached</th><th>corrections</th></tr>\n" +
+         rows + "</table></div>\n";
+}
+
+/// How a value has converged, against the share of the data.
+std::string convergence(const MeasuredProperty& m) {
+  SvgCurve curve;
+  for (std::size_t k = 0; k < m.stages.size(); ++k) {
+    const SeriesEstimate& s = m.stages[k];
+    if (s.known != Known::yes) continue;
+    curve.x.push_back(100 * static_cast<double>(k + 1) / static_cast<double>(m.stages.size()));
+    curve.y.push_back(s.value);
+    curve.error.push_back(s.error);
+  }
+  const std::string name = m.request.property->name, unit = m.request.property->unit;
+  return svg({name + ", convergence", "part of the data (%)", unit.empty() ? name : unit, {curve}});
+}
+
+std::string correlation(const MeasuredCurve& measured) {
+  SvgCurve curve{measured.time, {}, {}};
+  for (const SeriesEstimate& e : measured.value) {
+    curve.y.push_back(e.value);
+    curve.error.push_back(e.error);
+  }
+  return svg({measured.title, "lag (ps)", measured.unit, {curve}});
+}
+
+std::string equilibration(const EquilibrationTrace& trace, std::size_t replica) {
+  return svg(
+      {fmt::format("potential energy of replica {}; the line is where equilibrium begins", replica),
+       "time (ps)",
+       "kJ/mol",
+       {{trace.time, trace.potential}},
+       {trace.begin}});
+}
+
+std::string section(const std::string& title, const std::string& figures) {
+  return figures.empty()
+             ? ""
+             : fmt::format("<h3>{}</h3>\n<div class=\"figures\">{}</div>\n", title, figures);
+}
+
+std::string of_point(const MeasuredPoint& point) {
+  std::string text = fmt::format("<h2>{}</h2>\n", html(point.at.text())) + table_of(point);
+  if (point.length_of_averages > 0)
+    text += fmt::format(
+        "<p>{} replicas of {} molecules, hoa2 at {:g} fs; {:.0f} ps at constant pressure after at "
+        "most {:.0f} ps of equilibration each; {:.0f} ps for dynamics; box edge {:.4g} nm.</p>\n",
+        point.replicas, point.molecules, point.step_max * units::fs_per_ps,
+        point.length_of_averages, point.equilibration_max, point.length_of_dynamics, point.edge);
+  std::string converged, correlations, equilibrated, definitions;
+  for (const MeasuredProperty& m : point.properties) converged += convergence(m);
+  for (const MeasuredCurve& curve : point.curves) correlations += correlation(curve);
+  for (std::size_t k = 0; k < point.traces.size(); ++k)
+    equilibrated += equilibration(point.traces[k], k);
+  for (const MeasuredProperty& m : point.properties)
+    definitions += fmt::format("<li>{}: {}.</li>\n", html(m.request.property->name),
+                               html(m.request.property->definition));
+  return text + section("Convergence", converged) + section("Dynamics", correlations) +
+         section("Equilibration", equilibrated) + "<h3>Definitions</h3>\n<ul>" + definitions +
+         "</ul>\n";
+}
+
+void replace(std::string& text, const std::string& mark, const std::string& by) {
+  text.replace(text.find(mark), mark.size(), by);
+}
+
+}  // namespace
+
+std::string measure_page(const MeasureReport& report, const std::string& command) {
+  std::string body = fmt::format("<h1>Properties of {}</h1>\n<p><code>{}</code></p>\n",
+                                 html(report.system), html(command));
+  for (const MeasuredPoint& point : report.points) body += of_point(point);
+  body += fmt::format(
+      "<footer>polhode {}. Errors are standard errors; intervals are by Student's t. Cite van Zon, "
+      "Omelyan, Schofield, J. Chem. Phys. 128, 136102 (2008) for the scheme, and the sources that "
+      "the manual names for each property.</footer>",
+      version());
+  std::string page(embedded_text("pages/measure.html").value());
+  replace(page, "@title@", "Properties of " + html(report.system));
+  replace(page, "@body@", body);
+  return page;
+}
+
+}  // namespace polhode

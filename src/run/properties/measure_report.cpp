@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "io/files/with_error.hpp"
+#include "io/settings/output_units.hpp"
+#include "io/settings/quantity.hpp"
+#include "polhode/run/properties/measure.hpp"
+
+namespace polhode {
+namespace {
+
+/// What is included in a value, and why it may not be what was asked for.
+std::string remarks(const MeasuredProperty& m) {
+  std::string text;
+  const auto add = [&](const std::string& remark) { text += (text.empty() ? "" : "; ") + remark; };
+  if (!m.obstacle.empty())
+    add("not converged: " + m.obstacle);
+  else if (!m.reached())
+    add(fmt::format("requested: ± {:.2g}", m.requested_error()));
+  if (m.bias)
+    add(fmt::format("time-step bias {} subtracted", with_error(m.bias->value, m.bias->error)));
+  if (m.finite_size) add(fmt::format("finite-size correction {:.3g} included", *m.finite_size));
+  return text;
+}
+
+Quantities of_property(const MeasuredProperty& m) {
+  const Property& p = *m.request.property;
+  return {{"name", "", p.name, "of the property", "property"},
+          {"value", "", m.value, "with all corrections, in `unit`", "value"},
+          {"unit", "", p.unit, "of value, error and corrections", "unit"},
+          {"requested_error", "", m.requested_error(), "standard error that was requested"},
+          {"reached", "", m.reached(), "whether the error is reached and the value converged"},
+          {"step_bias", "", m.bias ? Value(*m.bias) : Value(),
+           "time-step bias, which is subtracted; null if it is not known"},
+          {"finite_size_correction", "", m.finite_size, "that is included; null without one"},
+          {"not_converged", "", m.obstacle.empty() ? Value() : Value(m.obstacle), "why, or null"},
+          {"definition", "", p.definition, "of the property"},
+          {"", "", remarks(m), "", "remarks"}};
+}
+
+std::string conditions(const MeasuredPoint& point) {
+  if (point.length_of_averages == 0) return "";
+  return fmt::format(
+      "  {} replicas of {} molecules, hoa2 at {:g} fs; {:.0f} ps at constant pressure\n"
+      "  after at most {:.0f} ps of equilibration each{}",
+      point.replicas, point.molecules, point.step_max * units::fs_per_ps, point.length_of_averages,
+      point.equilibration_max,
+      point.length_of_dynamics > 0
+          ? fmt::format("; {:.0f} ps for dynamics", point.length_of_dynamics)
+          : "");
+}
+
+Quantities of_point(const MeasuredPoint& point) {
+  std::vector<Quantities> properties;
+  for (const MeasuredProperty& m : point.properties) properties.push_back(of_property(m));
+  Quantities list{
+      {"temperature", "K", point.at.temperature, "of the state point"},
+      {"pressure", "bar", point.at.pressure / unit("bar", Dimension::pressure),
+       "of the state point"},
+      {"molecules", "", static_cast<std::int64_t>(point.molecules), "of each replica"},
+      {"replicas", "", static_cast<std::int64_t>(point.replicas), "independent simulations"},
+      {"step", "fs", point.step_max * units::fs_per_ps, "time step"},
+      {"equilibration", "ps", point.equilibration_max,
+       "time discarded as equilibration, the maximum of all replicas"},
+      {"averages_length", "ps", point.length_of_averages,
+       "time simulated at constant pressure in equilibrium, of all replicas"},
+      {"dynamics_length", "ps", point.length_of_dynamics,
+       "time simulated for dynamics, of all replicas"},
+      {"edge", "nm", point.edge, "of the box"},
+      {"properties", "", std::move(properties), "measured at this point", point.at.text()}};
+  if (const std::string text = conditions(point); !text.empty()) list.push_back(row("", text));
+  return list;
+}
+
+}  // namespace
+
+Quantities quantities(const MeasureReport& report) {
+  Quantities list{{"system", "", report.system, "molecules and their numbers"}};
+  std::vector<Quantities> points;
+  for (const MeasuredPoint& point : report.points) points.push_back(of_point(point));
+  list.push_back({"points", "", std::move(points), "state points with their properties"});
+  list.push_back({"reached", "", report.reached(), "whether all requested errors are reached"});
+  list.push_back({"files", "", report.files, "records of the replicas"});
+  return list;
+}
+
+}  // namespace polhode

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "run/properties/measure_request.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "io/files/split_words.hpp"
+#include "io/files/text_file.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/run/prepare/preparation.hpp"
+#include "polhode/run/simulation/system/system.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::uint64_t usual_molecules = 256;  // of a pure substance
+constexpr std::uint64_t max_molecules = 1'000'000, max_replicas = 1000;
+constexpr double max_cutoff = 0.9;  // [nm]
+
+/// A model with its number of molecules; 0: not given.
+struct Component {
+  std::string model;
+  std::uint64_t count = 0;
+};
+
+bool is_number(std::string_view word) {
+  return !word.empty() &&
+         std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// "spce 488" of "spce 488, na-spce 12".
+std::vector<Component> components_of(const std::string& system) {
+  std::vector<Component> list;
+  std::size_t at = 0;
+  while (at <= system.size()) {
+    const std::size_t comma = std::min(system.find(',', at), system.size());
+    std::string part = system.substr(at, comma - at);
+    at = comma + 1;
+    const auto first = part.find_first_not_of(' '), last = part.find_last_not_of(' ');
+    if (first == part.npos)
+      throw Error(fmt::format("'{}' has an empty part; write \"spce 488, na-spce 12\"", system));
+    part = part.substr(first, last - first + 1);
+    const auto space = part.rfind(' ');
+    Component component{part, 0};
+    if (space != part.npos && is_number(std::string_view(part).substr(space + 1))) {
+      component.count = given_whole_number({part.substr(space + 1), system}, 1, max_molecules);
+      component.model = part.substr(0, part.find_last_not_of(' ', space) + 1);
+    }
+    list.push_back(component);
+  }
+  return list;
+}
+
+bool is_run_file(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) return false;
+  const std::string text = file_text(path);
+  return text.find("[system]") != text.npos;
+}
+
+/// The settings of a run of these molecules alone.
+Config config_of(const std::string& system, const Given& molecules) {
+  std::vector<Component> components = components_of(system);
+  const std::uint64_t default_count =
+      molecules ? given_whole_number(molecules, 8, max_molecules) : usual_molecules;
+  if (components.size() > 1 && molecules)
+    refuse(molecules, "has no meaning for a mixture: give the number of each kind of molecule");
+  SystemSettings molecules_alone;
+  bool any_charge = false;
+  for (Component& c : components) {
+    if (c.count == 0 && components.size() > 1)
+      throw Error(
+          fmt::format("'{}' has no number of molecules; write \"{} 100\"", c.model, c.model));
+    molecules_alone.molecules.push_back({c.model, {}, c.count == 0 ? default_count : c.count});
+    const Molecule molecule = molecule_of(molecules_alone.molecules.back());
+    any_charge |= std::any_of(molecule.sites.begin(), molecule.sites.end(),
+                              [](const Site& site) { return site.charge != 0; });
+  }
+  const Topology topology = build_topology(molecules_alone);
+  const double edge = std::cbrt(topology.mass() / estimated_density(topology));
+  const double cutoff = std::min(max_cutoff, std::floor(0.45 * edge * 100) / 100);
+  Config config =
+      parse_config(fmt::format("[system]\nmolecules = [{{ model = \"argon\", count = 1 }}]\n"
+                               "density = \"1 g/cm3\"\n[forces]\ncutoff = \"{:g} nm\"\n"
+                               "dispersion_correction = true\n{}",
+                               cutoff, any_charge ? "electrostatics = \"pme\"\n" : ""),
+                   "measure");
+  config.system.molecules = molecules_alone.molecules;
+  config.system.density.reset();
+  return config;
+}
+
+/// "2/8": the second of eight.
+Shard shard_of(const Given& given) {
+  const auto slash = given.text.find('/');
+  if (slash == given.text.npos) refuse(given, "must be a part of a number of parts, \"2/8\"");
+  const std::uint64_t count =
+      given_whole_number({given.text.substr(slash + 1), given.name}, 1, max_replicas);
+  const std::uint64_t index =
+      given_whole_number({given.text.substr(0, slash), given.name}, 1, count);
+  return {index - 1, count};
+}
+
+/// An error as a fraction, or in the unit of the property.
+RequestedProperty with_error(const Property& property, const std::string& text) {
+  RequestedProperty request{&property};
+  const std::string unit = property.unit;
+  std::string number = text;
+  if (number.ends_with('%')) {
+    number.pop_back();
+    request.error = 0.01;
+  } else if (!unit.empty() && number.ends_with(unit)) {
+    number.resize(number.size() - unit.size());
+    request.relative = false;
+    request.error = 1;
+  } else if (unit.empty()) {
+    request.relative = false;
+    request.error = 1;
+  } else {
+    throw Error(fmt::format("the error '{}' of {} must be in % or in {}: \"1 %\" or \"0.1 {}\"",
+                            text, property.name, unit, unit));
+  }
+  while (number.ends_with(' ')) number.pop_back();
+  request.error *= given_number({number, fmt::format("the error of {}", property.name)}, 1e-9, 1e9);
+  return request;
+}
+
+}  // namespace
+
+std::vector<RequestedProperty> requested_properties(const std::vector<std::string>& words) {
+  std::vector<RequestedProperty> list;
+  for (const std::string& word : words) {
+    const bool is_error =
+        !word.empty() && (std::isdigit(static_cast<unsigned char>(word[0])) != 0 || word[0] == '.');
+    if (is_error && list.empty())
+      throw Error(
+          fmt::format("'{}' follows no property; write for example density \"0.1 %\"", word));
+    if (is_error)
+      list.back() = with_error(*list.back().property, word);
+    else
+      list.push_back({&property(word)});
+  }
+  for (std::size_t k = 0; k < list.size(); ++k)
+    for (std::size_t l = 0; l < k; ++l)
+      if (list[k].property == list[l].property)
+        throw Error(fmt::format("{} is requested twice", list[k].property->name));
+  return list;
+}
+
+std::string properties_help() {
+  std::string names;
+  for (const Property& p : properties())
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", p.name);
+  return fmt::format(
+      "names of properties, each with its standard error: density \"0.1 %\" viscosity \"3 %\"; "
+      "default of the error: {:g} %; names: {}",
+      100 * RequestedProperty{}.error, names);
+}
+
+std::vector<RequestOption<MeasureRequest>> MeasureRequest::options() {
+  using R = MeasureRequest;
+  const MeasureSettings defaults;
+  return {{"at", &R::at,
+           "state point or range, several separated by ';': \"298.15 K, 1 bar\", \"250 K to 320 K, "
+           "7 points\"; default: the run file's, or \"298.15 K, 1 bar\""},
+          {"molecules", &R::molecules,
+           fmt::format("number of molecules of a pure substance; default: {}", usual_molecules)},
+          {"replicas", &R::replicas,
+           fmt::format("number of independent simulations of each state point; default: {}",
+                       defaults.replicas)},
+          {"time_limit", &R::time_limit,
+           "wall-clock time after which the results so far are reported: \"600 s\", \"2 h\""},
+          {"shard", &R::shard,
+           "part of the replicas for this process: \"2/8\"; 'polhode merge' then reports all of "
+           "them"},
+          {"seed", &R::seed,
+           fmt::format("seed of all replicas, a whole number; default: {}", SystemSettings{}.seed)},
+          {"output", &R::output, "prefix of the output files; default: " + R{}.prefix()}};
+}
+
+MeasureSettings MeasureRequest::settings() const {
+  const bool from_run_file = is_run_file(system);
+  MeasureSettings s{.config = from_run_file ? read_config(system) : config_of(system, molecules)};
+  if (from_run_file && molecules)
+    refuse(molecules, "has no meaning with a run file, which has its number of molecules");
+  const Config& config = s.config;
+  StatePoint own{from_run_file ? config.system.temperature : 298.15,
+                 config.ensemble.barostat
+                     ? config.ensemble.barostat->pressure
+                     : given_quantity({"1 bar", "pressure"}, Dimension::pressure)};
+  std::string_view rest = at.text;
+  while (at && !rest.empty()) {
+    const auto end = std::min(rest.find(';'), rest.size());
+    try {
+      for (const StatePoint& point : state_points(rest.substr(0, end))) s.points.push_back(point);
+    } catch (const Error& e) {
+      throw e.at(at.name);
+    }
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  if (s.points.empty()) s.points = {own};
+  s.properties = requested_properties(properties);
+  if (s.properties.empty())
+    throw Error(
+        "no property is requested; write for example density \"0.1 %\"; 'polhode help measure' "
+        "lists all");
+  if (replicas) s.replicas = given_whole_number(replicas, 2, max_replicas);
+  if (shard) s.shard = shard_of(shard);
+  if (s.shard.count > s.replicas)
+    refuse(shard, fmt::format("has more parts than there are replicas, {}", s.replicas));
+  if (time_limit) s.time_limit = given_positive(time_limit, Dimension::wall_clock, "600 s");
+  if (seed) s.config.system.seed = given_whole_number(seed, 0, ~std::uint64_t{0});
+  s.prefix = prefix();
+  return s;
+}
+
+}  // namespace polhode

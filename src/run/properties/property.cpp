@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/properties/property.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/suggest.hpp"
+#include "model/dipole.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/base/units.hpp"
+
+namespace polhode {
+namespace {
+
+using Means = std::span<const double>;
+
+constexpr double kg_per_m3 = units::gram_per_cm3 / 1000;  // [u/nm³]
+constexpr double cm3_per_mol = 1e21 / units::avogadro;    // of one molecule [nm³]
+constexpr double bar = units::avogadro * 1e-25;           // [kJ/mol/nm³]
+
+double kT(const Conditions& c) { return units::boltzmann * c.at.temperature; }
+double per_molecule(double x, const Conditions& c) { return x / static_cast<double>(c.molecules); }
+
+/// Of the configurational part U + pV of the enthalpy, whose kinetic part is independent.
+double covariance_with_volume(Means m, const Conditions& c) {
+  return m[potential_by_volume] - m[potential] * m[volume] +
+         c.at.pressure * (m[volume_squared] - m[volume] * m[volume]);
+}
+double variance_of_enthalpy(Means m, const Conditions& c) {
+  const double p = c.at.pressure;
+  return m[potential_squared] - m[potential] * m[potential] +
+         2 * p * (m[potential_by_volume] - m[potential] * m[volume]) +
+         p * p * (m[volume_squared] - m[volume] * m[volume]);
+}
+
+double density(Means m, const Conditions& c) { return c.mass / m[volume] / kg_per_m3; }
+double molar_volume(Means m, const Conditions& c) {
+  return per_molecule(m[volume], c) / cm3_per_mol;
+}
+double potential_energy(Means m, const Conditions& c) { return per_molecule(m[potential], c); }
+double enthalpy(Means m, const Conditions& c) {
+  return per_molecule(m[potential] + c.degrees_of_freedom / 2 * kT(c) + c.at.pressure * m[volume],
+                      c);
+}
+double enthalpy_of_vaporization(Means m, const Conditions& c) {
+  return kT(c) - per_molecule(m[potential] + c.at.pressure * m[volume], c);
+}
+double heat_capacity(Means m, const Conditions& c) {
+  const double configurational =
+      variance_of_enthalpy(m, c) / (kT(c) * c.at.temperature);  // [kJ/mol/K]
+  return 1000 * per_molecule(configurational + c.degrees_of_freedom / 2 * units::boltzmann, c);
+}
+double expansivity(Means m, const Conditions& c) {
+  return 1e6 * covariance_with_volume(m, c) / (kT(c) * c.at.temperature * m[volume]);
+}
+double compressibility(Means m, const Conditions& c) {
+  return 1e6 * (m[volume_squared] - m[volume] * m[volume]) / (kT(c) * m[volume]) * bar;
+}
+double dielectric_constant(Means m, const Conditions& c) {
+  return 1 + 4 * units::pi * units::coulomb * m[dipole_squared] / (3 * m[volume] * kT(c));
+}
+
+using In = MeasuredIn;
+
+constexpr std::array all = {
+    Property{"density", "kg/m3", In::averages,
+             "mass over the mean volume at constant temperature and pressure", "allen2017", false,
+             false, density},
+    Property{"molar-volume", "cm3/mol", In::averages, "mean volume of a mole of molecules",
+             "allen2017", false, false, molar_volume},
+    Property{"potential-energy", "kJ/mol", In::averages,
+             "mean intermolecular energy of a molecule, with the dispersion correction",
+             "allen2017", false, false, potential_energy},
+    Property{"enthalpy", "kJ/mol", In::averages,
+             "mean potential and kinetic energy of rigid molecules plus pressure times volume",
+             "allen2017", false, false, enthalpy},
+    Property{
+        "enthalpy-of-vaporization", "kJ/mol", In::averages,
+        "enthalpy of the ideal gas of rigid molecules minus the enthalpy of the liquid; without "
+        "polarization, vibration or quantum terms",
+        "horn2004", false, false, enthalpy_of_vaporization},
+    Property{"heat-capacity", "J/mol/K", In::averages,
+             "at constant pressure, from the fluctuations of the enthalpy; classical, of rigid "
+             "molecules",
+             "allen2017", false, false, heat_capacity},
+    Property{"expansivity", "1e-6/K", In::averages,
+             "isobaric thermal expansivity, from the covariance of volume and enthalpy",
+             "allen2017", false, false, expansivity},
+    Property{"compressibility", "1e-6/bar", In::averages,
+             "isothermal, from the fluctuations of the volume", "allen2017", false, false,
+             compressibility},
+    Property{"dielectric-constant", "", In::averages,
+             "static, from the fluctuations of the total dipole with conducting surroundings",
+             "neumann1983", true, false, dielectric_constant},
+    Property{"diffusion", "1e-9 m2/s", In::dynamics,
+             "self-diffusion coefficient of an infinite system: the slope of the mean-square "
+             "displacement, with the Yeh-Hummer correction from the viscosity of the same runs",
+             "yeh2004", false, false},
+    Property{"viscosity", "mPa s", In::dynamics,
+             "shear viscosity by the Green-Kubo relation in Einstein's form, from five components "
+             "of the molecular pressure tensor",
+             "allen2017", false, false},
+    Property{"rotational-relaxation", "ps", In::dynamics,
+             "integral of the second Legendre polynomial of the slowest axis of the molecule",
+             "allen2017", false, true},
+    Property{"second-virial-coefficient", "cm3/mol", In::pair,
+             "minus half of the integral of the Mayer function of two molecules, without a cutoff",
+             "allen2017", false, false}};
+
+}  // namespace
+
+std::span<const Property> properties() { return all; }
+
+const Property& property(std::string_view name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Property& p) { return name == p.name; });
+  if (found != all.end()) return *found;
+  std::vector<std::string> names;
+  for (const Property& p : all) names.emplace_back(p.name);
+  const std::string near = did_you_mean(std::string(name), names);
+  throw Error(fmt::format(
+      "there is no property '{}'{}", name,
+      near.empty() ? "; there are " + fmt::format("{}", fmt::join(names, ", ")) : near));
+}
+
+std::string why_not(const Property& p, const Topology& topology, bool has_mesh) {
+  const auto any = [&](const auto& has) {
+    return std::any_of(topology.parts.begin(), topology.parts.end(),
+                       [&](const Topology::Part& part) { return has(part.molecule); });
+  };
+  if (p.of_dipoles && any([](const Molecule& m) { return std::abs(m.charge()) > 1e-9; }))
+    return "the total dipole of ions is not defined in a periodic box";
+  if (p.of_dipoles && !any([](const Molecule& m) { return has_dipole(m); }))
+    return "no molecule has a dipole";
+  if (p.of_dipoles && !has_mesh) return "it needs electrostatics = \"pme\"";
+  if (p.of_rotation && !any([](const Molecule& m) { return m.top != Top::atom; }))
+    return "atoms do not rotate";
+  if (p.measured_in == MeasuredIn::pair && topology.parts.size() > 1)
+    return "a mixture has one for each pair of molecules; measure them one by one";
+  if (std::string_view(p.name) == "enthalpy-of-vaporization" && topology.parts.size() > 1)
+    return "the vapour of a mixture has another composition";
+  return "";
+}
+
+}  // namespace polhode

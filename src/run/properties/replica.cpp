@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: MIT
+#include "run/properties/replica.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "io/settings/ensemble_names.hpp"
+#include "measure/displacement.hpp"
+#include "measure/reorientation.hpp"
+#include "model/dipole.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/integrate/with_bath.hpp"
+#include "polhode/math/random.hpp"
+#include "polhode/measure/equilibration.hpp"
+#include "polhode/run/prepare/preparation.hpp"
+#include "polhode/run/simulation/report/summary.hpp"
+#include "polhode/run/simulation/system/system.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
+#include "run/prepare/compressibility.hpp"
+#include "run/simulation/system/relaxation.hpp"
+#include "run/simulation/system/stable_step.hpp"
+
+namespace polhode {
+namespace {
+
+// Random numbers: of the preparation, of averages, of dynamics.
+enum Stream : std::uint64_t { preparing = 0, averaging = 1u << 20, moving = 2u << 20 };
+
+constexpr MinimisationSettings relaxed{.force = 100, .torque = 10};
+constexpr double first_step = 0.001;  // of the preparation [ps]
+constexpr double tenth_of_fs = 1e-4;  // [ps]
+constexpr double max_ratio = 0.015;   // R of the segments
+constexpr double evaporated = 0.3;    // of the estimated density of a liquid: no liquid is so thin
+
+/// A system at a state, with its random numbers.
+class Chain {
+ public:
+  Chain(const ReplicaSettings& settings, std::uint64_t index)
+      : settings_(settings), config_(settings.config) {
+    config_.system.seed = derived_seed(config_.system.seed, index);
+    config_.system.temperature = settings.at.temperature;
+    if (config_.system.initial_configuration.empty() && !config_.system.density &&
+        !config_.system.box)
+      config_.system.density = estimated_density(build_topology(config_.system));
+    config_.run.minimise = true;
+    system_.emplace(build_system(config_));
+  }
+
+  System& system() { return *system_; }
+  const ReplicaSettings& settings() const { return settings_; }
+
+  TrajectorySettings trajectory(const Scheme& scheme, double step, double length,
+                                std::uint64_t stream) const {
+    TrajectorySettings t{.scheme = scheme,
+                         .step = step,
+                         .length = length,
+                         .sample = 10 * step,
+                         .lambda = config_.integrator.lambda,
+                         .seed = derived_seed(config_.system.seed, stream)};
+    t.ensemble.temperature = settings_.at.temperature;
+    return t;
+  }
+
+  /// A trajectory that may blow up or be stopped.
+  Trajectory attempt(const TrajectorySettings& t, Watch watch = {}) {
+    watch.stop = settings_.stop;
+    ForceField forces(system_->topology, system_->forces, system_->state.box);
+    return run_trajectory(*system_, forces, t, watch);
+  }
+  /// @return  nothing if it was stopped
+  std::optional<Trajectory> run(const TrajectorySettings& t, Watch watch = {}) {
+    Trajectory done = attempt(t, std::move(watch));
+    if (!done.failure.empty())
+      throw RunError(fmt::format("at {}: {}", settings_.at.text(), done.failure));
+    if (done.stopped) return std::nullopt;
+    return done;
+  }
+
+  double max_stable_step(const TrajectorySettings& t) {
+    return polhode::max_stable_step(*system_, system_->state, t);
+  }
+
+ private:
+  const ReplicaSettings& settings_;
+  Config config_;
+  std::optional<System> system_;
+};
+
+double rounded(double step) {
+  return std::max(tenth_of_fs, std::floor(step / tenth_of_fs + 1e-9) * tenth_of_fs);
+}
+
+BarostatSettings barostat(const ReplicaSettings& settings, double compressibility, double step) {
+  BarostatSettings b{.type = CellRescaling{std::max(2.0, 100 * step)},
+                     .pressure = settings.at.pressure};
+  b.compressibility = compressibility;
+  b.every = 25 * step;
+  return b;
+}
+
+/// A part of the preparation.
+struct Stage {
+  std::size_t steps;
+  double heat = 1;  ///< temperature relative to that of the state point
+  bool has_barostat = false;
+};
+/// The second melts the lattice: near the melting point a crystal would survive the others.
+constexpr std::array stages = {Stage{500},           Stage{2500, 2.5},     Stage{2500},
+                               Stage{2500, 1, true}, Stage{2500, 1, true}, Stage{5000, 1, true}};
+
+/// @throws RunError  if the density is that of no liquid
+void check_liquid(Chain& chain) {
+  const System& system = chain.system();
+  const double density = system.topology.mass() / system.state.box.volume();
+  if (density < evaporated * estimated_density(system.topology))
+    throw RunError(fmt::format(
+        "at {} the molecules evaporate: the density has fallen to {:.0f} kg/m3; give a lower "
+        "temperature or a higher pressure, where they are a liquid",
+        chain.settings().at.text(), density / units::gram_per_cm3 * 1000));
+}
+
+/// Constant volume, then constant pressure, with moves of the box that adapt.
+bool relax(Chain& chain, Replica& replica) {
+  System& system = chain.system();
+  const ReplicaSettings& settings = chain.settings();
+  check_separated(system, minimise(system, relaxed));
+  draw_momenta(system, derived_seed(settings.config.system.seed, replica.index));
+  const double kT = units::boltzmann * settings.at.temperature;
+  double step = first_step;
+  std::uint64_t stream = preparing;
+  for (const Stage& stage : stages) {
+    const double length = step * static_cast<double>(stage.steps);
+    TrajectorySettings t = chain.trajectory(scheme_of("baoab"), step, length, stream++);
+    t.ensemble.temperature *= stage.heat;
+    t.ensemble.thermostat = Langevin{0.01 / step, 0.01 / step};
+    if (stage.has_barostat) t.ensemble.barostat = barostat(settings, replica.compressibility, step);
+    const auto done = chain.run(t);
+    if (!done) return false;
+    if (stage.has_barostat)
+      replica.compressibility =
+          next_compressibility(done->statistics.energies, *t.ensemble.barostat, length, kT);
+    check_liquid(chain);
+    // In a thin gas forces say nothing about collisions, so the step does not grow any more.
+    const double stable = rounded(chain.max_stable_step(t) / 4);
+    step = stream == preparing + 1 ? stable : std::min(step, stable);
+  }
+  return true;
+}
+
+/// hoa2 with a bath at the ends of its steps.
+Scheme with_ends() { return with_bath(scheme_of("hoa2"), BathPlace::ends, "hoa2 with a bath"); }
+
+TrajectorySettings averages_of(const Chain& chain, const Replica& replica, double step,
+                               std::size_t steps, std::uint64_t stream) {
+  TrajectorySettings t =
+      chain.trajectory(with_ends(), step, step * static_cast<double>(steps), stream);
+  t.sample = step * steps_of_sample;
+  t.shadow_sample = step * steps_of_shadow_sample;
+  t.ensemble.thermostat = Rescaling{std::max(0.5, 100 * step)};
+  t.ensemble.barostat = barostat(chain.settings(), replica.compressibility, step);
+  return t;
+}
+
+/// Half of the maximum stable step, or a shorter one with which R and the predicted bias of the
+/// potential energy stay below their bounds. Both grow as the square of the step.
+bool choose_step(Chain& chain, Replica& replica) {
+  constexpr std::uint64_t trials = 8;
+  constexpr double shorter = 1.5;
+  const State start = chain.system().state;
+  const TrajectorySettings probe = averages_of(chain, replica, first_step, 1, 0);
+  double step = rounded(chain.max_stable_step(probe) / 2);
+  for (std::uint64_t k = 1; k <= trials; ++k) {
+    replica.step = step;
+    const TrajectorySettings trial =
+        averages_of(chain, replica, step, 2 * steps_of_averages, averaging - k);
+    const Trajectory done = chain.attempt(trial);
+    if (done.stopped) return false;
+    double beyond = shorter * shorter;
+    if (done.failure.empty()) {
+      const RunSummary s = summary(chain.system(), trial, done);
+      const double bias =
+          std::abs(s.step_bias->potential.value / done.statistics.energies.potential());
+      beyond = std::max(s.ratio.value / max_ratio, bias / chain.settings().max_bias);
+      if (beyond <= 1) return true;
+    } else {
+      chain.system().state = start;
+    }
+    step = rounded(step / std::min(shorter, std::sqrt(beyond)));  // far beyond, R grows faster
+  }
+  replica.step = step;
+  return true;
+}
+
+Vec3<double> total_dipole(const State& state, const System& system) {
+  Vec3<double> M{};
+  std::size_t i = 0;
+  for (const auto& [molecule, count] : system.topology.parts) {
+    const Vec3<double> dipole = dipole_moment(molecule);
+    for (const std::size_t end = i + count; i < end; ++i) M += to_lab(state.orientation[i], dipole);
+  }
+  return M;
+}
+
+/// The five components of a traceless symmetric tensor, of equal variance in a fluid [daivis1994].
+std::array<double, 5> independent_components(const Mat3<double>& P) {
+  const double xy = (P[0].y + P[1].x) / 2, yz = (P[1].z + P[2].y) / 2, zx = (P[2].x + P[0].z) / 2;
+  return {(2 * P[0].x - P[1].y - P[2].z) / (2 * std::sqrt(3.0)), (P[1].y - P[2].z) / 2, yz, zx, xy};
+}
+
+/// The time integrals of five components of the pressure tensor, as displacements of two bodies:
+/// their mean square grows as that of a diffusing particle.
+class MomentumFlux {
+ public:
+  explicit MomentumFlux(double interval) : interval_(interval) {}
+
+  void add(const Mat3<double>& pressure) {
+    const std::array<double, 5> now = independent_components(pressure);
+    for (std::size_t k = 0; k < now.size(); ++k)
+      integral_[k] += first_ ? 0 : (last_[k] + now[k]) / 2 * interval_;
+    last_ = now;
+    first_ = false;
+  }
+  Vec3<double> displacement(std::size_t body) const {
+    return body == 0 ? Vec3<double>{integral_[0], integral_[1], integral_[2]}
+                     : Vec3<double>{integral_[3], integral_[4], 0};
+  }
+
+ private:
+  double interval_;
+  bool first_ = true;
+  std::array<double, 5> integral_{}, last_{};
+};
+
+void scale_to(State& state, double volume) {
+  const double factor = std::cbrt(volume / state.box.volume());
+  for (std::size_t i = 0; i < state.size(); ++i) state.q.set(i, factor * state.q[i]);
+  state.box = Box{factor * state.box.edge};
+}
+
+}  // namespace
+
+bool prepare(Replica& replica, const ReplicaSettings& settings) {
+  Replica prepared{.index = replica.index,
+                   .compressibility = settings.config.ensemble.barostat
+                                          ? settings.config.ensemble.barostat->compressibility
+                                          : default_compressibility()};
+  Chain chain(settings, replica.index);
+  if (!relax(chain, prepared)) return false;
+  prepared.step = settings.step;
+  if (settings.step == 0 && !choose_step(chain, prepared)) return false;
+  prepared.state = chain.system().state;
+  prepared.state.time = 0;
+  replica = std::move(prepared);
+  return true;
+}
+
+bool add_averages(Replica& replica, const ReplicaSettings& settings) {
+  Chain chain(settings, replica.index);
+  System& system = chain.system();
+  system.state = replica.state;
+  const TrajectorySettings t = averages_of(chain, replica, replica.step, steps_of_averages,
+                                           averaging + replica.averages.size());
+  const FixedMeans fixed = *t.fixed_means();
+  AveragesSegment segment{.sums = {0, std::vector<double>(averages_count)}, .response = {}};
+  TimeBlocks part;
+  constexpr std::size_t samples_of_part = steps_of_averages / steps_of_sample / parts_of_averages;
+  if (!replica.averages.empty()) segment.response.first = replica.averages.front().response.first;
+  const auto sample = [&](std::size_t steps, const State& state, const Energies& now) {
+    if (steps == 0) return;  // the last sample of the segment before
+    const double U = now.potential(), V = now.volume;
+    const std::array<double, averages_count> x{U,     V,     U * U,
+                                               V * V, U * V, norm2(total_dipole(state, system))};
+    segment.sums.weight += 1;
+    for (std::size_t k = 0; k < x.size(); ++k) segment.sums.sum[k] += x[k];
+    part.add(std::array{U, V});
+    if (steps % (samples_of_part * steps_of_sample) == 0) {
+      const std::vector<double> mean = std::exchange(part, {}).means().mean();
+      segment.potentials.push_back(mean[0]);
+      segment.volumes.push_back(mean[1]);
+    }
+    if (!std::isnan(now.step_error)) segment.response.add(step_error(now, fixed, 0), x);
+  };
+  if (!chain.run(t, {.sample = sample})) return false;
+  segment.response.blocks = {{segment.response.blocks.means().sum()}, 1};
+  replica.state = system.state;
+  replica.averages.push_back(std::move(segment));
+  return true;
+}
+
+bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
+  Chain chain(settings, replica.index);
+  System& system = chain.system();
+  system.state = replica.moving.value_or(replica.state);
+  if (!replica.moving) {
+    double V = 0;
+    for (std::size_t k = from; k < replica.averages.size(); ++k)
+      V += replica.averages[k].sums.sum[volume] / replica.averages[k].sums.weight;
+    scale_to(system.state, V / static_cast<double>(replica.averages.size() - from));
+  }
+  TrajectorySettings t =
+      chain.trajectory(with_ends(), replica.step,
+                       replica.step * static_cast<double>(steps_of_lags * windows_in_segment),
+                       moving + replica.dynamics.size());
+  t.ensemble.thermostat = Rescaling{std::max(2.0, 500 * replica.step)};
+  constexpr std::size_t every = 2, frame = steps_of_lags / lags / every;  // in samples
+  t.sample = every * replica.step;
+  Displacement displacement(system.topology, lags);
+  Reorientation rotation(system.topology, lags);
+  TimeCorrelation flux(2, lags, {Product::displacement});
+  MomentumFlux integrals(t.sample);
+  std::size_t samples = 0;
+  const auto load = [&](const State& state, const Load& forces) {
+    integrals.add(pressure_tensor(state, system.bodies, forces));
+    if (samples++ % frame != 0) return;
+    flux.add([&](std::size_t body) { return integrals.displacement(body); });
+    displacement.add(state);
+    rotation.add(state);
+  };
+  if (!chain.run(t, {.load = load})) return false;
+  BlockMeans::Block segment = flux.means(0).sum();
+  const auto append = [&](const BlockMeans& correlation) {
+    const BlockMeans::Block all = correlation.sum();
+    segment.sum.insert(segment.sum.end(), all.sum.begin(), all.sum.end());
+  };
+  for (std::size_t part = 0; part < system.topology.parts.size(); ++part) {
+    append(displacement.mean_square(part));
+    for (std::size_t axis = 0; axis < rotation.axes(part).size(); ++axis)
+      append(rotation.legendre(part, axis, 2));
+  }
+  replica.moving = system.state;
+  replica.dynamics.push_back(std::move(segment));
+  return true;
+}
+
+CorrelationsOfDynamics::CorrelationsOfDynamics(const Topology& topology) {
+  for (const auto& [molecule, molecules] : topology.parts) {
+    displacement.push_back(count++);
+    rotation.emplace_back();
+    for (std::size_t axis = 0; axis < body_axes(molecule).size(); ++axis)
+      rotation.back().push_back(count++);
+  }
+}
+
+std::size_t equilibrated(const Replica& replica) {
+  std::size_t start = 0;
+  for (const auto member : {&AveragesSegment::potentials, &AveragesSegment::volumes}) {
+    std::vector<double> series;
+    for (const AveragesSegment& segment : replica.averages)
+      series.insert(series.end(), (segment.*member).begin(), (segment.*member).end());
+    start = std::max(start, equilibration(series).start);
+  }
+  return (start + parts_of_averages - 1) / parts_of_averages;
+}
+
+}  // namespace polhode

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "run/properties/replica_file.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/version.hpp"
+#include "io/files/checksum.hpp"
+#include "io/files/draft.hpp"
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view mark = "polhode replica 1\n";
+constexpr std::size_t max_bytes = std::size_t{1} << 31;
+
+json block_json(const BlockMeans::Block& block) { return {block.weight, block.sum}; }
+BlockMeans::Block block_of(const json& j) {
+  return {j.at(0).get<double>(), j.at(1).get<std::vector<double>>()};
+}
+
+json vectors_json(const Vec3Column& column) {
+  std::vector<double> x;
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    const Vec3<double> v = column[i];
+    x.insert(x.end(), {v.x, v.y, v.z});
+  }
+  return x;
+}
+
+json state_json(const State& state) {
+  std::vector<double> a;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Quaternion<double> q = state.orientation[i];
+    a.insert(a.end(), {q.w, q.x, q.y, q.z});
+  }
+  const Vec3<double> edge = state.box.edge;
+  return {{"q", vectors_json(state.q)},
+          {"p", vectors_json(state.p)},
+          {"ell", vectors_json(state.ell)},
+          {"orientation", a},
+          {"box", {edge.x, edge.y, edge.z}}};
+}
+
+State state_of(const json& j) {
+  const auto numbers = [&](const char* key, std::size_t size) {
+    auto x = j.at(key).get<std::vector<double>>();
+    if (size > 0 && x.size() != size) throw Error("its columns have different lengths");
+    return x;
+  };
+  const auto edge = numbers("box", 3), q = numbers("q", 0);
+  const std::size_t n = q.size() / 3;
+  const auto p = numbers("p", 3 * n), ell = numbers("ell", 3 * n),
+             a = numbers("orientation", 4 * n);
+  State state(n, Box{{edge[0], edge[1], edge[2]}});
+  for (std::size_t i = 0; i < n; ++i) {
+    state.q.set(i, {q[3 * i], q[3 * i + 1], q[3 * i + 2]});
+    state.p.set(i, {p[3 * i], p[3 * i + 1], p[3 * i + 2]});
+    state.ell.set(i, {ell[3 * i], ell[3 * i + 1], ell[3 * i + 2]});
+    state.orientation.set(i, {a[4 * i], a[4 * i + 1], a[4 * i + 2], a[4 * i + 3]});
+  }
+  return state;
+}
+
+json replica_json(const Replica& replica) {
+  json averages = json::array(), dynamics = json::array();
+  for (const AveragesSegment& segment : replica.averages)
+    averages.push_back({{"sums", block_json(segment.sums)},
+                        {"potentials", segment.potentials},
+                        {"volumes", segment.volumes},
+                        {"first", segment.response.first},
+                        {"response", block_json(segment.response.blocks.blocks.front())}});
+  for (const BlockMeans::Block& block : replica.dynamics) dynamics.push_back(block_json(block));
+  json j{{"index", replica.index},
+         {"step", replica.step},
+         {"compressibility", replica.compressibility},
+         {"averages", averages},
+         {"dynamics", dynamics}};
+  if (replica.prepared()) j["state"] = state_json(replica.state);
+  if (replica.moving) j["moving"] = state_json(*replica.moving);
+  return j;
+}
+
+Replica replica_of(const json& j) {
+  Replica replica{.index = j.at("index").get<std::uint64_t>(),
+                  .step = j.at("step").get<double>(),
+                  .compressibility = j.at("compressibility").get<double>()};
+  for (const json& segment : j.at("averages"))
+    replica.averages.push_back({block_of(segment.at("sums")),
+                                segment.at("potentials").get<std::vector<double>>(),
+                                segment.at("volumes").get<std::vector<double>>(),
+                                {segment.at("first").get<std::vector<double>>(),
+                                 {{block_of(segment.at("response"))}, 1}}});
+  for (const json& block : j.at("dynamics")) replica.dynamics.push_back(block_of(block));
+  if (j.contains("state")) replica.state = state_of(j["state"]);
+  if (j.contains("moving")) replica.moving = state_of(j["moving"]);
+  return replica;
+}
+
+}  // namespace
+
+std::string replica_bytes(const Replica& replica, const std::string& identity) {
+  const json whole{
+      {"program", version()}, {"identity", identity}, {"replica", replica_json(replica)}};
+  const std::vector<std::uint8_t> cbor = json::to_cbor(whole);
+  std::string bytes(mark);
+  bytes += fmt::format("{:016x}\n", crc64(cbor.data(), cbor.size()));
+  bytes.append(cbor.begin(), cbor.end());
+  return bytes;
+}
+
+Replica parse_replica(const std::string& bytes, const std::string& path, std::uint64_t index,
+                      const std::string& identity) {
+  const auto damaged = [&](const char* how) {
+    return Error(
+        fmt::format("'{}' {}; restore it, or remove it to compute the replica again", path, how));
+  };
+  constexpr std::size_t head = mark.size() + 17;
+  if (bytes.size() < head || !bytes.starts_with(mark)) throw damaged("is no file of a replica");
+  const std::string cbor = bytes.substr(head);
+  if (bytes.substr(mark.size(), 16) != fmt::format("{:016x}", crc64(cbor.data(), cbor.size())))
+    throw damaged("is damaged: its checksum differs");
+  try {
+    const json whole = json::from_cbor(cbor);
+    if (whole.at("identity").get<std::string>() != identity)
+      throw Error(
+          fmt::format("'{}' is of other molecules, forces, seed or numbers of molecules; "
+                      "give another prefix of the output files",
+                      path));
+    Replica replica = replica_of(whole.at("replica"));
+    if (replica.index != index) throw damaged("has another number than its name");
+    return replica;
+  } catch (const json::exception&) {
+    throw damaged("is damaged");
+  }
+}
+
+Replica read_replica(const std::string& path, std::uint64_t index, const std::string& identity) {
+  if (!std::filesystem::exists(path)) return {.index = index};
+  if (std::filesystem::file_size(path) > max_bytes)
+    throw Error(fmt::format("'{}' is too large for a replica", path));
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in.is_open()) throw Error(fmt::format("'{}' cannot be read", path));
+  return parse_replica(bytes, path, index, identity);
+}
+
+void write_replica(const std::string& path, const Replica& replica, const std::string& identity) {
+  const std::string bytes = replica_bytes(replica, identity);
+  Draft draft(path);
+  {
+    std::ofstream out(draft.path(), std::ios::binary);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.flush();
+    if (!out) throw RunError(fmt::format("'{}' cannot be written: is the disk full?", path));
+  }
+  draft.finish();
+}
+
+}  // namespace polhode

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/properties/state_point.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "io/settings/quantity.hpp"
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr int max_points = 1000;
+constexpr double max_temperature = 1e5;  // [K]: far beyond any rigid molecule
+constexpr const char* example = "\"298.15 K, 1 bar\" or \"250 K to 320 K, 7 points\"";
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == text.npos ? std::string_view{} : text.substr(first, last - first + 1);
+}
+
+std::vector<std::string_view> parts_of(std::string_view text) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const auto comma = text.find(',');
+    parts.push_back(trimmed(text.substr(0, comma)));
+    if (comma == text.npos) return parts;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+/// The number before "points"; nothing if the part is something else.
+std::optional<int> number_of_points(std::string_view part) {
+  if (!part.ends_with("points")) return std::nullopt;
+  const std::string_view number = trimmed(part.substr(0, part.size() - 6));
+  int count = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), count);
+  if (error != std::errc{} || end != number.data() + number.size() || count < 2 ||
+      count > max_points)
+    throw Error(fmt::format("'{}' must be a whole number of points from 2 to {}, \"7 points\"",
+                            part, max_points));
+  return count;
+}
+
+/// The ends of a range; both the same for a single value.
+struct Range {
+  double first = 0, last = 0;
+  bool is_range() const { return first != last; }
+};
+
+Range range_of(std::string_view part, Dimension dimension) {
+  const std::string name(noun(dimension));
+  const auto to = part.find(" to ");
+  if (to == part.npos) {
+    const double value = quantity(part, dimension, name);
+    return {value, value};
+  }
+  const Range range{quantity(trimmed(part.substr(0, to)), dimension, name),
+                    quantity(trimmed(part.substr(to + 4)), dimension, name)};
+  if (!range.is_range())
+    throw Error(fmt::format("the range '{}' begins where it ends; give one value", part));
+  return range;
+}
+
+bool is_temperature(std::string_view part) { return part.ends_with("K"); }
+
+double at(const Range& range, int point, int points) {
+  return points == 1 ? range.first
+                     : range.first + (range.last - range.first) * point / (points - 1);
+}
+
+}  // namespace
+
+std::string StatePoint::text() const {
+  return fmt::format("{:g} K, {:g} bar", temperature, pressure / unit("bar", Dimension::pressure));
+}
+
+std::string StatePoint::file_text() const {
+  return fmt::format("{:g}K-{:g}bar", temperature, pressure / unit("bar", Dimension::pressure));
+}
+
+std::vector<StatePoint> state_points(std::string_view text) {
+  std::optional<Range> temperature, pressure;
+  std::optional<int> points;
+  for (const std::string_view part : parts_of(text)) {
+    if (part.empty()) throw Error(fmt::format("'{}' has an empty part; write {}", text, example));
+    if (const auto count = number_of_points(part)) {
+      points = count;
+      continue;
+    }
+    std::optional<Range>& range = is_temperature(part) ? temperature : pressure;
+    if (range) throw Error(fmt::format("'{}' has two of a kind; write {}", text, example));
+    range = range_of(part, is_temperature(part) ? Dimension::temperature : Dimension::pressure);
+  }
+  if (!temperature) throw Error(fmt::format("'{}' has no temperature; write {}", text, example));
+  if (!(std::min(temperature->first, temperature->last) > 0) ||
+      std::max(temperature->first, temperature->last) > max_temperature)
+    throw Error(fmt::format("the temperature in '{}' must be above 0 K and at most {:g} K", text,
+                            max_temperature));
+  const Range p =
+      pressure.value_or(Range{unit("bar", Dimension::pressure), unit("bar", Dimension::pressure)});
+  const bool is_range = temperature->is_range() || p.is_range();
+  if (is_range != points.has_value())
+    throw Error(is_range ? fmt::format("'{}' has a range without its number of points; add \", 7 "
+                                       "points\"",
+                                       text)
+                         : fmt::format("'{}' has points without a range; write {}", text, example));
+  std::vector<StatePoint> list;
+  for (int k = 0; k < points.value_or(1); ++k)
+    list.push_back({at(*temperature, k, points.value_or(1)), at(p, k, points.value_or(1))});
+  return list;
+}
+
+}  // namespace polhode

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+"""polhode.measure: the same records from threads, from processes, and from dask where it is installed."""
+
+import importlib.util
+import os
+import pathlib
+import tempfile
+import unittest
+from concurrent.futures import ProcessPoolExecutor
+
+import polhode
+
+CALL = {"system": "argon", "properties": {"density": "0.5 %", "compressibility": "30 %"}, "molecules": 64,
+        "at": "160 K, 500 bar"}
+
+
+class Measure(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+
+    def records(self, prefix):
+        return {path.name.removeprefix(prefix): path.read_bytes() for path in self.folder.glob(f"{prefix}*.replica")}
+
+    def test_a_property_with_its_error(self):
+        report = polhode.measure(**CALL)
+        density, compressibility = report["points"][0]["properties"]
+        self.assertEqual(density["name"], "density")
+        self.assertTrue(report["reached"])
+        self.assertLess(density["value"]["error"], 0.005 * density["value"]["value"])
+        self.assertIn("measure.html", report.files)
+        merged = polhode.merge(**CALL)
+        self.assertEqual(merged["points"], report["points"])
+
+    def test_an_executor_computes_the_same_bits(self):
+        polhode.measure(**CALL, output="here", threads=1)
+        with ProcessPoolExecutor(2) as pool:
+            polhode.measure(**CALL, output="pool", executor=pool)
+        self.assertEqual(self.records("pool"), self.records("here"))
+
+    @unittest.skipUnless(importlib.util.find_spec("distributed"), "dask's distributed is not installed")
+    def test_dask_computes_the_same_bits(self):
+        from distributed import Client, LocalCluster
+        polhode.measure(**CALL, output="here", threads=1)
+        with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+            polhode.measure(**CALL, output="dask", executor=client.get_executor())
+        self.assertEqual(self.records("dask"), self.records("here"))
+
+    def test_wrong_input(self):
+        with self.assertRaisesRegex(polhode.Error, "did you mean 'density'"):
+            polhode.measure("argon", "densty")
+        with self.assertRaisesRegex(polhode.Error, "no molecule has a dipole"):
+            polhode.measure("argon", ["dielectric-constant"])
+        with self.assertRaisesRegex(polhode.Error, "no record"):
+            polhode.merge("argon", "density")
+
+
+if __name__ == "__main__":
+    unittest.main()

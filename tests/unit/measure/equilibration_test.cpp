@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The end of equilibration, against values of the program red 2026 on the same series
+// (detect_equilibration_window, method "min_sse", Bartlett window of √n lags).
+#include "polhode/measure/equilibration.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+using namespace polhode;
+
+namespace {
+
+/// An exponential approach under a bounded disturbance.
+std::vector<double> series(int length, double time, double amplitude) {
+  std::vector<double> x;
+  for (int t = 0; t < length; ++t)
+    x.push_back(amplitude * std::exp(-t / time) + std::sin(0.37 * t * t) +
+                0.5 * std::sin(0.11 * t));
+  return x;
+}
+
+}  // namespace
+
+TEST_CASE("the end of equilibration and the error of the mean are those of red") {
+  struct Case {
+    int length;
+    double time, amplitude;
+    std::size_t start;
+    double error;
+  };
+  for (const Case& c : {Case{200, 20, 5, 34, 0.12769589796276754},
+                        {120, 8, -3, 10, 0.12498138538141527},
+                        {400, 60, 2, 79, 0.0918882195417298},
+                        {50, 10, 0, 20, 0.12524802802009025}}) {
+    CAPTURE(c.length);
+    const Equilibration found = equilibration(series(c.length, c.time, c.amplitude));
+    CHECK(found.start == c.start);
+    CHECK(found.error == doctest::Approx(c.error).epsilon(1e-10));
+  }
+}
+
+TEST_CASE("a short series is kept whole") {
+  CHECK(equilibration(std::array{9.0, 0.0, 0.0}).start == 0);
+  CHECK(equilibration({}).start == 0);
+}

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Measurements of properties: requests, records of replicas, second virial coefficients. With
+// POLHODE_WRITE_MANUAL=1 in the environment the manual's table of properties is written.
+#include <doctest/doctest.h>
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "../errors.hpp"
+#include "../folder.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/io/topology/molecule_file.hpp"
+#include "polhode/run/properties/second_virial.hpp"
+#include "run/properties/measure_request.hpp"
+#include "run/properties/replica.hpp"
+#include "run/properties/replica_file.hpp"
+
+using namespace polhode;
+
+namespace {
+
+constexpr double bar = 0.0602214076;  // [kJ/mol/nm³]
+constexpr double cm3_per_mol = 1e21 / units::avogadro;
+
+/// 64 argon atoms: a segment takes some ten milliseconds.
+MeasureRequest argon(std::vector<std::string> properties = {"density"}) {
+  MeasureRequest request{.system = "argon", .properties = std::move(properties)};
+  request.molecules = {"64", "molecules"};
+  request.at = {"160 K, 500 bar", "at"};
+  return request;
+}
+
+std::string bytes_after(const MeasureSettings& settings, std::size_t averages, std::size_t dynamics,
+                        const std::string& record = "") {
+  return perform(settings, {0, 3, averages, dynamics, 0.01, record});
+}
+
+std::string properties_table() {
+  std::string table = "| property | unit | definition | source |\n| --- | --- | --- | --- |\n";
+  for (const Property& p : properties())
+    table += fmt::format("| `{}` | {} | {} | [[{}]] |\n", p.name, p.unit, p.definition, p.sources);
+  return table;
+}
+
+}  // namespace
+
+TEST_CASE("state points are read as they are written") {
+  const auto one = state_points("298.15 K, 1 bar");
+  REQUIRE(one.size() == 1);
+  CHECK(one[0].temperature == 298.15);
+  CHECK(one[0].pressure == doctest::Approx(bar));
+  CHECK(one[0].text() == "298.15 K, 1 bar");
+  CHECK(state_points("300 K")[0].pressure == doctest::Approx(bar));
+  const auto range = state_points("250 K to 320 K, 8 points, 2 bar");
+  REQUIRE(range.size() == 8);
+  CHECK(range[1].temperature == doctest::Approx(260));
+  CHECK(range[7].temperature == 320);
+  CHECK(range[7].pressure == doctest::Approx(2 * bar));
+  const auto pressures = state_points("300 K, 1 bar to 1001 bar, 3 points");
+  CHECK(pressures[1].pressure == doctest::Approx(501 * bar));
+  check_error([] { state_points("1 bar"); }, {"has no temperature", "298.15 K"});
+  check_error([] { state_points("300"); }, {"300"});
+  check_error([] { state_points("0 K"); }, {"must be above 0 K"});
+  check_error([] { state_points("250 K to 300 K"); }, {"without its number of points"});
+  check_error([] { state_points("300 K, 7 points"); }, {"points without a range"});
+  check_error([] { state_points("250 K to 300 K, 1 points"); }, {"from 2 to 1000"});
+  check_error([] { state_points("300 K to 300 K, 3 points"); }, {"begins where it ends"});
+  check_error([] { state_points("300 K, , 1 bar"); }, {"empty part"});
+  check_error([] { state_points("300 K, 310 K"); }, {"two of a kind"});
+}
+
+TEST_CASE("properties are requested with errors in percent or in their unit") {
+  const auto list =
+      requested_properties({"density", "0.1 %", "enthalpy", "0.05 kJ/mol", "viscosity"});
+  REQUIRE(list.size() == 3);
+  CHECK(list[0].relative);
+  CHECK(list[0].error == doctest::Approx(0.001));
+  CHECK(!list[1].relative);
+  CHECK(list[1].error == doctest::Approx(0.05));
+  CHECK(list[2].error == 0.01);
+  check_error([] { requested_properties({"densty"}); }, {"no property 'densty'", "'density'"});
+  check_error([] { requested_properties({"0.1 %"}); }, {"follows no property"});
+  check_error([] { requested_properties({"density", "1 g"}); }, {"must be in % or in kg/m3"});
+  check_error([] { requested_properties({"density", "0 %"}); }, {"the error of density"});
+  check_error([] { requested_properties({"density", "density"}); }, {"requested twice"});
+}
+
+TEST_CASE("a request that a system cannot meet is refused with the reason") {
+  const auto refused = [](MeasureRequest request, std::initializer_list<const char*> words) {
+    const Folder folder;
+    request.output = {folder / "m", "output"};
+    check_error([&] { measure(request.settings()); }, words);
+  };
+  refused(argon({"dielectric-constant"}), {"cannot be measured", "no molecule has a dipole"});
+  refused(argon({"rotational-relaxation"}), {"atoms do not rotate"});
+  MeasureRequest shards = argon();
+  shards.shard = {"5/4", "shard"};
+  refused(shards, {"shard"});
+  shards.shard = {"1/9", "shard"};
+  refused(shards, {"more parts than there are replicas"});
+  MeasureRequest mixture = argon({"second-virial-coefficient"});
+  mixture.system = "argon 16, krypton 16";
+  refused(mixture, {"no meaning for a mixture"});
+  mixture.molecules = {};
+  refused(mixture, {"each pair of molecules"});
+  MeasureRequest unknown = argon();
+  unknown.system = "argn";
+  refused(unknown, {"argn"});
+  refused(argon({}), {"no property is requested"});
+}
+
+TEST_CASE("a replica has the same bits in one piece and in several") {
+  const MeasureSettings settings = argon().settings();
+  const std::string whole = bytes_after(settings, 14, 1);
+  std::string pieces = bytes_after(settings, 2, 0);
+  pieces = bytes_after(settings, 14, 0, pieces);
+  pieces = bytes_after(settings, 14, 1, pieces);
+  CHECK(pieces == whole);
+}
+
+TEST_CASE("a record that is damaged or of something else is refused") {
+  const Folder folder;
+  const std::string path = folder / "a.replica";
+  Replica replica{.index = 2};
+  CHECK(!read_replica(path, 2, "this").prepared());
+  write_replica(path, replica, "this");
+  CHECK(read_replica(path, 2, "this").index == 2);
+  check_error([&] { read_replica(path, 1, "this"); }, {"another number"});
+  check_error([&] { read_replica(path, 2, "that"); }, {"other molecules"});
+  std::string bytes = replica_bytes(replica, "this");
+  bytes.back() = static_cast<char>(bytes.back() ^ 1);
+  check_error([&] { parse_replica(bytes, path, 2, "this"); }, {"checksum", path.c_str()});
+  check_error([&] { parse_replica("polhode", path, 2, "this"); }, {"no file of a replica"});
+}
+
+TEST_CASE("the second virial coefficient of Lennard-Jones atoms is that of its series") {
+  // B/b₀ = −Σ 2^((2n+1)/2)/(4 n!) Γ((2n − 1)/4) T^(−(2n+1)/4) with b₀ = 2πσ³/3, T in ε/k.
+  const Molecule molecule = read_molecule("argon");
+  const Site& site = molecule.sites.front();
+  const double b0 = 2 * units::pi * std::pow(site.sigma, 3) / 3;
+  const auto series = [](double T) {
+    double sum = 0;
+    for (int n = 0; n < 60; ++n)
+      sum -= std::pow(2, n + 0.5) / (4 * std::tgamma(n + 1)) * std::tgamma((2 * n - 1) / 4.0) *
+             std::pow(T, -(2 * n + 1) / 4.0);
+    return sum;
+  };
+  for (const double T : {0.8, 1.0, 3.418, 10.0}) {
+    CAPTURE(T);
+    const SecondVirial B = second_virial(molecule, {}, T * site.epsilon / units::boltzmann, 1);
+    // Simpson's rule in steps of 0.004 nm.
+    CHECK(B.value.value / b0 == doctest::Approx(series(T)).epsilon(1e-4).scale(1));
+  }
+}
+
+TEST_CASE("the second virial coefficients of SPC/E are the published ones") {
+  // −408.2 and −85.96 cm³/mol [10.1021/jp0710685, quoted with four digits].
+  const Molecule water = read_molecule("spce");
+  for (const auto& [T, published] : {std::pair{500.0, -408.2}, {773.0, -85.96}}) {
+    const SecondVirial B = second_virial(water, {}, T, 4096);
+    CHECK(std::abs(B.value.value / cm3_per_mol - published) < 4 * B.value.error / cm3_per_mol);
+    CHECK(B.value.error < 0.01 * std::abs(B.value.value));
+    // B − T dB/dT, by a difference of temperatures with the same points.
+    const double h = 5, up = second_virial(water, {}, T + h, 4096).value.value,
+                 down = second_virial(water, {}, T - h, 4096).value.value;
+    CHECK(B.enthalpy.value ==
+          doctest::Approx(B.value.value - T * (up - down) / (2 * h)).epsilon(2e-3));
+  }
+}
+
+TEST_CASE("the manual has the properties as their rows state them") {
+  const std::string path = std::string(POLHODE_TEST_DATA) + "/../../docs/manual/measure.md";
+  const std::string begin = "<!-- properties -->\n", end = "<!-- end of properties -->";
+  std::ifstream in(path);
+  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  const auto first = page.find(begin), last = page.find(end);
+  REQUIRE(first != page.npos);
+  REQUIRE(last != page.npos);
+  const auto at = first + begin.size();
+  if (std::getenv("POLHODE_WRITE_MANUAL"))
+    std::ofstream(path) << page.substr(0, at) + properties_table() + page.substr(last);
+  else
+    CHECK(page.substr(at, last - at) == properties_table());
+}
