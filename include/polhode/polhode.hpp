@@ -20,6 +20,7 @@
 #include "polhode/run/canonical/canonical_study.hpp"
 #include "polhode/run/prepare/minimisation.hpp"
 #include "polhode/run/prepare/preparation.hpp"
+#include "polhode/run/properties/measure.hpp"
 #include "polhode/run/simulation/simulation.hpp"
 #include "polhode/run/simulation/system/single_point.hpp"
 #include "polhode/run/study/study.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/measure/equilibration.hpp"
+#include "measure/equilibration.hpp"
 
 #include <algorithm>
 #include <cmath>

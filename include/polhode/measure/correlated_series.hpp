@@ -52,8 +52,9 @@ double three_sigma(const SeriesEstimate& estimate);
 SeriesEstimate series_estimate(const BlockMeans& blocks,
                                const std::function<double(std::span<const double>)>& statistic);
 
-/// The same from independent runs of one process, such as replicas. The modes of all runs together
-/// give the error. The deviation of each run's mean from the common mean is a mode as well.
+/// A statistic of independent runs of one process, such as replicas, with its standard error. The
+/// modes of all runs together give the error. The deviation of each run's mean from the common mean
+/// is a mode as well.
 SeriesEstimate pooled_estimate(std::span<const BlockMeans> runs,
                                const std::function<double(std::span<const double>)>& statistic);
 

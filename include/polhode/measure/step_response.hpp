@@ -62,7 +62,7 @@ struct StepResponse {
   /// The bias of a function of averages, to leading order, with its standard error.
   /// @param degrees_of_freedom  of the kinetic energy
   SeriesEstimate bias(double degrees_of_freedom, FixedMeans fixed, const Function& f) const;
-  /// The same sums relative to another first sample.
+  /// These sums relative to another first sample.
   StepResponse relative_to(const std::vector<double>& other) const;
 };
 

@@ -13,7 +13,8 @@
 #include "measure/reorientation.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
-#include "polhode/run/properties/second_virial.hpp"
+#include "run/properties/property.hpp"
+#include "run/properties/second_virial.hpp"
 
 namespace polhode {
 namespace {

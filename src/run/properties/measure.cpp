@@ -17,6 +17,7 @@
 #include "polhode/base/units.hpp"
 #include "polhode/run/prepare/preparation.hpp"
 #include "run/properties/estimates.hpp"
+#include "run/properties/property.hpp"
 #include "run/properties/replica.hpp"
 #include "run/properties/replica_file.hpp"
 #include "run/simulation/files/identity.hpp"

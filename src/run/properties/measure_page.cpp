@@ -6,6 +6,7 @@
 #include "io/files/with_error.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/run/properties/measure.hpp"
+#include "run/properties/property.hpp"
 #include "run/properties/svg_figure.hpp"
 
 namespace polhode {
@@ -89,9 +90,13 @@ std::string of_point(const MeasuredPoint& point) {
   if (point.length_of_averages > 0)
     text += fmt::format(
         "<p>{} replicas of {} molecules, hoa2 at {:g} fs; {:.0f} ps at constant pressure after at "
-        "most {:.0f} ps of equilibration each; {:.0f} ps for dynamics; box edge {:.4g} nm.</p>\n",
+        "most {:.0f} ps of equilibration each{}; box edge {:.4g} nm.</p>\n",
         point.replicas, point.molecules, point.step_max * units::fs_per_ps,
-        point.length_of_averages, point.equilibration_max, point.length_of_dynamics, point.edge);
+        point.length_of_averages, point.equilibration_max,
+        point.length_of_dynamics > 0
+            ? fmt::format("; {:.0f} ps for dynamics", point.length_of_dynamics)
+            : "",
+        point.edge);
   std::string converged, correlations, equilibrated, definitions;
   for (const MeasuredProperty& m : point.properties) converged += convergence(m);
   for (const MeasuredCurve& curve : point.curves) correlations += correlation(curve);

@@ -5,6 +5,7 @@
 #include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/run/properties/measure.hpp"
+#include "run/properties/property.hpp"
 
 namespace polhode {
 namespace {

@@ -14,6 +14,8 @@
 #include "polhode/base/units.hpp"
 #include "polhode/run/prepare/preparation.hpp"
 #include "polhode/run/simulation/system/system.hpp"
+#include "run/properties/property.hpp"
+#include "run/properties/state_point.hpp"
 
 namespace polhode {
 namespace {

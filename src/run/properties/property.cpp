@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/properties/property.hpp"
+#include "run/properties/property.hpp"
 
 #include <fmt/format.h>
 

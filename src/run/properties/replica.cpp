@@ -10,6 +10,7 @@
 
 #include "io/settings/ensemble_names.hpp"
 #include "measure/displacement.hpp"
+#include "measure/equilibration.hpp"
 #include "measure/reorientation.hpp"
 #include "model/dipole.hpp"
 #include "polhode/base/error.hpp"
@@ -17,7 +18,6 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/with_bath.hpp"
 #include "polhode/math/random.hpp"
-#include "polhode/measure/equilibration.hpp"
 #include "polhode/run/prepare/preparation.hpp"
 #include "polhode/run/simulation/report/summary.hpp"
 #include "polhode/run/simulation/system/system.hpp"

@@ -13,7 +13,7 @@
 #include "polhode/measure/step_response.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
-#include "polhode/run/properties/property.hpp"
+#include "run/properties/property.hpp"
 
 namespace polhode {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/properties/second_virial.hpp"
+#include "run/properties/second_virial.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/properties/state_point.hpp"
+#include "run/properties/state_point.hpp"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@
 namespace polhode {
 namespace {
 
-constexpr double width = 480, height = 260, left = 70, right = 10, top = 10, bottom = 40;
+constexpr double width = 480, height = 260, left = 70, right = 20, top = 10, bottom = 40;
 
 /// The range of numbers, a little wider.
 struct Span {

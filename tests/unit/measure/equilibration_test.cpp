@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The end of equilibration, against values of the program red 2026 on the same series
 // (detect_equilibration_window, method "min_sse", Bartlett window of √n lags).
-#include "polhode/measure/equilibration.hpp"
+#include "measure/equilibration.hpp"
 
 #include <doctest/doctest.h>
 

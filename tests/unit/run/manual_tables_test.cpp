@@ -22,6 +22,7 @@
 #include "run/listing/molecules.hpp"
 #include "run/listing/schemes.hpp"
 #include "run/listing/verification.hpp"
+#include "run/properties/property.hpp"
 #include "run/study/study_report.hpp"
 
 using namespace polhode;

@@ -14,10 +14,12 @@
 #include "../folder.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
-#include "polhode/run/properties/second_virial.hpp"
 #include "run/properties/measure_request.hpp"
+#include "run/properties/property.hpp"
 #include "run/properties/replica.hpp"
 #include "run/properties/replica_file.hpp"
+#include "run/properties/second_virial.hpp"
+#include "run/properties/state_point.hpp"
 
 using namespace polhode;
 

@@ -12,11 +12,23 @@
 #include "polhode/measure/correlated_series.hpp"
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/outputs.hpp"
-#include "polhode/run/properties/property.hpp"
-#include "polhode/run/properties/state_point.hpp"
 #include "polhode/run/quantities.hpp"
 
 namespace polhode {
+
+/// A row of the properties that can be measured, with its definition.
+struct Property;
+
+/// A state at which properties are measured.
+struct StatePoint {
+  double temperature = 0;  ///< [K]
+  double pressure = 0;     ///< [kJ/mol/nm³]
+
+  /// "298.15 K, 1 bar".
+  std::string text() const;
+  /// "298.15K-1bar", for file names.
+  std::string file_text() const;
+};
 
 struct RequestedProperty {
   const Property* property = nullptr;

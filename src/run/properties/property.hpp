@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "polhode/model/topology.hpp"
-#include "polhode/run/properties/state_point.hpp"
+#include "polhode/run/properties/measure.hpp"
 
 namespace polhode {
 
