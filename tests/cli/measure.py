@@ -9,7 +9,7 @@ import unittest
 import sandbox
 from sandbox import Sandbox
 
-LIQUID = ("measure", "argon", "density", "0.5 %", "--molecules", "64", "--at", "160 K, 500 bar", "--output", "out")
+LIQUID = ("measure", "argon", "density", "1 %", "--molecules", "64", "--at", "160 K, 500 bar", "--output", "out")
 
 
 class Text(html.parser.HTMLParser):

@@ -10,7 +10,7 @@ from concurrent.futures import ProcessPoolExecutor
 
 import polhode
 
-CALL = {"system": "argon", "properties": {"density": "0.5 %", "compressibility": "30 %"}, "molecules": 64,
+CALL = {"system": "argon", "properties": {"density": "1 %", "compressibility": "30 %"}, "molecules": 64,
         "at": "160 K, 500 bar"}
 
 
@@ -30,7 +30,7 @@ class Measure(unittest.TestCase):
         density, compressibility = report["points"][0]["properties"]
         self.assertEqual(density["name"], "density")
         self.assertTrue(report["reached"])
-        self.assertLess(density["value"]["error"], 0.005 * density["value"]["value"])
+        self.assertLess(density["value"]["error"], 0.01 * density["value"]["value"])
         self.assertIn("measure.html", report.files)
         merged = polhode.merge(**CALL)
         self.assertEqual(merged["points"], report["points"])
