@@ -63,8 +63,8 @@ void refuse_empty(const CLI::App& verb) {
     for (const std::string& text : option->results())
       if (text.empty())
         throw Error(
-            fmt::format("{} is an empty text; give a value, or leave it out if it has a "
-                        "default; 'polhode help {}' lists the options",
+            fmt::format("{} is an empty text; give a value, or leave it out if it has a default "
+                        "('polhode help {}' lists the options)",
                         option->get_name(), verb.get_name()));
 }
 
@@ -80,7 +80,7 @@ Error parse_error(const CLI::ParseError& e, const CLI::App& app) {
                                 instead_of(left[0], *verbs[0]))
                   : fmt::format("'{}' is one argument too many for polhode{}", left[0], help);
   }
-  return Error(fmt::format("{}; 'polhode help{}' lists the options", what, help));
+  return Error(fmt::format("{} ('polhode help{}' lists the options)", what, help));
 }
 
 /// The arguments; those of `help VERB` as those of `VERB --help`.

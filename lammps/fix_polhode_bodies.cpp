@@ -142,9 +142,8 @@ void FixPolhode::check_communication() const {
   if (cutoff > span) return;
   error->all(
       FLERR,
-      "fix polhode: the communication cutoff is {}, shorter than the longest molecule, which "
-      "extends over {}; processes would not have all atoms of a molecule, so set it by "
-      "'comm_modify cutoff {:.4g}' or more",
+      "fix polhode: the communication cutoff, {}, is shorter than the longest molecule, {}, so "
+      "processes would not have all of its atoms; set 'comm_modify cutoff {:.4g}' or more",
       cutoff, span, 1.001 * span);
 }
 

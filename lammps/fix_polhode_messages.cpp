@@ -241,8 +241,7 @@ void FixPolhode::restart(char* buffer) {
   if (phase_ == 0 || evaluations == static_cast<double>(program_.size())) return;
   error->all(FLERR,
              "fix polhode: the restart file was written after {} of the {} force evaluations in a "
-             "step, and this scheme has {}; resume with the scheme that it was written with, to "
-             "the end of a step",
+             "step, and this scheme has {}; resume with its own scheme to the end of a step",
              phase_, evaluations, program_.size());
 }
 

@@ -59,8 +59,8 @@ void FixPolhode::find_kinds_of_particles() {
       kinds_.push_back(kind);
     } else if (!same_kind(*known, kind)) {
       throw Error("the sites in '" + particle.path +
-                  "' differ from those of the restart file or of an earlier run; bodies cannot "
-                  "change their shape, so use the file that they were made with");
+                  "' differ from the sites in the restart file or in an earlier run; bodies cannot "
+                  "change their shape, so use the earlier file");
     }
   }
 }

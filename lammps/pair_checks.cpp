@@ -29,7 +29,7 @@ void PairPolhode::check_inputs() const {
   if (force->pair != this)
     error->all(FLERR,
                "pair_style polhode computes all pairs of all molecules and cannot be part of a "
-               "hybrid style; use it alone");
+               "hybrid style; use it as the only pair style");
   if (atom->tag_enable == 0)
     error->all(FLERR,
                "pair_style polhode finds molecules by the ids of their atoms; remove "

@@ -57,8 +57,8 @@ void PairPolhode::coeff(int count, char** arguments) {
   if (allocated == 0) allocate();
   if (count != 4)
     error->all(FLERR,
-               "pair_style polhode: pair_coeff has {} values; it needs 4: two atom types or ranges "
-               "of types, epsilon and sigma",
+               "pair_style polhode: pair_coeff has {} values; it needs two atom types or ranges of "
+               "types, epsilon and sigma",
                count);
   int i_low = 0, i_high = 0, j_low = 0, j_high = 0;
   LAMMPS_NS::utils::bounds(FLERR, arguments[0], 1, atom->ntypes, i_low, i_high, error);

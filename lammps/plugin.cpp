@@ -29,10 +29,11 @@ void check_version(LAMMPS* lammps) {
                        POLHODE_LAMMPS_VERSION, lammps->num_ver, lammps->version);
   const int tag_size = lammps_extract_setting(lammps, "tagint");
   if (tag_size != static_cast<int>(sizeof(LAMMPS_NS::tagint)))
-    lammps->error->all(FLERR,
-                       "the plugin of polhode was built for atom ids of {} bytes and those of this "
-                       "LAMMPS have {}; build it again with POLHODE_LAMMPS_SIZES as LAMMPS was",
-                       sizeof(LAMMPS_NS::tagint), tag_size);
+    lammps->error->all(
+        FLERR,
+        "the plugin of polhode was built for atom ids of {} bytes, and atom ids of this LAMMPS "
+        "have {}; build it again with POLHODE_LAMMPS_SIZES as LAMMPS was",
+        sizeof(LAMMPS_NS::tagint), tag_size);
 }
 
 }  // namespace

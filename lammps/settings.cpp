@@ -116,9 +116,8 @@ void Reader::check(const Scheme& scheme) const {
     throw Error("the scheme has a bath O; leave its stages out and use the keyword langevin");
   if (!scheme.starts_with_kick() || !scheme.ends_with_kick())
     throw Error("the scheme '" + scheme_ +
-                "' does not begin and end with a kick, as velocity "
-                "Verlet does; LAMMPS computes forces at the end of each step, which this scheme "
-                "would not use, so choose one of 'polhode schemes' whose stages begin with B");
+                "' must begin and end with a kick, since LAMMPS computes forces at the end of each "
+                "step; choose one of 'polhode schemes' whose stages begin with B");
   if (scheme.stages().front().xi != 0 || scheme.stages().back().xi != 0)
     throw Error("the scheme '" + scheme_ +
                 "' begins or ends with a gradient kick, so a step would "

@@ -29,7 +29,7 @@ int exit_code(int code) {
   errno = 0;
   const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
   if (!lost) return code;
-  log("error: standard output could not be written completely ({}); output files are complete; "
+  log("error: standard output could not be written completely ({}), but output files are complete; "
       "free disk space, or use a reader that reads to the end, and repeat the command\n",
       errno != 0 ? std::strerror(errno) : "an earlier write failed");
   return code == 0 ? 1 : code;

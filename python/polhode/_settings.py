@@ -147,7 +147,7 @@ def _overrides(words, job):
             yield PATH_OF[word], value, word
         else:
             near = _core.did_you_mean(word, [*PATH_OF, *CHOICES_OF, *TABLES, *own, "count", "threads"])
-            raise Error(f"there is no keyword '{word}'{near or '; those of run files are there, as in '}"
+            raise Error(f"there is no keyword '{word}'{near or '; keys of a run file are keywords, as in '}"
                         + ("" if near else "scheme=\"hoa2\", step=\"2 fs\", run={\"length\": \"1 ps\"}"))
 
 

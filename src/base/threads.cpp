@@ -82,8 +82,7 @@ int parse_thread_count(const std::string& text, const std::string& place) {
   const auto [end, error] = std::from_chars(text.data(), last, n);
   if (error == std::errc{} && end == last && n >= 1 && n <= allowed) return n;
   throw Error(fmt::format("threads = '{}' must be a whole number from 1 to {}, the cores that this "
-                          "process may use, because threads that share a core wait for each other; "
-                          "use a number in this range, or leave it out to use all",
+                          "process may use, since threads that share a core wait for each other",
                           text, allowed),
               place);
 }

@@ -189,8 +189,8 @@ SchemeReader reader_of(std::string_view text, std::span<const FreeParameter> val
 void check_sums(const Scheme& scheme) {
   if (scheme.consistent()) return;
   throw Error(fmt::format(
-      "the drifts A of the scheme sum to {:.16g} and the kicks B to {:.16g}{}; each must sum to "
-      "1, so that a step advances time by h; adjust the coefficients",
+      "the drifts A of the scheme sum to {:.16g} and the kicks B to {:.16g}{}; each must sum to 1, "
+      "so that a step advances time by h",
       scheme.total(Flow::drift), scheme.total(Flow::kick),
       scheme.has(Flow::bath) ? fmt::format(", the baths O to {:.16g}", scheme.total(Flow::bath))
                              : ""));

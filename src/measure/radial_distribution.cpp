@@ -260,9 +260,8 @@ void RadialDistribution::add(const State& state, Workers& workers,
   // A cutoff of half an edge is accepted if the edge was rounded in a text file.
   if (cutoff_ > state.box.shortest_edge() / 2 * (1 + 1e-6))
     throw Error(fmt::format(
-        "the maximum distance of {:g} nm is more than half of the shortest box edge "
-        "({:.4f} nm) at {:g} ps, beyond which g(r) is not defined; give a shorter one, and "
-        "5 % less than that half where a barostat moves the box",
+        "the maximum distance of {:g} nm is more than half of the shortest box edge ({:.4f} nm) at "
+        "{:g} ps; give a shorter one, with a margin of 5 % where a barostat moves the box",
         cutoff_, state.box.shortest_edge(), state.time));
   std::vector<WrappedSite> placed;
   std::size_t i = 0;

@@ -41,9 +41,9 @@ PotentialTable::PotentialTable(std::string name, double first, double spacing,
     const double spline = -slope[k] / spacing;
     if (std::abs(spline - f[k]) > max_deviation * scale)
       refuse(fmt::format(
-          "the force at r = {:g} nm is {:g} kJ/mol/nm, but the energies around it have the slope "
-          "{:g} kJ/mol/nm; forces must be minus the derivative of the energies to within {:g} %, "
-          "so check the columns and their units, or use a finer grid",
+          "the force at r = {:g} nm is {:g} kJ/mol/nm, but the slope of the energies is {:g} "
+          "kJ/mol/nm; forces must be minus the slope within {:g} %, so check columns and units, or "
+          "use a finer grid",
           first + static_cast<double>(k) * spacing, f[k], -spline, 100 * max_deviation));
   }
   for (std::size_t k = 0; k + 1 < u.size(); ++k) {

@@ -189,7 +189,7 @@ class BadInput(Sandbox):
             (("--length", "1 fs"), ["1 fs", "2 fs", "step"]),
             (("--scheme", "giere4"), ["'giere4'", "'gier4'", "--scheme"]),
             (("--scheme", "A(1) O(1) B(1)"), ["has a bath", "needs a thermostat", "run.toml"]),
-            (("--scheme", "hoa2 / hoa2 x 2 within 1.1 nm"), ["1.1 nm", "1 nm", "exceeds that of all forces"]),
+            (("--scheme", "hoa2 / hoa2 x 2 within 1.1 nm"), ["1.1 nm", "1 nm", "exceeds the cutoff of all forces"]),
             (("--output", "nowhere/out"), ["'nowhere'", "nowhere/out"]),
             (("--outptu", "out"), ["--outptu"]),
         ]:
@@ -199,7 +199,7 @@ class BadInput(Sandbox):
             (("--steps", "0 fs"), ["--steps", "0 fs", "longer than 0"]),
             (("--length", "4 fs"), ["4 fs", "2 fs"]),
             (("--schemes", "giere4"), ["'giere4'", "'gier4'", "--schemes"]),
-            (("--schemes", "hoa2 / hoa2 x 2 within 1.1 nm"), ["1.1 nm", "1 nm", "exceeds that of all forces"]),
+            (("--schemes", "hoa2 / hoa2 x 2 within 1.1 nm"), ["1.1 nm", "1 nm", "exceeds the cutoff of all forces"]),
             (("--runs", "1"), ["--runs", "1"]),
             (("--output", "nowhere/study"), ["'nowhere'", "nowhere/study"]),
         ]:

@@ -208,7 +208,7 @@ class HostileFiles(Sandbox):
         self.write("run.toml", WITH_DATA)
         for style in ("lj/cut/soft", "lj/cut/coul/long/soft", "lj/cut/thole/long", "lj/cut/dipole/cut", "lj/cutter"):
             self.write("in.data", DATA.replace("lj/cut/coul/long", style))
-            self.refused(["energy", "run.toml"], [f"'{style}'", "it must be lj/cut", "in.data"], style)
+            self.refused(["energy", "run.toml"], [f"'{style}'", "or lj/cut or buck", "in.data"], style)
         self.write("in.data", DATA.replace("lj/cut/coul/long", "lj/cut/coul/long/omp"))
         self.done("energy", WITH_DATA)
 

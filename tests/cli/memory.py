@@ -63,7 +63,7 @@ class Memory(Sandbox):
     def test_boxes_beyond_all_bounds_are_refused(self):
         for edge in ("1e5 nm", "1e9 nm", "1e300 nm"):
             self.write("wide.toml", argon(27, edge))
-            self.refused(["energy", "wide.toml"], ["an edge of the box is", "at most 8192 nm", "use a smaller box"], edge)
+            self.refused(["energy", "wide.toml"], ["an edge of the box is", "at most 8192 nm", "positions are resolved"], edge)
 
     def test_a_large_box_that_holds_little_is_small(self):
         """Cells of half the range in 400 nm would need 1.7 GB."""

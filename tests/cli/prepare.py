@@ -87,7 +87,7 @@ class Prepare(Sandbox):
         start = edited(BENZENE, ('density = "0.876 g/cm3"', 'initial_configuration = "out-minimised.gro"'))
         energy = json.loads(self.done("energy", start, "--json").out)["potential_kJ_per_mol"]
         self.assertAlmostEqual(energy / 40, report["after"]["potential_kJ_per_mol"], places=5)
-        self.assertNotIn("velocities are those", self.done("run", start).err)
+        self.assertNotIn("velocities come from", self.done("run", start).err)
         self.refused(("minimise", "run.toml"), ["out-minimised.gro", "--force"])
         text = self.done("minimise", BENZENE, "--max-steps", "3", "--force").out
         self.assertRegex(text, r"steps +3\nended +maximum number of steps\n")

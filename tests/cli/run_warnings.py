@@ -108,7 +108,7 @@ class Warnings(Sandbox):
         self.write("run.toml", refused)
         process = self.polhode("run", "run.toml")
         self.assertEqual(process.returncode, 2)
-        self.assertIn("minimise the energy, which moves molecules apart", process.err)
+        self.assertIn("write minimise = true in [run]", process.err)
         _, warnings, _ = self.both(BENZENE)
         self.assertNotIn("temperature", warnings)
 

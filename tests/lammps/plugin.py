@@ -246,7 +246,7 @@ run {steps}
             (base.replace("run 60", "fix bath all temp/rescale 1 300 300 1 1\nrun 60"), ["use the keyword langevin"]),
             (base.replace("run 60", "fix d all deform 1 x scale 1.1\nrun 60"), ["needs a constant box"]),
             (base.replace("velocity-verlet", "verlett"), ["there is no scheme 'verlett'"]),
-            (base.replace("velocity-verlet", "position-verlet"), ["does not begin and end with a kick"]),
+            (base.replace("velocity-verlet", "position-verlet"), ["must begin and end with a kick"]),
             (base.replace("velocity-verlet", "gier4"), ["exact gradient kicks"]),
             (base.replace("massless 3", "tolerence 3"), ["did you mean 'tolerance'"]),
             (base.replace("all polhode", "part polhode").replace("fix rigid", "group part id <= 6\nfix rigid"),
@@ -261,7 +261,7 @@ run {steps}
         fields[4] = str(float(fields[4]) + 0.3)
         lines[atom] = " ".join(fields)
         self.write("run.data", "\n".join(lines) + "\n")
-        self.refused(base, ["molecule 7: atom ", "rigid shape of its kind"], 2)
+        self.refused(base, ["molecule 7: atom ", "from its place in the shape of"], 2)
 
     def test_a_plugin_for_another_version(self):
         """The same plugin, but with the number of another version in its code."""

@@ -52,8 +52,7 @@ SmoothPolynomial gaussian_smooth_part(double cutoff, double alpha) {
   if (!(x > 0 && x <= max_gaussian))
     throw Error(
         fmt::format("the Ewald parameter times the cutoff of the charges is {:.4g}; it must be "
-                    "above 0 and at most {:g}, where erfc is already 2e-10, so use a shorter "
-                    "cutoff or a less accurate mesh",
+                    "above 0 and at most {:g}, so use a shorter cutoff or a less accurate mesh",
                     x, max_gaussian));
   const auto c = chebyshev_series(x);
   const std::size_t count = terms_needed(c);

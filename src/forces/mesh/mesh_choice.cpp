@@ -307,8 +307,8 @@ MeshSettings MeshChoice::operator()(const Box& box) {
   const double max_points = max_points_for(charges);
   if (points_of(best) > max_points)
     throw Error(fmt::format(
-        "pairs of charges up to {:g} nm and an accuracy of {:g} need a mesh of {} x {} x {} points "
-        "in this box, for {:.0f} charges; the limit for so few bodies is {:.2g}: {}",
+        "a charge cutoff of {:g} nm and an accuracy of {:g} need {} x {} x {} mesh points for "
+        "{:.0f} charges; the limit for so few bodies is {:.2g} points, so {}",
         best.cutoff, settings_.pme_accuracy, best.points[0], best.points[1], best.points[2],
         charges, max_points, remedy(box, best)));
   return best;

@@ -21,20 +21,19 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
   const auto round_down = [](double x) { return std::floor(x * 1000) / 1000; };
   const double cutoff = std::max(settings.cutoff, cutoff_of_charges(settings));
   if (cutoff > shortest / 2)
-    throw Error(
-        fmt::format("{} {:.3f} nm is longer than half of the shortest box edge ({:.3f} nm): a "
-                    "molecule would interact with two images of the same partner; the maximum "
-                    "cutoff for this box is {:.3f} nm",
-                    cutoff > settings.cutoff ? "coulomb_cutoff" : "cutoff", cutoff, shortest,
-                    round_down(shortest / 2)));
+    throw Error(fmt::format(
+        "{} {:.3f} nm is longer than half of the shortest box edge ({:.3f} nm), so a molecule "
+        "would interact with two images of a partner; the maximum cutoff is {:.3f} nm",
+        cutoff > settings.cutoff ? "coulomb_cutoff" : "cutoff", cutoff, shortest,
+        round_down(shortest / 2)));
   double extent = 0;
   for (const auto& part : topology.parts) extent = std::max(extent, part.molecule.extent());
   if (settings.truncation != Truncation::molecule_switch && cutoff + 2 * extent > shortest)
-    throw Error(fmt::format(
-        "cutoff {:.3f} nm and the largest molecule ({:.3f} nm from its centre to a site) do not "
-        "fit into the shortest box edge ({:.3f} nm): a molecule would interact with its own image; "
-        "use a larger box or a cutoff of at most {:.3f} nm",
-        cutoff, extent, shortest, round_down(shortest - 2 * extent)));
+    throw Error(
+        fmt::format("cutoff {:.3f} nm and the largest molecule ({:.3f} nm from its centre to a "
+                    "site) do not fit into the shortest box edge ({:.3f} nm); use a larger box or "
+                    "a cutoff of at most {:.3f} nm",
+                    cutoff, extent, shortest, round_down(shortest - 2 * extent)));
 }
 
 // The work is divided by the number of bodies alone, so that sums do not depend on the number of
@@ -82,7 +81,7 @@ void check_edges(const Box& box) {
     if (!(box.edge[d] <= max_range))
       throw Error(
           fmt::format("an edge of the box is {:g} nm long; it must be at most {:g} nm, since "
-                      "positions are resolved to 2^-30 of it; use a smaller box",
+                      "positions are resolved to 2^-30 of an edge",
                       box.edge[d], max_range));
 }
 

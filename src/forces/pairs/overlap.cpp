@@ -174,9 +174,9 @@ void check_overlap(const Topology& topology, const State& state) {
   const auto found = Buckets(topology, state).first_overlap();
   if (!found) return;
   throw Error(fmt::format(
-      "molecules {} and {} overlap: two of their sites are {:.4f} nm apart, closer than {:.3f} nm, "
-      "half of a hydrogen bond; minimise the energy, which moves molecules apart: minimise = true "
-      "in [run], or 'polhode minimise'; or use a lower density, or another initial configuration",
+      "molecules {} and {} overlap: two of their sites are {:.4f} nm apart, closer than {:.3f} nm; "
+      "write minimise = true in [run], or use 'polhode minimise', another initial configuration or "
+      "a lower density",
       found->earlier.body + 1, found->later.body + 1, found->distance, closest_contact));
 }
 

@@ -120,10 +120,11 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
     fitted.deviation = std::max(fitted.deviation, off);
     if (!(off <= fit_tolerance))
       throw Error(
-          fmt::format("atom '{}' of molecule {} ({} {}) is {:.4f} nm from its site in the rigid "
-                      "model '{}'; it must be within {} nm; check the model and the order of atoms",
-                      frame.kind(*match[k]).name, i + 1, match[k]->residue,
-                      frame.kind(*match[k]).residue_name, off, molecule.name, fit_tolerance),
+          fmt::format(
+              "atom '{}' of molecule {} ({} {}) is {:.4f} nm from its site in the rigid model "
+              "'{}', and must be within {} nm; check the model and the order of atoms",
+              frame.kind(*match[k]).name, i + 1, match[k]->residue,
+              frame.kind(*match[k]).residue_name, off, molecule.name, fit_tolerance),
           frame.source);
   }
   state.q.set(i, q);

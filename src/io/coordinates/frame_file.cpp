@@ -61,8 +61,8 @@ const Format& format_named(std::string_view extension, const std::string& file) 
   for (const Format& f : formats) known.emplace_back(f.extension);
   const auto near = nearest_name(extension, known);
   throw Error(fmt::format(
-      "'{}' has no known extension{}; there are: {}; a LAMMPS data file must have a name that ends "
-      "in .data or .lmp",
+      "'{}' has no known extension{}; there are: {} (the name of a LAMMPS data file must end in "
+      ".data or .lmp)",
       file, near ? fmt::format(" (did you mean '{}'?)", *near) : "", join_names(known)));
 }
 
@@ -264,9 +264,9 @@ Frame read_start(const std::string& name_or_path) {
     throw Error("the file ends where its first frame must be", name_or_path + ":1");
   if (!frame.atoms.empty() && frame.kind(frame.atoms.front()).name.empty())
     throw Error(
-        "the dump file has no column 'element', and an initial configuration needs the elements of "
-        "atoms; write it with 'dump ID group custom N FILE id mol element x y z vx vy vz' and "
-        "'dump_modify ID element ...'",
+        "the dump file has no column 'element', which an initial configuration needs; write it "
+        "with 'dump ID group custom N FILE id mol element x y z vx vy vz' and 'dump_modify ID "
+        "element ...'",
         name_or_path);
   return frame;
 }

@@ -116,10 +116,10 @@ void check_length_of_name(const std::string& path) {
   const long limit = ::pathconf(folder_of(path).c_str(), _PC_NAME_MAX);
   const std::size_t max_length = (limit > 0 ? static_cast<std::size_t>(limit) : 255) - longer;
   if (length > max_length)
-    throw Error(fmt::format(
-        "the name of the output '{}' has {} bytes; it can have {}, as unfinished files have {} "
-        "more; choose a shorter name",
-        path, length, max_length, longer));
+    throw Error(
+        fmt::format("the name of the output '{}' has {} bytes; it can have {}, since names of "
+                    "unfinished files have {} more",
+                    path, length, max_length, longer));
 }
 
 void remove_drafts(const std::vector<std::string>& files) {

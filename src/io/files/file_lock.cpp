@@ -79,7 +79,7 @@ void FileLock::take() {
   if (others)
     throw Error(
         fmt::format("'{}' is locked by {}: two processes would overwrite each other's files; wait "
-                    "until that one has ended, or give another output",
+                    "until that process has ended, or give another output",
                     path_, holder(text)));
 }
 
@@ -101,9 +101,8 @@ void HeldFile::hold(const std::string& path) {
       errno != EWOULDBLOCK)
     return;
   throw Error(
-      fmt::format("'{}' is being written by another process, by this or another name: two "
-                  "processes would overwrite each other's data; wait until that one has ended, or "
-                  "put a copy in place of the link",
+      fmt::format("'{}' is being written by another process, under this or another name; wait "
+                  "until that process has ended, or put a copy in place of the link",
                   path));
 }
 

@@ -65,7 +65,7 @@ class DcdReader : public FrameReader {
     if (length != head_length) {
       in_.order = std::endian::big;
       if (length != head_length_swapped)
-        in_.refuse(fmt::format("the first record is {} bytes long; that of a DCD file must be {}",
+        in_.refuse(fmt::format("the first record is {} bytes long; in a DCD file it must be {}",
                                length, head_length));
     }
     const auto head = in_.block(head_length, "the head");

@@ -69,7 +69,7 @@ void FrameFit::check_alone(const FrameExtent& frame) const {
     if (!(limits_.min <= coordinate && coordinate <= limits_.max))
       throw Error(fmt::format(
           "a coordinate is or can become {:.10g} nm; in a .{} file it must be from {:.10g} to "
-          "{:.10g} nm, so write another format, or wrap the molecules into the box",
+          "{:.10g} nm, so write another format, or wrap molecules into the box",
           coordinate, format_, limits_.min, limits_.max));
   if (!(frame.edge <= limits_.edge))
     throw Error(
@@ -86,11 +86,10 @@ void FrameFit::check_time(const FrameExtent& frame) const {
   const double due = first_->time + n * interval_;
   const double rounding = 0x1p-22 * std::abs(frame.time) * (1 + n);
   if (std::abs(frame.time - due) <= 0.01 * std::abs(interval_) + rounding) return;
-  throw Error(
-      fmt::format("frame {} is at {:g} ps instead of {:g} ps: the first two are {:g} ps apart, and "
-                  "a .{} file has one interval for all frames; choose evenly spaced frames, "
-                  "or write another format",
-                  before_ + 1, frame.time, due, interval_, format_));
+  throw Error(fmt::format(
+      "frame {} is at {:g} ps instead of {:g} ps: a first interval of {:g} ps is the interval of "
+      "all frames in a .{} file; choose evenly spaced frames, or write another format",
+      before_ + 1, frame.time, due, interval_, format_));
 }
 
 }  // namespace polhode

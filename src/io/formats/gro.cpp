@@ -97,7 +97,7 @@ Box read_box(std::string_view line, const Lines& lines) {
   for (std::size_t k = 3; k < edges.size(); ++k)
     if (edges[k] != 0)
       lines.refuse(
-          "the box is triclinic; only rectangular (orthorhombic) boxes are supported; build "
+          "the box is triclinic, and only rectangular (orthorhombic) boxes are supported; build "
           "the system in one, for example with gmx solvate -box 3 3 3");
   for (std::size_t k = 0; k < 3; ++k)
     if (edges[k] <= 0)

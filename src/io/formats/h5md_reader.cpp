@@ -297,7 +297,7 @@ class H5mdReader : public FrameReader {
       for (std::size_t k = 0; k < 9; ++k)
         if (k % 4 != 0 && values_[k] != 0)
           refuse(
-              "the box is triclinic; only rectangular (orthorhombic) boxes are supported; "
+              "the box is triclinic, and only rectangular (orthorhombic) boxes are supported; "
               "build the system in one");
       values_ = {values_[0], values_[4], values_[8]};
     }

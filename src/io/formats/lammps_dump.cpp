@@ -132,9 +132,10 @@ class LammpsDumpReader : public FrameReader {
   void read_box(Frame& frame, std::string_view boundaries) {
     for (auto word = take_word(boundaries); !word.empty(); word = take_word(boundaries))
       if (word != "pp")
-        lines_.refuse(fmt::format(
-            "the box has '{}'; it must be rectangular and periodic: ITEM: BOX BOUNDS pp pp pp",
-            word));
+        lines_.refuse(
+            fmt::format("the box has '{}'; it must be rectangular and periodic, as in 'ITEM: BOX "
+                        "BOUNDS pp pp pp'",
+                        word));
     for (std::size_t d = 0; d < 3; ++d) {
       std::string_view rest = lines_.next([] { return "the bounds of the box"; });
       const double low = lines_.number(take_word(rest), "lower bound of the box");

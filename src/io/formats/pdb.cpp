@@ -75,7 +75,7 @@ class PdbReader : public FrameReader {
     if (is_digit(12) && columns(line, 35, 35) != ".")
       lines_.refuse(
           "the serial of an atom extends beyond character 11 and x has no decimal point in "
-          "character 35, so columns are shifted; write serials of five characters: modulo 100000, "
+          "character 35, so columns are shifted; write serials of five characters, modulo 100000 "
           "or hybrid-36");
   }
 

@@ -46,7 +46,7 @@ class TrrReader : public FrameReader {
  private:
   void read_head() {
     if (const auto found = in_.take<std::int32_t>("a frame's head"); found != magic)
-      in_.refuse(fmt::format("a frame begins with the number {}; one of a TRR file begins with {}",
+      in_.refuse(fmt::format("a frame begins with the number {}; in a TRR file it begins with {}",
                              found, magic));
     in_.take<std::int32_t>("the length of the version");
     const auto letters = in_.take<std::int32_t>("the length of the version");

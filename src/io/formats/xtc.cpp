@@ -24,8 +24,7 @@ class XtcReader : public FrameReader {
     const auto found = in_.take<std::int32_t>("a frame's head");
     if (found != magic && found != magic_of_large)
       in_.refuse(
-          fmt::format("a frame begins with the number {}; one of an XTC file begins with {} "
-                      "or {}",
+          fmt::format("a frame begins with the number {}; in an XTC file it begins with {} or {}",
                       found, magic, magic_of_large));
     begin_unnamed(frame, in_.file());
     const std::size_t count = take_count(in_);

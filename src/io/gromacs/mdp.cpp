@@ -135,7 +135,7 @@ void Translation::truncation() {
   if (!old && !mdp_.is("vdwtype", "cut-off", "cut-off"))
     mdp_.differs("vdwtype", "not offered: short-range laws end at the cutoff");
   const bool energy = mdp_.is("DispCorr", "ener") || mdp_.is("DispCorr", "allener");
-  if (energy) mdp_.differs("DispCorr", "the correction is that of energy and pressure");
+  if (energy) mdp_.differs("DispCorr", "the correction applies to energy and pressure");
   if (energy || mdp_.is("DispCorr", "enerpres") || mdp_.is("DispCorr", "allenerpres"))
     line("dispersion_correction", "true", "DispCorr");
 }
@@ -156,11 +156,11 @@ void Translation::electrostatics() {
     if (cutoff != mdp_.number("rvdw", 1))
       mdp_.differs("rcoulomb", "a reaction field has the cutoff of the short-range laws", "1");
     if (!plain && !any({"reaction-field"}))
-      mdp_.differs("coulombtype", "the reaction field is that of coulombtype = Reaction-Field");
+      mdp_.differs("coulombtype", "not offered: coulombtype = Reaction-Field replaces it");
   } else {
     line("electrostatics", "\"pme\"", "coulombtype");
     if (!any({"pme", "ewald", "p3m-ad"}))
-      mdp_.differs("coulombtype", "not offered: electrostatics is that of coulombtype = PME");
+      mdp_.differs("coulombtype", "not offered: coulombtype = PME replaces it");
     if (!mdp_.text("rcoulomb").empty())
       mdp_.differs("rcoulomb",
                    "not needed: it is chosen with the mesh, which does not change the forces "
@@ -209,7 +209,7 @@ void Translation::run() {
   table("run");
   const double length = time_of("nsteps", 0);
   if (minimises()) {
-    line("minimise", "true", "integrator; polhode minimise does nothing else");
+    line("minimise", "true", "integrator; polhode minimise only minimises");
     mdp_.differs("integrator", "'polhode minimise' minimises; a run does so before its dynamics");
   } else if (length > 0) {
     quantity("length", length, "ps", "nsteps times dt");
@@ -303,7 +303,7 @@ void Translation::output() {
   if (!formats.empty()) line("formats", toml_text(formats), "nstxout-compressed; nstxout, nstvout");
   if (full > 0 && !velocities) line("velocities", "false", "nstvout = 0");
   if (compressed > 0 && full > 0 && compressed != full)
-    mdp_.differs("nstxout", "all trajectories have one interval, that of nstxout-compressed");
+    mdp_.differs("nstxout", "all trajectories have one interval, nstxout-compressed");
   if (full > 0 && velocities && mdp_.number("nstvout", 0) != mdp_.number("nstxout", 0))
     mdp_.differs("nstvout", "all trajectories have one interval, that of nstxout");
 }

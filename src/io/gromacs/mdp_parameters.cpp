@@ -87,7 +87,7 @@ constexpr auto reasons = std::to_array<Reason>({
     {"tinit", "runs begin at 0 ps"},
     {"initstep", "runs begin at 0 ps"},
     {"simulationpart", "runs begin at 0 ps"},
-    {"rcoulombswitch", "the switching distance is that of the short-range laws"},
+    {"rcoulombswitch", "the switching distance of the short-range laws applies"},
 });
 
 /// Words that switch a parameter off.

@@ -142,8 +142,8 @@ void Preprocessor::include(std::string_view name) {
   auto loaded = loader_(included, *sources_.back().file);
   if (!loaded)
     refuse(
-        fmt::format("there is no file '{}', neither in the folder of this one nor in those of "
-                    "'include', GMXLIB, GMXDATA or GROMACS's own data; check its path",
+        fmt::format("there is no file '{}' in the folder of this file, nor in 'include', GMXLIB, "
+                    "GMXDATA or the data of GROMACS; check its path",
                     included));
   for (const Source& open : sources_)
     if (*open.file == loaded->file)

@@ -31,13 +31,11 @@ void check_forces(const LammpsData& data) {
         data.file);
   const auto law = law_of_pair_style(style);
   if (!law)
-    throw Error(
-        fmt::format(
-            "the pair style is '{}'; it must be lj/cut, buck or mie/cut, the first two "
-            "alone or with charges (coul/cut, debye, dsf, long, msm or wolf); data "
-            "files have no parameters of table: write a molecule file with law = \"tabulated\"",
-            style),
-        data.file);
+    throw Error(fmt::format("the pair style is '{}'; it must be mie/cut, or lj/cut or buck, also "
+                            "with charges (coul/cut, debye, dsf, long, msm or wolf); for a table "
+                            "write a molecule file with law = \"tabulated\"",
+                            style),
+                data.file);
   if (law == LammpsLaw::buckingham && leaves_pairs_open(data))
     throw Error(
         "the pair style buck has no mixing rule and the file has no pairs of unlike types; write "

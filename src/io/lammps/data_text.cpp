@@ -147,14 +147,15 @@ void Parser::header(const FieldLine& line) {
     for (std::size_t k = 0; k < 3; ++k)
       if (line.number(k, "tilt") != 0)
         line.refuse(
-            "the box is triclinic; only rectangular (orthorhombic) boxes, with tilts of 0, are "
+            "the box is triclinic, and only rectangular (orthorhombic) boxes, with tilts of 0, are "
             "supported; build the system in one, for example with 'region box block' in LAMMPS");
     return;
   }
   if (ends_with({"avec"}) || ends_with({"bvec"}) || ends_with({"cvec"}))
     line.refuse(
-        "the box is general triclinic; only rectangular (orthorhombic) boxes, given by 'xlo xhi', "
-        "are supported; build the system in one, for example with 'region box block' in LAMMPS");
+        "the box is general triclinic, and only rectangular (orthorhombic) boxes, given by 'xlo "
+        "xhi', are supported; build the system in one, for example with 'region box block' in "
+        "LAMMPS");
   if (line.size() == 2 && line[1] == "atoms")
     atoms_ = line.integer(0, "number of atoms", 0, any);
   else if (ends_with({"atom", "types"}))

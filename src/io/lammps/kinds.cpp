@@ -79,7 +79,7 @@ void sort_into_kinds(LammpsData& data) {
     if (first.size() == max_kinds)
       throw Error(
           fmt::format("there are more than {} kinds of molecules, which differ in types, charges "
-                      "or shapes; molecule {} is one more; are all molecules rigid?",
+                      "or shapes, up to molecule {}; check that all molecules are rigid",
                       max_kinds, body.front().molecule),
           data.file);
     first.push_back(body);

@@ -64,9 +64,8 @@ std::string wrong_temperature(const Config& config) {
   if (config.system.temperature > 0) return "";
   if (ensemble.hybrid_monte_carlo || ensemble.barostat)
     return fmt::format(
-        "must be above 0 K: at 0 K {} accepts only moves to lower energies, so it "
-        "samples nothing; to reach an energy minimum, leave it out and use a "
-        "[thermostat] at 0 K",
+        "must be above 0 K: at 0 K {} only accepts moves to lower energies; to reach an energy "
+        "minimum, use a [thermostat] at 0 K instead",
         ensemble.hybrid_monte_carlo ? "hybrid Monte Carlo" : "a barostat");
   if (ensemble.thermostat) return "";
   return "must be above 0 K; 0 K has a meaning with a [thermostat] only, which then cools";
@@ -79,12 +78,11 @@ void set_precision(Config& config, Precision precision) {
     integrator.lambda =
         precision == Precision::mixed ? lambda_in_mixed : IntegratorSettings{}.lambda;
   if (precision == Precision::mixed && integrator.lambda < min_lambda_in_mixed)
-    throw Error(
-        fmt::format("lambda = {:g} is below {:g}, the minimum in mixed precision, because the "
-                    "rounding error of the forces is divided by lambda in a finite-difference "
-                    "gradient; leave it out (default: {:g}), or use precision = \"double\"",
-                    integrator.lambda, min_lambda_in_mixed, lambda_in_mixed),
-        config.place("integrator.lambda"));
+    throw Error(fmt::format("lambda = {:g} is below {:g}, the minimum in mixed precision, since a "
+                            "small lambda amplifies the rounding error of the forces; leave it out "
+                            "(default: {:g}), or use precision = \"double\"",
+                            integrator.lambda, min_lambda_in_mixed, lambda_in_mixed),
+                config.place("integrator.lambda"));
 }
 
 namespace {

@@ -33,7 +33,8 @@ std::string text_of(const Rescaling& type) {
 }
 std::string text_of(const SeparateRescaling& type) {
   return fmt::format(
-      "stochastic velocity rescaling of translation and rotation apart with a time constant of {}",
+      "separate stochastic velocity rescaling of translation and rotation with a time constant of "
+      "{}",
       in_ps(type.time_constant));
 }
 std::string text_of(const CellRescaling&) { return "stochastic cell rescaling"; }

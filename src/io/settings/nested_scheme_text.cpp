@@ -64,11 +64,10 @@ InnerScheme inner_scheme_of(const std::string& text) {
   inner.cutoff = length(part[4].str());
   inner.switch_from = part[3].matched ? length(part[3].str()) : default_near_switch * inner.cutoff;
   if (!(inner.switch_from > 0) || !(inner.switch_from < inner.cutoff))
-    throw Error(fmt::format(
-        "near forces switched from {:g} to {:g} nm need a switching distance above 0 "
-        "nm and a longer cutoff, otherwise the slow forces have a kink; write for example "
-        "\"within 0.35 to 0.5 nm\"",
-        inner.switch_from, inner.cutoff));
+    throw Error(
+        fmt::format("near forces switched from {:g} to {:g} nm need a switching distance above 0 "
+                    "nm and a longer cutoff; write for example \"within 0.35 to 0.5 nm\"",
+                    inner.switch_from, inner.cutoff));
   return inner;
 }
 
@@ -115,7 +114,7 @@ Scheme single_scheme_of(const NamedScheme& scheme) {
   if (scheme.inner)
     throw Error(
         fmt::format("scheme '{}' has an inner scheme, but error brackets and advice are available "
-                    "for single schemes only; give one of those, such as hoa2",
+                    "for single schemes only; give one, such as hoa2",
                     scheme.text));
   return scheme.outer;
 }

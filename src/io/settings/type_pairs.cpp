@@ -52,10 +52,10 @@ std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
     if (pair.epsilon < 0)
       refuse("the pair has only one of C6 and C12; sigma and epsilon need both or neither");
     if (bare)
-      refuse(fmt::format(
-          "atom types '{}' and '{}' are given a short-range law, but one of them has none "
-          "itself; both must have one",
-          pair.first, pair.second));
+      refuse(
+          fmt::format("atom types '{}' and '{}' are given a short-range law, but one of them has "
+                      "no law of its own; both must have one",
+                      pair.first, pair.second));
     for (const std::string& a : first->second.sites)
       for (const std::string& b : second->second.sites) {
         for (const std::string& site : {a, b})

@@ -54,19 +54,18 @@ std::string unreachable(const Advice& advice, const Criterion& criterion) {
   if (!reached)
     return text +
            "; every step that was tried blew up or had an energy drift: equilibrate longer, or "
-           "check the "
-           "initial configuration";
+           "check the initial configuration";
   text += fmt::format("; the smallest bound reached is {}, with {} at {:.3g} fs",
                       bound_text(criterion.quality, reached->bound), best->name,
                       reached->step * units::fs_per_ps);
   if (reached->max_rounding() > 0.5 * reached->ratio().value)
     text += fmt::format(
-        "; rounding alone makes R = {:.2g} % in mixed precision; use precision = \"double\" to "
-        "avoid it",
+        ". Its round-off limit in mixed precision is R = {:.2g} %, which precision = \"double\" "
+        "removes",
         100 * reached->max_rounding());
   if (criterion.quality != Quality::ratio)
     text +=
-        "; the bound includes the error of the mean, which a longer search or longer runs reduce";
+        ". The bound includes the error of the mean, which a longer search or longer runs reduce";
   return text;
 }
 

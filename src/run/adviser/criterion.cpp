@@ -44,9 +44,8 @@ void check_bias_known(const EnsembleSettings& ensemble) {
         "%\"), "
         "or use --ensemble nvt for its step and trajectory length");
   throw Error(
-      "a time-step bias can be bounded at constant energy, or with type = \"rescaling\" in "
-      "[thermostat], and all edges of the box scaled by one factor if there is a barostat: with "
-      "others it is not known; use these, or bound R (\"0.5 %\")");
+      "a time-step bias is known at constant energy, or with type = \"rescaling\" in [thermostat] "
+      "and edges = [\"xyz\"] in a [barostat]; use these, or bound R (\"0.5 %\")");
 }
 
 }  // namespace
@@ -67,9 +66,8 @@ Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& e
   }
   if (!ensemble.barostat)
     throw Error(
-        "a bound on the bias of the density (\"density 0.02 %\") needs the compressibility of "
-        "[barostat] in the run file, by which "
-        "a bias of the pressure changes it; give it, or bound the pressure: \"pressure 4 bar\"");
+        "a bound on the bias of the density (\"density 0.02 %\") needs the compressibility in "
+        "[barostat]; give it, or bound the bias of the pressure (\"pressure 4 bar\")");
   return {Quality::pressure_bias, requirement.bound / ensemble.barostat->compressibility};
 }
 

@@ -13,9 +13,9 @@ void check_forces(double frequency, const std::string& source) {
   constexpr double min_frequency = 1e-6;
   if (!(frequency > min_frequency))
     throw Error(
-        "the forces on the molecules of the initial configuration are zero or nearly so, as on a "
-        "perfect lattice or out of each other's range, so they determine no step to begin with; "
-        "equilibrate first, for example equilibrate = \"5 ps\" in [run]",
+        "the forces on the molecules of the initial configuration are nearly zero, as on a perfect "
+        "lattice, so they determine no first step; equilibrate first, for example with equilibrate "
+        "= \"5 ps\" in [run]",
         source);
 }
 

@@ -56,8 +56,7 @@ void name_atoms(Frame& frame, const Topology& topology) {
   throw Error(
       fmt::format(
           "there are {} atoms without names, and the molecules have {} sites, {} of them with "
-          "mass; give the molecules in the order of the file, or a file with the names of the "
-          "atoms",
+          "mass; give the molecules in the order of the file, or a file with atom names",
           frame.atoms.size(), atom_count(topology), atom_count(topology, MasslessSites::omit)),
       frame.source);
 }
@@ -143,16 +142,16 @@ class Assembly {
   void check_step_errors() {
     const std::size_t known = result_.frames_with_step_error;
     if (known == 0)
-      throw Error(fmt::format(
-          "no frame has a sample of the shadow energy in '{}', from which the time-step bias "
-          "follows with a thermostat; run with a scheme of order 2 and a shadow_sample equal to "
-          "trajectory_every, or leave the energies out",
-          settings_.step_errors->energies));
+      throw Error(
+          fmt::format("no frame has a sample of the shadow energy in '{}', which the time-step "
+                      "bias needs; run a scheme of order 2 with shadow_sample equal to "
+                      "trajectory_every, or leave the energies out",
+                      settings_.step_errors->energies));
     if (known < result_.frames)
-      result_.notes.push_back(fmt::format(
-          "the time-step bias is from {} of {} frames, those at samples of the shadow energy; a "
-          "shadow_sample equal to trajectory_every makes it all",
-          known, result_.frames));
+      result_.notes.push_back(
+          fmt::format("the time-step bias uses {} of {} frames, at samples of the shadow energy; "
+                      "with shadow_sample equal to trajectory_every it uses all",
+                      known, result_.frames));
   }
 
   // Sets the interval between frames, or returns the reason why there is none.
@@ -171,11 +170,10 @@ class Assembly {
     const double due = result_.first + static_cast<double>(result_.frames) * result_.interval;
     const double rounding = 0x1p-22 * std::abs(time) * (1 + static_cast<double>(result_.frames));
     if (std::abs(time - due) <= 0.01 * result_.interval + rounding) return;
-    throw Error(
-        fmt::format("frame {} is at {:g} ps instead of {:g} ps, the first two being {:g} ps apart: "
-                    "correlations need evenly spaced frames; choose other observables, or give "
-                    "the interval between frames",
-                    result_.frames + 1, time, due, result_.interval));
+    throw Error(fmt::format(
+        "frame {} is at {:g} ps instead of {:g} ps, after a first interval of {:g} ps; "
+        "correlations need evenly spaced frames, so choose other observables, or give the interval",
+        result_.frames + 1, time, due, result_.interval));
   }
 
   Analysis& result_;

@@ -35,8 +35,8 @@ std::string not_converged(const Convergence& c, const RelaxationName& relaxation
           c.relaxation, longer);
     case Obstacle::integral_changes:
       return fmt::format(
-          "not converged: the integral up to half of the window differs from that up to {:.2g} ps; "
-          "use a longer window, or {}",
+          "not converged: the integrals up to half of the window and up to {:.2g} ps differ; use a "
+          "longer window, or {}",
           c.relaxation, longer);
     case Obstacle::interval:
       return fmt::format(

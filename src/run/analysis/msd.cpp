@@ -49,8 +49,8 @@ Correction viscosity(const AllFrames& all) {
   if (!all.temperature || std::abs(*all.temperature - published_temperature) > near)
     return {{},
             fmt::format(
-                "the published viscosity of {}, {}, is for {:g} K and 1 bar, gonzalez2010; "
-                "give that at {} as 'viscosity'",
+                "the published viscosity of {}, {}, is for {:g} K and 1 bar, gonzalez2010; give "
+                "the viscosity at {} as 'viscosity'",
                 known->model, known->value, published_temperature,
                 all.temperature ? fmt::format("{:.4g} K", *all.temperature) : "the temperature")};
   return {
@@ -141,11 +141,10 @@ class Msd : public Observable {
 
 void Msd::note_long_steps(const AllFrames& all) const {
   if (displacement_.max_step() > safe_step)
-    all.notes.push_back(
-        fmt::format("centres of mass moved by up to {:.2f} of an edge between frames; beyond {:g} "
-                    "their paths across periodic boundaries are uncertain and displacements may be "
-                    "too short: write frames more often",
-                    displacement_.max_step(), safe_step));
+    all.notes.push_back(fmt::format(
+        "centres of mass moved by up to {:.2f} of an edge between frames; beyond {:g} "
+        "displacements across periodic boundaries may be too short, so write frames more often",
+        displacement_.max_step(), safe_step));
 }
 
 Quantities Msd::add_part(AnalysisFile& file, std::size_t part, const FitWindow& fit,

@@ -113,8 +113,7 @@ void note_pooled(const std::vector<SitePair>& pairs, const AllFrames& all) {
       const std::vector<std::string> kinds = molecules_with(all.analysis.topology, word);
       if (kinds.size() < 2 || !noted.insert(word).second) continue;
       all.notes.push_back(
-          fmt::format("g(r) of '{0}' is of the sites of {1} together; '{2}:{0}' selects those of "
-                      "one",
+          fmt::format("g(r) of '{0}' includes the sites of {1}; '{2}:{0}' selects one molecule",
                       word, join_names(kinds), kinds.front()));
     }
 }

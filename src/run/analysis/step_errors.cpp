@@ -24,9 +24,8 @@ StepErrorSettings step_error_settings(const std::string& energies, const Config&
   if (ensemble.hybrid_monte_carlo)
     throw Error("hybrid Monte Carlo has no time-step bias; leave the energies out");
   throw Error(
-      "the time-step bias is known at constant energy and with a rescaling thermostat at the "
-      "ends of the steps, with all edges of the box scaled by one factor if there is a barostat: "
-      "with others the distribution is not that of a shadow energy; leave the energies out");
+      "the time-step bias is known at constant energy, or with a rescaling thermostat at the ends "
+      "of steps and all edges of the box scaled by one factor; leave the energies out");
 }
 
 StepErrors::StepErrors(const StepErrorSettings& settings, const Topology& topology)
@@ -44,8 +43,8 @@ std::optional<StepError> StepErrors::at(const State& frame, bool has_velocities)
   while (next_ && next_->energies.time <= last) {
     if (next_->energies.time >= first && row_ && row_->energies.time >= first)
       throw Error(fmt::format(
-          "'{}' has several rows at {:.9g} ps to within the rounding of times in files, so it is "
-          "not known which of them the frame belongs to; use a longer interval between energies",
+          "'{}' has several rows at {:.9g} ps within the rounding of times in files, so the row of "
+          "the frame is not known; use a longer interval between energies",
           settings_.energies, frame.time));
     row_ = next_;
     next_ = rows_.next();
@@ -76,9 +75,8 @@ void StepErrors::check(const EnergyRow& row, const State& frame, bool has_veloci
   const double of_energy = 1e-12 * (std::abs(e.potential()) + e.kinetic());  // rounding of sums
   if (settings_.fixed == FixedMeans::energy && !(std::abs(row.conserved - e.total()) <= of_energy))
     throw Error(
-        fmt::format("'{}' has another conserved energy than the total energy at {:.9g} ps, as a "
-                    "thermostat makes it, and the run file has constant energy; give the run file "
-                    "with the thermostat",
+        fmt::format("conserved and total energy in '{}' differ at {:.9g} ps, as with a thermostat, "
+                    "and the run file has constant energy; give the run file with the thermostat",
                     settings_.energies, e.time));
   if (!has_velocities) return;
   // Positions rounded to 0.001 nm change the rotational energy of a molecule by a few per cent.

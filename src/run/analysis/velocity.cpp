@@ -104,8 +104,8 @@ ObservableResults Velocity::results(const AllFrames& all) {
   const Analysis& a = all.analysis;
   if (a.interval > max_interval)
     all.notes.push_back(fmt::format(
-        "frames {:g} fs apart are too far apart for velocities of light molecules, which reverse "
-        "within 20 fs: their spectra beyond {:.3g} THz are folded back",
+        "an interval of {:g} fs between frames is too long for velocities of light molecules, "
+        "which reverse within 20 fs: spectra beyond {:.3g} THz are folded back",
         units::fs_per_ps * a.interval, 0.5 / a.interval));
   const std::vector<NamedCorrelation> curves = correlations(all);
   ObservableResults results;

@@ -14,9 +14,8 @@ namespace {
 void check_settings(const MinimisationSettings& s) {
   if (!(s.force > 0) || !(s.torque > 0))
     throw Error(
-        fmt::format("the bounds of minimisation are {:g} kJ/mol/nm and {:g} kJ/mol; they must be "
-                    "above 0: rounding keeps forces from vanishing; 10 kJ/mol/nm and 1 kJ/mol are "
-                    "usual",
+        fmt::format("the bounds of a minimisation are {:g} kJ/mol/nm and {:g} kJ/mol; they must be "
+                    "above 0, since forces are rounded (usual: 10 kJ/mol/nm and 1 kJ/mol)",
                     s.force, s.torque));
 }
 

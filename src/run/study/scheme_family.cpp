@@ -47,10 +47,10 @@ bool independent(const std::vector<ErrorTerms>& s) {
 
 void check_count(const std::vector<FreeParameter>& parameters) {
   if (parameters.size() == 1 || parameters.size() == 2) return;
-  throw Error(fmt::format(
-      "the scheme has {} free parameters; it must have one or two, since its error of order h² has "
-      "only two terms to determine them; write for example \"{}\"",
-      parameters.size(), example_family));
+  throw Error(
+      fmt::format("the scheme has {} free parameters; it must have one or two, since its error of "
+                  "order h² has two terms: write for example \"{}\"",
+                  parameters.size(), example_family));
 }
 
 /// The symmetric 2 × 2 matrix of the brackets' covariances. If they are perfectly correlated, one
@@ -87,10 +87,10 @@ SchemeFamily::SchemeFamily(const NamedScheme& scheme, const std::string& label)
       reference_(single_scheme_of(scheme)) {
   check_count(parameters_);
   if (!reference_.palindromic())
-    throw Error(fmt::format(
-        "{} is not a palindrome, so it has an error of order h, whose terms are not known; write "
-        "the stages so that they read the same from both ends, for example \"{}\"",
-        label_, example_family));
+    throw Error(
+        fmt::format("{} is not a palindrome, so it has an error of order h with unknown terms; "
+                    "write stages that read the same from both ends, for example \"{}\"",
+                    label_, example_family));
   bool distinct = false;
   try {
     distinct = independent(slopes(*this, values_of(parameters_)));

@@ -36,7 +36,7 @@ std::string note_on(const EfficiencyPoint& p, bool usable) {
   if (p.drift.significant()) return "significant energy drift, but small";
   if (p.relative_drift() >= drift_bound && std::abs(p.drift.rate.value) > 2 * p.drift.rate.error)
     return "large energy drift, but not significant: more runs needed";
-  if (p.at_rounding()) return fmt::format("rounding alone gives {:.2g} %", 100 * p.rounding);
+  if (p.at_rounding()) return fmt::format("round-off limit of R: {:.2g} %", 100 * p.rounding);
   return "";
 }
 

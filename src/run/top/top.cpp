@@ -69,10 +69,9 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
   for (std::size_t k = 0; k < 3; ++k) {
     const std::string moment = name_J + axis_names[k], momentum = std::string("L") + axis_names[k];
     if (!std::isfinite(J[k]) || J[k] < 0)
-      refuse(fmt::format(
-                 "{} = {} is not a principal moment: it must be finite and at least 0, since "
-                 "it is a sum of masses times squares; give the moments of a mass distribution",
-                 moment, J[k]),
+      refuse(fmt::format("{} = {} is not a principal moment: it must be finite and at least 0, as "
+                         "the moments of a mass distribution are",
+                         moment, J[k]),
              moment);
     if (!std::isfinite(L[k]))
       refuse(fmt::format("{} = {} is not finite; give a finite number", momentum, L[k]), momentum);
@@ -136,12 +135,11 @@ Quantities quantities(const TopTrajectory& top) {
       error("orientation", track->angle);
     }
   }
-  return {
-      {"", "", samples, "",
-       fmt::format("step {:.6g}: the top initially turns by {:.3g} per step; L of the closed "
-                   "form; errors of energy\nand |L| step by step are relative, orientation is the "
-                   "angle [rad] from the closed form",
-                   top.step, top.angle)}};
+  return {{"", "", samples, "",
+           fmt::format("step {:.6g}, in which the top initially turns by {:.3g} rad\nL is from the "
+                       "closed form. Errors of the step-by-step rotations: energy and |L| "
+                       "relative,\norientation as the angle [rad] from the closed form",
+                       top.step, top.angle)}};
 }
 
 }  // namespace polhode

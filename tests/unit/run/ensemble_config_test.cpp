@@ -57,7 +57,7 @@ TEST_CASE("settings of an ensemble that contradict each other or the scheme are 
   };
   refused("[barostat]\n", {"no pressure to keep", "pressure = \"1 bar\""});
   refused(barostat, {"a barostat", "needs a thermostat", "[thermostat]"});
-  refused(hybrid + thermostat, {"hybrid Monte Carlo keeps the temperature itself", "leave"});
+  refused(hybrid + thermostat, {"hybrid Monte Carlo keeps the temperature without", "leave"});
   refused(hybrid + barostat + "time_constant = \"120 fs\"\n[run]\nlength = \"1 ps\"\n",
           {"time_constant of 120 fs", "interval of its moves, 150 fs", "whole trajectories"},
           "90 K", "hoa2", "15 fs");
@@ -74,7 +74,8 @@ TEST_CASE("settings of an ensemble that contradict each other or the scheme are 
   refused("", {"above 0 K", "[thermostat] only, which then cools"}, "0 K");
   refused(hybrid, {"above 0 K", "hybrid Monte Carlo", "[thermostat] at 0 K"}, "0 K");
   refused(thermostat + barostat, {"above 0 K", "a barostat"}, "0 K");
-  refused(thermostat + "[run]\nshadow_sample = \"100 fs\"\n", {"exchanges energy", "leave it out"});
+  refused(thermostat + "[run]\nshadow_sample = \"100 fs\"\n",
+          {"has no shadow energy", "leave it out"});
 }
 
 // Settings that a program sets itself, without a run file that would refuse them.

@@ -33,15 +33,14 @@ std::optional<Warning> volume_warning(const BarostatSummary& s, double length) {
   const bool known = slope.known == Known::yes;
   if ((known && slope.p_value > significance_level) || !(std::abs(change) > bound))
     return std::nullopt;
-  return Warning{
-      "volume", change, bound,
-      fmt::format("the volume {}: by {:.2g} % in this run (bound: {:g} %; {}), so density and "
-                  "averages are not those of equilibrium",
-                  known ? "still drifts" : "changes from begin to end",
-                  100 * change / s.volume.value, 100 * min_volume_change,
-                  known ? fmt::format("p-value {:.2g}", slope.p_value)
-                        : "the run is too short for the error of this number"),
-      "run longer, or start a new run from the final state of this one"};
+  return Warning{"volume", change, bound,
+                 fmt::format("the volume {} by {:.2g} % in this run (bound: {:g} %; {}), so "
+                             "density and averages are not at equilibrium",
+                             known ? "still drifts" : "changes from begin to end",
+                             100 * change / s.volume.value, 100 * min_volume_change,
+                             known ? fmt::format("p-value {:.2g}", slope.p_value)
+                                   : "the run is too short for the error of this number"),
+                 "run longer, or start a new run from the final state of this one"};
 }
 
 /// Errors of density and compressibility come from the same few fluctuations, so they do not show
@@ -62,8 +61,8 @@ std::optional<Warning> length_warning(const BarostatSummary& s, const BarostatSe
                  fmt::format("the run has {} (bound: {:g}), too few for density and "
                              "compressibility: their errors are larger than stated",
                              what, bound),
-                 rescaling ? "run longer, or use a shorter time_constant, or a compressibility "
-                             "closer to that of the system, in [barostat]"
+                 rescaling ? "run longer, or use a shorter time_constant or a more accurate "
+                             "compressibility in [barostat]"
                            : "run longer, or move the volume more often (every, in [barostat])"};
 }
 
@@ -76,8 +75,8 @@ std::optional<Warning> moves_warning(const BarostatSummary& s, const BarostatSet
       fmt::format("only {:.2g} % of the moves of the box were accepted (bound: {:g} %), so the "
                   "volume relaxes more slowly than it should",
                   100 * s.acceptance(), 100 * bound),
-      rescaling ? "use a shorter interval (every), a longer time_constant, or a compressibility "
-                  "closer to that of the system, in [barostat]"
+      rescaling ? "use a shorter interval (every), a longer time_constant or a more accurate "
+                  "compressibility in [barostat]"
                 : "use a smaller compressibility in [barostat], which makes moves smaller"};
 }
 
@@ -86,12 +85,11 @@ std::optional<Warning> shape_warning(const BarostatSummary& s) {
   return Warning{
       "shape", static_cast<double>(s.beyond_shape), 0,
       fmt::format(
-          "{} moves of the box were rejected because edges that are scaled separately would "
-          "have changed by factors with a ratio above {:g}: the shape of the box drifts, as "
-          "that of a fluid does",
+          "{} moves of the box were rejected because separately scaled edges would have changed by "
+          "factors with a ratio above {:g}: the shape of the box drifts, as in a fluid",
           s.beyond_shape, max_shape_change),
       "for a fluid use edges = [\"xyz\"] in [barostat]; for a crystal start a new run from the "
-      "final state of this one, from whose shape the bound is counted again"};
+      "final state, whose shape is then the reference"};
 }
 
 std::optional<Warning> acceptance_warning(const HybridMonteCarloSummary& s) {
@@ -122,8 +120,7 @@ std::optional<Warning> weight_warning(const HybridMonteCarloSummary& s) {
                     "distribution has, so this run has not sampled it",
                     name, mean.value, mean.error, exact),
         "equilibrate longer before the run, or use a shorter step, so that even the largest energy "
-        "errors occur in the run; external forces must depend only on positions, orientations and "
-        "the box"};
+        "errors occur; external forces must depend only on positions, orientations and the box"};
   };
   const auto first = warning(s.weight, 1, "exp(-dH/kT)");
   return first ? first : warning(s.bounded_weight, 0, "(exp(-dH/kT) - 1) exp(-|dH|/kT)");

@@ -78,7 +78,7 @@ std::string ratio_text(const RunSummary& s) {
   if (s.potential_fluctuation.value == 0) return "not defined: the potential energy is constant";
   const bool grows = s.ratio.known == Known::grows;
   return fmt::format(
-      "{}{}   (rms of the {} energy, {:.4g}, divided by that of the potential energy, {:.4g} "
+      "{}{}   (rms of the {} energy, {:.4g}, divided by the rms of the potential energy, {:.4g} "
       "kJ/mol){}",
       text_of(scaled(s.ratio, 100), "%"), grows ? ", which grows with the length of the run" : "",
       energy_name(s), s.total_fluctuation.value, s.potential_fluctuation.value,

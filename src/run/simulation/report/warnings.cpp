@@ -121,9 +121,10 @@ std::optional<Warning> drift_warning(const RunSummary& s) {
   if (!(drifted > bound)) return std::nullopt;
   return Warning{
       "drift", drifted, bound,
-      fmt::format(
-          "{} drifts by {:.3g} ± {:.2g} kJ/mol/ps, which alone makes R {:.2g} % (bound: {:.2g} %)",
-          conserved_energy(s), s.drift.rate.value, s.drift.rate.error, 100 * drifted, 100 * bound),
+      fmt::format("{} drifts by {:.3g} ± {:.2g} kJ/mol/ps, whose contribution to R is {:.2g} % "
+                  "(bound: {:.2g} %)",
+                  conserved_energy(s), s.drift.rate.value, s.drift.rate.error, 100 * drifted,
+                  100 * bound),
       "use a shorter step, a smoother cutoff (smoothness in [forces]), or double precision"};
 }
 
@@ -147,12 +148,13 @@ std::string truncation_remedy(const ForceSettings& forces) {
 Warning truncation_warning(const ForceSettings& forces, const std::string& scheme, double ratio,
                            double bound) {
   const int n = is_shifted(forces) ? 1 : forces.smoothness;
-  return {"truncation", ratio, bound,
-          fmt::format("the truncation has {} continuous derivative{}, and {} turns each passage of "
-                      "a pair into a small change of the energy, which walks at random: R grows "
-                      "with the length of the run, here to about {:.2g} % (bound: {:.2g} %)",
-                      n, n == 1 ? "" : "s", scheme, 100 * ratio, 100 * bound),
-          truncation_remedy(forces)};
+  return {
+      "truncation", ratio, bound,
+      fmt::format(
+          "the truncation has {} continuous derivative{}, so with {} the energy performs a random "
+          "walk: R grows with the length of the run, here to about {:.2g} % (bound: {:.2g} %)",
+          n, n == 1 ? "" : "s", scheme, 100 * ratio, 100 * bound),
+      truncation_remedy(forces)};
 }
 
 double truncation_bound(const RunSummary& s) {
@@ -169,9 +171,10 @@ std::optional<Warning> walk_warning(const RunSummary& s) {
     return std::nullopt;
   return Warning{
       "walk", walked, bound,
-      fmt::format("the total energy performs a random walk of {:.2g} kJ/mol per sqrt(ps), which "
-                  "alone makes R {:.2g} % in this run (bound: {:.2g} %) and grows with its length",
-                  std::sqrt(s.walk), 100 * walked, 100 * bound),
+      fmt::format(
+          "the total energy performs a random walk of {:.2g} kJ/mol per sqrt(ps); its contribution "
+          "to R, {:.2g} % in this run (bound: {:.2g} %), grows with the length",
+          std::sqrt(s.walk), 100 * walked, 100 * bound),
       "use a shorter step, electrostatics = \"pme\" or a larger smoothness in [forces], or a "
       "thermostat"};
 }
@@ -187,9 +190,8 @@ std::optional<Warning> relaxation_warning(const RunSummary& s) {
   return Warning{
       "relaxation", fall, min_fall * kinetic,
       fmt::format(
-          "the potential energy is still falling: by {:.3g} kJ/mol in this run, {:.2g} % of the "
-          "kinetic energy (bound: {:g} %; p-value {:.2g}), so averages are not those of "
-          "equilibrium",
+          "the potential energy still falls by {:.3g} kJ/mol in this run, {:.2g} % of the kinetic "
+          "energy (bound: {:g} %; p-value {:.2g}), so averages are not at equilibrium",
           fall, 100 * fall / kinetic, 100 * min_fall, slope.p_value),
       "equilibrate longer, or start a new run from the final state of this one"};
 }

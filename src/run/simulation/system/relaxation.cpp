@@ -45,14 +45,13 @@ void check_lattice(const System& system, const Config& config) {
   const std::string fits =
       fitting_density(system.topology, system.state.box, config.system.seed,
                       [&](const State& state) { return molecules_overlap(system, state); });
-  throw Error(
-      fmt::format(
-          "molecules overlap on the lattice of {:.3g} g/cm3{}, so that forces are beyond "
-          "those from which a run can begin; write minimise = true and equilibrate = \"20 "
-          "ps\" in [run], or use 'polhode prepare'{}",
-          system.topology.mass() / system.state.box.volume() / unit("g/cm3", Dimension::density),
-          contact.empty() ? "" : ": " + contact, fits),
-      config.source);
+  throw Error(fmt::format("molecules overlap on the lattice of {:.3g} g/cm3{}, so forces are too "
+                          "large to begin a run; write minimise = true and equilibrate = \"20 ps\" "
+                          "in [run], or use 'polhode prepare'{}",
+                          system.topology.mass() / system.state.box.volume() /
+                              unit("g/cm3", Dimension::density),
+                          contact.empty() ? "" : ": " + contact, fits),
+              config.source);
 }
 
 Minimisation minimise(System& system, const MinimisationSettings& settings,

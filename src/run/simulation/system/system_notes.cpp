@@ -60,10 +60,10 @@ void note_velocities(const System& system, const Config& config, const Callbacks
                                  ? "the temperature is for the equilibration only, the seed is"
                              : seed ? "temperature and seed are"
                                     : "the temperature is";
-  callbacks.note(fmt::format(
-      "note: the velocities are those of the initial configuration, {:.4g} K; {} not used for "
-      "them; velocities = \"new\" in [system] draws new ones",
-      system.file_temperature, unused));
+  callbacks.note(
+      fmt::format("note: the velocities come from the initial configuration, at {:.4g} K, so {} "
+                  "not used for them; velocities = \"new\" in [system] draws new ones",
+                  system.file_temperature, unused));
 }
 
 namespace {
@@ -71,11 +71,11 @@ namespace {
 void note_edges(const TrajectorySettings& settings, const Callbacks& callbacks) {
   const auto& barostat = settings.ensemble.barostat;
   if (!barostat || barostat->edges.size() == 1) return;
-  callbacks.note(fmt::format(
-      "note: edges of the box are scaled separately. A fluid resists no change of shape, so their "
-      "ratios drift at random, up to {:g} times those of the initial box; for a fluid use edges = "
-      "[\"xyz\"]",
-      max_shape_change));
+  callbacks.note(
+      fmt::format("note: edges of the box are scaled separately. A fluid resists no change of "
+                  "shape, so their ratios drift at random, up to {:g} times the initial ratios; "
+                  "for a fluid use edges = [\"xyz\"]",
+                  max_shape_change));
 }
 
 /// Where hybrid Monte Carlo makes the interval between moves of the box another than was asked for.
@@ -84,11 +84,11 @@ void note_moves(const TrajectorySettings& settings, const Callbacks& callbacks) 
   if (!e.barostat || !e.hybrid_monte_carlo) return;
   const double interval = settings.move_interval(), asked = e.barostat->every;
   if (std::abs(interval - asked) < settings.step / 2) return;
-  callbacks.note(fmt::format(
-      "note: the interval of {:g} fs between moves of the box is rounded to {:g} fs: they are made "
-      "between trajectories of hybrid Monte Carlo, which have {} steps of {:g} fs each",
-      asked * units::fs_per_ps, interval * units::fs_per_ps, e.hybrid_monte_carlo->steps,
-      settings.step * units::fs_per_ps));
+  callbacks.note(
+      fmt::format("note: the interval of {:g} fs between moves of the box is rounded to {:g} fs, a "
+                  "multiple of the trajectories of hybrid Monte Carlo ({} steps of {:g} fs)",
+                  asked * units::fs_per_ps, interval * units::fs_per_ps,
+                  e.hybrid_monte_carlo->steps, settings.step * units::fs_per_ps));
 }
 
 }  // namespace
@@ -110,8 +110,8 @@ void note_ensemble(const TrajectorySettings& settings, const Callbacks& callback
 void note_constant_energy(const Config& config, std::string_view what, const Callbacks& callbacks) {
   if (config.ensemble.constant_energy()) return;
   callbacks.note(
-      fmt::format("note: {} is made of runs at constant energy, which [thermostat], [barostat] and "
-                  "[hybrid_monte_carlo] of the run file do not change: R is defined there",
+      fmt::format("note: all runs of {} have constant energy, where R is defined; [thermostat], "
+                  "[barostat] and [hybrid_monte_carlo] of the run file are not used",
                   what));
 }
 

@@ -55,7 +55,9 @@ void check_ensemble(const TrajectorySettings& settings) {
         "the thermostat out");
   if (e.hybrid_monte_carlo) {
     if (e.thermostat)
-      throw Error("hybrid Monte Carlo keeps the temperature itself; leave the thermostat out");
+      throw Error(
+          "hybrid Monte Carlo keeps the temperature without a thermostat; leave the thermostat "
+          "out");
     check_hybrid(settings.scheme);
     if (settings.inner) check_hybrid(settings.inner->scheme);
   }
@@ -65,9 +67,9 @@ void check_ensemble(const TrajectorySettings& settings) {
         "[thermostat], for example with type = \"rescaling\"");
   if ((e.barostat || e.hybrid_monte_carlo) && !(e.temperature > 0))
     throw Error(
-        fmt::format("the temperature of {:g} K must be above 0 K for a barostat or hybrid "
-                    "Monte Carlo, which accept moves by their energy in units of kT; use a "
-                    "higher temperature, or a thermostat alone",
+        fmt::format("the temperature of {:g} K must be above 0 K for a barostat or hybrid Monte "
+                    "Carlo, which accept moves by their energy in units of kT; use a higher "
+                    "temperature, or only a thermostat",
                     e.temperature));
   if (const std::string wrong = wrong_setting(e); !wrong.empty()) throw Error(wrong);
   if (e.thermostat)

@@ -43,8 +43,8 @@ void check_external(const Config& config) {
 std::size_t TrajectorySettings::steps_in(double time) const {
   if (!(time / step <= max_steps))
     throw Error(
-        fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; the maximum is {:.3g}, beyond "
-                    "which the times of steps could not be distinguished; use a shorter length",
+        fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; the maximum is {:.3g}, so use a "
+                    "shorter length",
                     time, step * units::fs_per_ps, time / step, max_steps));
   const auto all = static_cast<std::size_t>(std::llround(time / step));
   const std::size_t whole = steps_per_trajectory();
@@ -95,21 +95,19 @@ std::optional<FixedMeans> TrajectorySettings::fixed_means() const {
 void TrajectorySettings::check_shadow() const {
   if (shadow_sample == 0 || has_shadow()) return;
   if (inner)
-    throw Error(fmt::format(
-        "shadow_sample is {:g} fs, but the shadow energy of {} has error brackets of near and slow "
-        "forces, which are not measured; leave it out, or use a single scheme, such as hoa2",
-        shadow_sample * units::fs_per_ps, name_of({scheme, inner})));
+    throw Error(
+        fmt::format("shadow_sample is {:g} fs, but the error brackets of near and slow forces of "
+                    "{} are not measured; leave it out, or use a single scheme, such as hoa2",
+                    shadow_sample * units::fs_per_ps, name_of({scheme, inner})));
   if (!polhode::fixed_means(ensemble, scheme))
-    throw Error(fmt::format(
-        "shadow_sample is {:g} fs, but a run that exchanges energy within its steps, with a "
-        "Langevin thermostat, two thermostats or hybrid Monte Carlo samples no shadow energy, and "
-        "the bias is not known with edges of the box that are scaled separately; leave it out, or "
-        "use type = \"rescaling\" in [thermostat] with the bath at the ends of the steps, and "
-        "edges = [\"xyz\"] in [barostat]",
-        shadow_sample * units::fs_per_ps));
+    throw Error(
+        fmt::format("shadow_sample is {:g} fs, but this ensemble has no shadow energy; leave it "
+                    "out, or use type = \"rescaling\" in [thermostat] with the bath at the ends of "
+                    "steps, and edges = [\"xyz\"] in [barostat]",
+                    shadow_sample * units::fs_per_ps));
   const char* const reason =
       scheme.palindromic()
-          ? "no error of order h², so its shadow energy is the energy itself to that order"
+          ? "no error of order h², so to that order its shadow energy equals the energy"
           : "an error of order h, since its stages are not a palindrome";
   throw Error(fmt::format(
       "shadow_sample is {:g} fs, but {} has {}; leave it out, or use a palindrome of order 2, "
