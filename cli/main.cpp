@@ -100,7 +100,7 @@ int run(std::vector<std::string> words) {
     return 2;
   }
   if (words[0] == "-h" || words[0] == "--help") {
-    fmt::print("{}", fit_to_terminal(overview(), STDOUT_FILENO));
+    print_fitted(overview());
     return 0;
   }
   CLI::App app{"polhode", "polhode"};
@@ -121,7 +121,7 @@ int run(std::vector<std::string> words) {
     if (e.get_exit_code() == 0) {  // help, version
       std::ostringstream text;
       const int code = app.exit(e, text, text);
-      fmt::print("{}", fit_to_terminal(text.str(), STDOUT_FILENO));
+      print_fitted(text.str());
       return code;
     }
     throw parse_error(e, app);

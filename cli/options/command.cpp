@@ -74,8 +74,9 @@ void Command::add_given(const char* name, const char* old_name, Given& value,
 std::string typed_command(const std::vector<std::string>& words) {
   std::string typed = "polhode";
   for (auto word = words.begin(); word != words.end(); ++word) {
-    if (*word == "--json" || *word == "--force" || *word == "--resume" || *word == "--continue" ||
-        word->starts_with("--threads=") || (*word == "--threads" && ++word != words.end()))
+    if (*word == "--json" || *word == "--verbose" || *word == "--force" || *word == "--resume" ||
+        *word == "--continue" || word->starts_with("--threads=") ||
+        (*word == "--threads" && ++word != words.end()))
       continue;
     if (word == words.end()) break;
     typed += ' ';

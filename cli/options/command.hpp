@@ -69,7 +69,7 @@ class Command {
 };
 
 /// The words of a command as they could be typed in a shell, without the options that have no
-/// effect on what its files contain: --threads, --json, --force and --resume.
+/// effect on what its files contain: --threads, --json, --verbose, --force and --resume.
 std::string typed_command(const std::vector<std::string>& words);
 
 }  // namespace polhode::cli

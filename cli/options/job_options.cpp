@@ -8,6 +8,10 @@
 
 namespace polhode::cli {
 
+void ResultForm::declare_verbose(Command& command) {
+  command.add_flag("--verbose", verbose, "print tables and other details before the results");
+}
+
 void JobOptions::declare(Command& command, const std::string& of_threads) {
   declare_file(command);
   declare_threads(command, of_threads);

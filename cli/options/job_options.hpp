@@ -12,9 +12,17 @@
 
 namespace polhode::cli {
 
-struct JobOptions {
+/// How results are printed: by default what was asked for, which fits on a screen.
+struct ResultForm {
+  bool json = false;
+  bool verbose = false;  ///< whether to print details, too, such as the tables of a study
+
+  void declare_verbose(Command& command);
+};
+
+struct JobOptions : ResultForm {
   std::string file, threads;
-  bool json = false, force = false, resume = false;
+  bool force = false, resume = false;
 
   /// Declares FILE, --threads and --json.
   /// @param of_threads  what the threads do: "simultaneous runs"

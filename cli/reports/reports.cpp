@@ -3,25 +3,19 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
+#include "../terminal/terminal.hpp"
+
 namespace polhode::cli {
 namespace {
 
-/// What is probably wrong, each with its remedy; nothing without warnings.
-void print_warnings(const std::vector<Warning>& warnings) {
-  if (warnings.empty()) return;
-  fmt::print("\nWARNINGS: something is probably wrong with this run\n");
-  for (const Warning& w : warnings)
-    fmt::print("  {:<18}  {}\n  {:<18}  -> {}\n", w.kind, w.text, "", w.remedy);
-}
-
 void print_text(const RunReport& r) {
-  fmt::print("{}", run_text(r));
   if (r.guarantee && !r.guarantee->met())
     log("warning: the accuracy guarantee of [integrator] accuracy was not met: {}; give a smaller "
         "accuracy, or set the step yourself\n",
         guarantee_text(*r.guarantee));
-  print_files(r.files.all());
-  print_warnings(r.warnings);
+  print_fitted(run_text(r));
 }
 
 /// The files of an interrupted run, and how to resume it.
@@ -47,23 +41,19 @@ std::string checkpoint_of(const Simulation& simulation) {
 
 }  // namespace
 
-void print_results(const Quantities& results, bool json) {
-  fmt::print("{}{}", json ? json_text(results) : text_of(results), json ? "\n" : "");
+void print_results(const Quantities& results, const ResultForm& form) {
+  if (form.json) return fmt::print("{}\n", json_text(results));
+  if (form.verbose) return fmt::print("{}", text_of(results));  // tables are as wide as they are
+  if (std::any_of(results.begin(), results.end(), [](const Quantity& q) { return q.detail; }))
+    log("--verbose prints tables and other details, too\n");
+  print_fitted(text_of(results, false));
 }
 
 void print_results(const std::string& title, const std::vector<Quantities>& records, bool json) {
   if (json)
     fmt::print("{}\n", json_text(records));
   else
-    print_results({{"", "", records, "", title}}, false);
-}
-
-void print_preparation(const PreparationReport& r) {
-  if (!r.properties) return;
-  print_results(quantities(r), false);
-  print_files(r.files);
-  fmt::print("next                  polhode run {}\n", r.run_file);
-  print_warnings(r.properties->warnings);
+    print_results({{"", "", records, "", title}}, {});
 }
 
 int print_run(const RunResult& result, const Simulation& simulation, bool json) {

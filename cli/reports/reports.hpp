@@ -5,20 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "../options/job_options.hpp"
 #include "../terminal/streams.hpp"
-#include "polhode/run/prepare/preparation.hpp"
 #include "polhode/run/quantities.hpp"
 #include "polhode/run/simulation/simulation.hpp"
 
 namespace polhode::cli {
 
-/// Prints results as JSON or as text.
-void print_results(const Quantities& results, bool json);
-/// The same of a list of records, as a table with a title.
+/// Prints results as JSON, or as text that fits into the terminal.
+void print_results(const Quantities& results, const ResultForm& form);
+/// Prints a list of records as JSON, or as a table with a title.
 void print_results(const std::string& title, const std::vector<Quantities>& records, bool json);
-
-/// Prints the results of a preparation as text.
-void print_preparation(const PreparationReport& report);
 
 /// Prints the results of a run, and on standard error whether it was interrupted.
 /// @return  the exit code
@@ -27,12 +24,12 @@ int print_run(const RunResult& result, const Simulation& simulation, bool json);
 /// Prints to standard error from where a run that ended with an error can be resumed, if it can.
 void note_resumable(const Simulation& simulation);
 
-/// Prints the results of a study, no tables if no run ended, and how an interrupted study resumes.
+/// Prints the results of a study, none if no run ended, and how an interrupted study resumes.
 /// @param record  file of the runs so far
 /// @return  the exit code
 template <class Report>
-int finish_study(const Report& report, const std::string& record, bool json) {
-  if (json || !report.points.empty()) print_results(quantities(report), json);
+int finish_study(const Report& report, const std::string& record, const ResultForm& form) {
+  if (form.json || !report.points.empty()) print_results(quantities(report), form);
   if (!report.interrupted) return 0;
   log("interrupted{}; the same command resumes from {}\n",
       report.points.empty() ? " before the first run ended" : "", record);

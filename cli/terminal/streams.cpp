@@ -19,12 +19,6 @@ void prepare_streams() {
   ::signal(SIGXFSZ, SIG_IGN);
 }
 
-void print_files(const std::vector<std::string>& files) {
-  fmt::print("files                ");
-  for (const std::string& file : files) fmt::print(" {}", file);
-  fmt::print("\n");
-}
-
 int exit_code(int code) {
   errno = 0;
   const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;

@@ -19,9 +19,6 @@ void prepare_streams();
 /// output could not be written completely.
 int exit_code(int code);
 
-/// Prints the names of the files that were written.
-void print_files(const std::vector<std::string>& files);
-
 /// Prints to standard error. Write errors are ignored: no run ends because of its log.
 template <class... Args>
 void log(fmt::format_string<Args...> format, Args&&... args) {

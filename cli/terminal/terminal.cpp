@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "terminal.hpp"
 
+#include <fmt/core.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -19,12 +20,12 @@ std::size_t columns(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xc0) != 0x80; }));
 }
 
-/// The column at which a broken line continues: that of its last part after two blanks.
+/// The column at which a broken line continues: that of its text after a label and two blanks, or
+/// that of the whole line.
 std::size_t indent_of(std::string_view line, std::size_t width) {
-  if (!line.starts_with(' ')) return 0;
-  const auto gap = line.rfind("  ");
-  const bool has_columns = gap != line.npos && gap > 0;
-  return std::min(has_columns ? std::min(gap + 2, max_indent) : max_indent, width / 2);
+  const auto begin = line.find_first_not_of(' ');
+  const auto text = line.find_first_not_of(' ', line.find("  ", begin));
+  return std::min({text == line.npos ? begin : text, max_indent, width / 2});
 }
 
 /// The bytes of the longest front of a line that fits, broken at a blank; all if there is none.
@@ -73,5 +74,7 @@ std::string fit_to_terminal(std::string_view text, int stream) {
     width = size.ws_col;
   return width == 0 ? std::string(text) : wrapped(text, std::max(width, min_width));
 }
+
+void print_fitted(std::string_view text) { fmt::print("{}", fit_to_terminal(text, STDOUT_FILENO)); }
 
 }  // namespace polhode::cli

@@ -28,7 +28,7 @@ int advise_canonical(const Options& o, const Config& config, bool schemes_given)
     log("interrupted before the search ended\n");
     return 130;
   }
-  print_results(quantities(advice), o.json);
+  print_results(quantities(advice), o);
   if (advice.finalists.empty()) throw RunError(answer(advice));
   return 0;
 }
@@ -44,7 +44,7 @@ int advise(const Options& o, bool schemes_given) {
     log("interrupted before the search ended; no file was written\n");
     return 130;
   }
-  print_results(quantities(report), o.json);
+  print_results(quantities(report), o);
   if (!report.advice.best) throw RunError(unreachable(report.advice, settings.criterion));
   return 0;
 }
@@ -54,6 +54,7 @@ int advise(const Options& o, bool schemes_given) {
 Action advise_verb(Command& command) {
   auto o = std::make_shared<Options>();
   o->declare(command, "simultaneous runs");
+  o->declare_verbose(command);
   command.add_request(o->request);
   command.add_settings();
   o->declare_force(command);

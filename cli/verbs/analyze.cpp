@@ -7,7 +7,7 @@
 
 #include "../options/job_options.hpp"
 #include "../terminal/console.hpp"
-#include "../terminal/streams.hpp"
+#include "../terminal/terminal.hpp"
 #include "../verbs.hpp"
 #include "run/analysis/analysis_request.hpp"
 
@@ -22,8 +22,10 @@ int analyze(const Options& o) {
   const AnalysisInput input = analysis_input(o.request, o.trajectory);
   Workers workers = o.workers();
   const AnalysisReport report = run_analysis(input, o.output(), console(), workers);
-  fmt::print("{}", o.json ? analysis_json(report) + "\n" : analysis_text(report));
-  if (!o.json) print_files(report.files);
+  if (o.json)
+    fmt::print("{}\n", analysis_json(report));
+  else
+    print_fitted(analysis_text(report));
   return report.analysis.stopped ? 130 : 0;
 }
 

@@ -19,10 +19,10 @@
 namespace polhode::cli {
 namespace {
 
-struct Options {
+struct Options : ResultForm {
   BenchmarkRequest request;
   std::string threads;
-  bool quick = false, json = false;
+  bool quick = false;
 };
 
 /// The processor's name according to the operating system.
@@ -43,7 +43,7 @@ int bench(const Options& o) {
     log("interrupted before everything was measured\n");
     return 130;
   }
-  print_results(quantities(result, computer), o.json);
+  print_results(quantities(result, computer), o);
   return 0;
 }
 
@@ -57,6 +57,7 @@ Action bench_verb(Command& command) {
   command.add_option("--threads", o->threads,
                      "number of threads, compared with one; default: one for each available core");
   command.add_flag("--json", o->json, "print all numbers as JSON");
+  o->declare_verbose(command);
   return [o] { return bench(*o); };
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "../options/job_options.hpp"
+#include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
@@ -23,7 +24,7 @@ int export_run(const Options& o) {
   if (o.program != "lammps")
     throw Error(fmt::format("there is no export to '{}'; the program must be lammps", o.program));
   const auto style = given_name<LammpsPairStyle>({o.pair_style, "--pair-style"});
-  print_files(export_to_lammps(o.config(), style, o.output(), console()));
+  print_results({row_of_files(export_to_lammps(o.config(), style, o.output(), console()))}, {});
   return 0;
 }
 

@@ -23,8 +23,7 @@ int minimise(const Options& o) {
   Workers workers = o.workers();
   const MinimisationReport report =
       minimise_configuration(o.config(), settings, o.output(), console(), workers);
-  print_results(quantities(report), o.json);
-  if (!o.json) print_files({report.file});
+  print_results(quantities(report), o);
   return report.minimisation.end == MinimisationEnd::stopped ? 130 : 0;
 }
 

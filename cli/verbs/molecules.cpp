@@ -26,7 +26,7 @@ Action molecules_verb(Command& command) {
     if (o->name.empty() || (o->json && molecules.size() > 1))
       print_results("molecules", records(molecules), o->json);
     else
-      for (const Molecule& molecule : molecules) print_results(quantities(molecule), o->json);
+      for (const Molecule& molecule : molecules) print_results(quantities(molecule), {o->json});
     return 0;
   };
 }

@@ -24,10 +24,7 @@ int prepare(const JobOptions& o) {
   Workers workers = o.workers();
   const PreparationReport report = polhode::prepare(o.config(), o.output(), console(), workers);
   if (!report.properties) note_interrupted(report);
-  if (o.json)
-    print_results(quantities(report), true);
-  else
-    print_preparation(report);
+  if (o.json || report.properties) print_results(quantities(report), o);
   return report.properties ? 0 : 130;
 }
 

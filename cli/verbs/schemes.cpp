@@ -22,7 +22,7 @@ Action schemes_verb(Command& command) {
     if (o->name.empty())
       print_results("schemes", all_schemes(), o->json);
     else
-      print_results(quantities(scheme_of(o->name)), o->json);
+      print_results(quantities(scheme_of(o->name)), {o->json});
     return 0;
   };
 }

@@ -18,7 +18,7 @@ int study(const Options& o) {
   Workers workers = o.workers();
   return perform_study(o.config(o.request.quick), o.request, o.output(), console(), workers,
                        [&](const auto& report) {
-                         return finish_study(report, StudyFiles(o.request.prefix()).runs, o.json);
+                         return finish_study(report, StudyFiles(o.request.prefix()).runs, o);
                        });
 }
 
@@ -27,6 +27,7 @@ int study(const Options& o) {
 Action study_verb(Command& command) {
   auto o = std::make_shared<Options>();
   o->declare(command, "simultaneous runs");
+  o->declare_verbose(command);
   command.add_flag("--quick", o->request.quick,
                    "a small version: one to three minutes on two cores");
   command.add_settings();

@@ -26,7 +26,7 @@ int print_trajectory(const Options& o) {
   if (o.request.output) figure.emplace(o.request.output.text, o.output());
   const Callbacks callbacks = console();
   const TopTrajectory trajectory = integrate_top(J, L, step, length, callbacks.stop);
-  print_results(quantities(trajectory), false);
+  print_results(quantities(trajectory), {});
   if (trajectory.interrupted) {
     log("interrupted; the table ends at the last sample before\n");
     return 130;

@@ -26,7 +26,7 @@ int tune_scheme(const Options& o) {
     log("interrupted before a result was found\n");
     return 130;
   }
-  print_results(quantities(result), o.json);
+  print_results(quantities(result), o);
   return 0;
 }
 

@@ -24,7 +24,7 @@ Action verify_verb(Command& command) {
     const NamedScheme scheme = o->scheme;
     const Verification v =
         verify(scheme, o->request.expected_order(), o->request.gradient_lambda(scheme));
-    print_results(quantities(v), o->json);
+    print_results(quantities(v), {o->json});
     return v.declared == 0 || v.holds() ? 0 : 1;
   };
 }

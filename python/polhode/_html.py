@@ -33,12 +33,10 @@ def table(rows, head=None, caption="", meanings=None):
 
 
 def report_html(report):
-    """A report: its warnings, then what the command line prints, the meaning of a row as a tooltip."""
-    parts = [f"<p><b>{escape(w['kind'])}</b>: {escape(w['text'])}; {escape(w['remedy'])}</p>"
-             for w in report.data.get("warnings") or []]
+    """A report: what the command line prints, the meaning of a row as a tooltip."""
     plain = [row for row in report.rows if not row["table"]]
-    parts.append(table([("\u2003" * row["level"] + row["label"], row["text"]) for row in plain],
-                       caption=report.job, meanings=[row["meaning"] for row in plain]))
+    parts = [table([("\u2003" * row["level"] + row["label"], row["text"]) for row in plain],
+                   caption=report.job, meanings=[row["meaning"] for row in plain])]
     parts += [table(row["table"][1:], row["table"][0], row["label"])
               for row in report.rows if row["table"]]
     return "".join(parts)

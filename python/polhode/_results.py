@@ -108,8 +108,8 @@ class Report(Record, Mapping):
 
     @property
     def rows(self) -> list[dict]:
-        """list of dict: what the command line prints: "label", "text", "meaning", "level" of indentation
-        and "table", whose first row is the head."""
+        """list of dict: what --verbose prints on the command line: "label", "text", "meaning", "level" of
+        indentation and "table", whose first row is the head."""
         return self._rows
 
     @property

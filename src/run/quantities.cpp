@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/quantities.hpp"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -196,6 +196,16 @@ std::string lines_of(const TextRow& row) {
   return text;
 }
 
+constexpr std::size_t label_width = 22;
+
+/// A text beside a label, whose further lines begin below its first.
+std::string beside_label(std::string text) {
+  const std::string below = "\n" + std::string(label_width, ' ');
+  for (auto at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
+    text.replace(at, 1, below);
+  return text;
+}
+
 /// Rows as lines, with a blank line before and after each table.
 std::string lines_of(const std::vector<TextRow>& rows) {
   std::string text;
@@ -210,7 +220,7 @@ std::string lines_of(const std::vector<TextRow>& rows) {
     else if (row.label.empty() || row.text.empty())
       text += indent + row.label + row.text + "\n";
     else
-      text += fmt::format("{:<22}{}\n", indent + row.label, row.text);
+      text += fmt::format("{:<{}}{}\n", indent + row.label, label_width, beside_label(row.text));
   }
   return text;
 }
@@ -304,6 +314,18 @@ Quantity detail(Quantity quantity) {
 
 Quantity row(std::string label, std::string text) {
   return {"", "", std::move(text), "", std::move(label)};
+}
+
+Quantity row_of_files(const std::vector<std::string>& files) {
+  return files.empty() ? Quantity() : row("files", fmt::format("{}", fmt::join(files, " ")));
+}
+
+Quantities without_labels(Quantities list) {
+  for (Quantity& q : list) {
+    q.label.clear();
+    if (auto* const group = std::get_if<Quantities>(&q.value)) *group = without_labels(*group);
+  }
+  return list;
 }
 
 SeriesEstimate nested(const Estimate& e) {

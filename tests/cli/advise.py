@@ -106,7 +106,7 @@ class Advise(Sandbox):
         self.assertEqual(last["excess_1 [K]"], "")
 
     def test_text_and_figure(self):
-        process = self.done("advise", edited(GAS, ('"none"', '"svg"')), "--time", "2", "--output", "here")
+        process = self.done("advise", edited(GAS, ('"none"', '"svg"')), "--time", "2", "--output", "here", "--verbose")
         self.assertIn("for an R of at most 2 % use ", process.out)
         self.assertIn("ns/day with", process.out)
         self.assertIn("configurational minus kinetic temperature of translation and of rotation", process.out)

@@ -43,9 +43,9 @@ class Bench(Sandbox):
         self.assertEqual(self.contents(), {})
 
     def test_text_and_other_sizes(self):
-        process = self.polhode("bench", "--quick", "--sizes", "216,600", "--precision", "mixed", "--threads", "1")
+        process = self.polhode("bench", "--quick", "--sizes", "216,600", "--precision", "mixed", "--threads", "1", "--verbose")
         self.assertEqual(process.returncode, 0, process.err)
-        for words in ("216 waters", "600 waters", "multiply-adds", "mixed", "hoa2", "ns/day", "everything except the forces"):
+        for words in ("216 waters", "600 waters", "multiply-adds", "mixed", "hoa2", "ns/day", "spends outside the forces"):
             self.assertIn(words, process.out)
         self.assertNotIn("double", process.out)
 

@@ -1,14 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Help, run files to start from, options of a run, progress in logs, and numbers with as many digits as they have."""
 
-import fcntl
 import json
-import os
-import pty
 import re
-import struct
-import subprocess
-import termios
 import time
 import unittest
 
@@ -96,22 +90,6 @@ class FirstSteps(Sandbox):
         self.refused(("help", "stdy"), ["'stdy'", "'study'"])
         self.assertRegex(self.text("-V"), r"^polhode \d+\.\d+")
         self.assertEqual(self.text("-V"), self.text("--version"))
-
-    def on_terminal(self, columns, *arguments):
-        """What `polhode ARGUMENTS` prints on a terminal of this width."""
-        ours, its = pty.openpty()
-        fcntl.ioctl(its, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
-        environment = {name: value for name, value in os.environ.items() if name != "COLUMNS"}
-        with subprocess.Popen([sandbox.PROGRAM, *arguments], stdin=its, stdout=its, stderr=its, env=environment) as process:
-            os.close(its)
-            text = b""
-            try:
-                while part := os.read(ours, 4096):
-                    text += part
-            except OSError:  # how Linux shows the end
-                pass
-        os.close(ours)
-        return text.decode().replace("\r\n", "\n")
 
     def test_help_has_the_width_of_the_terminal(self):
         for words in (("help",), ("run", "--help"), ("analyze", "--help"), ("verify", "--help")):

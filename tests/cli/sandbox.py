@@ -2,11 +2,15 @@
 """An empty folder in which the built program is run as by a user."""
 
 import argparse
+import fcntl
 import os
+import pty
 import random
 import resource
+import struct
 import subprocess
 import tempfile
+import termios
 import unittest
 from pathlib import Path
 
@@ -72,6 +76,22 @@ class Sandbox(unittest.TestCase):
                 process.kill()
                 raise
         return process
+
+    def on_terminal(self, columns, *arguments, error=None):
+        """What `polhode ARGUMENTS` prints on a terminal of this width; with error=subprocess.DEVNULL without notes."""
+        ours, its = pty.openpty()
+        fcntl.ioctl(its, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
+        environment = {name: value for name, value in os.environ.items() if name != "COLUMNS"}
+        with subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdin=its, stdout=its, stderr=error or its, env=environment) as process:
+            os.close(its)
+            text = b""
+            try:
+                while part := os.read(ours, 4096):
+                    text += part
+            except OSError:  # how Linux shows the end
+                pass
+        os.close(ours)
+        return text.decode().replace("\r\n", "\n")
 
     def limited(self, what, maximum, *arguments):
         """The finished process of `polhode ARGUMENTS` under a soft limit of the system."""

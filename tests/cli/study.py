@@ -89,9 +89,9 @@ class Study(Sandbox):
         (point,), _ = self.points("--schemes", "mine")
         self.assertEqual(point["scheme"], "mine")
         # Nothing is compared with velocity Verlet where it is not there.
-        out = self.done("study", text, "--schemes", "mine").out
+        out = self.done("study", text, "--schemes", "mine", "--verbose").out
         self.assertNotIn("velocity Verlet", out)
-        self.assertIn("(ratio to velocity Verlet)", self.done("study", text, "--output", "both").out)
+        self.assertIn("(ratio to velocity Verlet)", self.done("study", text, "--output", "both", "--verbose").out)
         report = json.loads(self.done("run", text, "--scheme", "mine", "--json").out)
         self.assertEqual(report["scheme"], "mine")
         self.assertTrue(report["text"].startswith("B(0.16666"), report["text"])

@@ -87,6 +87,12 @@ Quantity detail(Quantity quantity);
 /// A row of the text that is not in JSON; a line of its own without a label.
 Quantity row(std::string label, std::string text);
 
+/// The names of files that were written, as a row; no row without any.
+Quantity row_of_files(const std::vector<std::string>& files);
+
+/// Quantities that are not in the text, for lists whose numbers it shows elsewhere.
+Quantities without_labels(Quantities list);
+
 /// An estimate of independent runs as one with value and error in an object of JSON; not known if
 /// it is not finite.
 SeriesEstimate nested(const Estimate& estimate);

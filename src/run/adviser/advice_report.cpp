@@ -55,7 +55,7 @@ Quantities of_point(const Candidate& candidate, const AdviserPoint& point) {
                     "... and of all degrees of freedom"});
   append(list, excesses(efficiency_point(candidate, point)));
   list.push_back({"R_rounding", "", there ? point.max_rounding() : std::nan(""),
-                  "R of rounding alone, estimated", "", "", "-"});
+                  "estimated round-off limit of R", "", "", "-"});
   return list;
 }
 
@@ -86,12 +86,6 @@ Quantities of_candidate(const Candidate& candidate) {
       {"", "", timed ? Value(candidate.ns_per_day()) : Value(), "", "ns/day"},
       {candidate.obstacle.empty() ? "" : "obstacle", "",
        candidate.obstacle.empty() ? Value() : Value(candidate.obstacle), "why there is no step"}};
-}
-
-/// For JSON only.
-Quantities without_labels(Quantities list) {
-  for (Quantity& q : list) q.label.clear();
-  return list;
 }
 
 std::vector<Quantities> candidate_records(const Advice& advice) {
@@ -155,7 +149,7 @@ Quantities obstacles(const AdviceReport& r) {
   Quantities lines;
   for (const Candidate& candidate : advice.candidates)
     if (!candidate.obstacle.empty())
-      lines.push_back(row("", fmt::format("{}: {}", candidate.name, candidate.obstacle)));
+      lines.push_back(detail(row("", fmt::format("{}: {}", candidate.name, candidate.obstacle))));
   const auto at = [&](std::size_t c, const AdviserPoint& point) {
     return fmt::format("{} at {:.3g} fs", advice.candidates[c].name, point.step * units::fs_per_ps);
   };
@@ -163,14 +157,14 @@ Quantities obstacles(const AdviceReport& r) {
     return bound_text(r.criterion.quality, point.bound);
   };
   for (const auto& [c, point] : advice.refused)
-    lines.push_back(row(
+    lines.push_back(detail(row(
         "", fmt::format("not confirmed: {}, {}", at(c, point),
                         blew_up(point.runs) ? "a run blew up"
                                             : fmt::format("R = {}, bound {}",
-                                                          percent(point.ratio()), bound(point)))));
+                                                          percent(point.ratio()), bound(point))))));
   for (const auto& [c, point] : advice.surpassed)
-    lines.push_back(row("", fmt::format("longer steps were tried: with {} the bound is {}",
-                                        at(c, point), bound(point))));
+    lines.push_back(detail(row("", fmt::format("longer steps were tried: the bound of {} is {}",
+                                               at(c, point), bound(point)))));
   return lines;
 }
 
@@ -228,7 +222,8 @@ Quantities of_others(const Advice& advice) {
         row("  runner-up", fmt::format("{} at {:.3g} fs, {:.3g} ns/day, not confirmed", second.name,
                                        second.step * units::fs_per_ps, second.ns_per_day())));
   }
-  append(list, temperature_tables(shown, equipartition(shown)));
+  for (const Quantity& table : temperature_tables(shown, equipartition(shown)))
+    list.push_back(detail(table));
   return list;
 }
 
@@ -307,7 +302,7 @@ Quantities quantities(const AdviceReport& r) {
   Quantities list = of_criterion(r.criterion);
   append(list, {{"interrupted", "", advice.stopped, "whether the search was suspended"},
                 {"threads", "", r.threads, "number of simultaneous runs"},
-                {"candidates", "", candidate_records(advice), "the schemes", "candidates"},
+                detail({"candidates", "", candidate_records(advice), "the schemes", "candidates"}),
                 {"refused", "", point_records(advice, advice.refused),
                  "runs that were to confirm an answer, and did not"},
                 {"surpassed", "", point_records(advice, advice.surpassed),
@@ -326,6 +321,7 @@ Quantities quantities(const AdviceReport& r) {
   if (advice.runner_up)
     list.back().value = without_labels(of_candidate(advice.candidates[*advice.runner_up]));
   append(list, limits(equipartition(curves(advice))));
+  if (!advice.stopped) list.push_back(row_of_files(r.files.all()));
   return list;
 }
 

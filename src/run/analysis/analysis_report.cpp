@@ -107,7 +107,7 @@ Quantities analysis_quantities(const AnalysisReport& report) {
         row("temperature", fmt::format("{:g} K, {}", *s.temperature, s.temperature_source)));
   append(list, s.quantities);
   if (a.fixed) list.push_back({"frames_with_step_error", "", a.frames_with_step_error});
-  list.push_back({"files", "", report.files});
+  append(list, {{"files", "", report.files}, row_of_files(report.files)});
   return list;
 }
 

@@ -117,7 +117,7 @@ Quantities of_systems(const std::vector<SystemTiming>& systems) {
   std::vector<Quantities> all, evaluations, steps;
   const auto add = [&](std::vector<Quantities>& own, std::vector<Quantities>& table,
                        const SystemTiming& s, const Quantities& timing) {
-    own.push_back(timing);
+    own.push_back(without_labels(timing));
     table.push_back(of_conditions(s));
     append(table.back(), timing);
   };
@@ -126,14 +126,13 @@ Quantities of_systems(const std::vector<SystemTiming>& systems) {
     for (const EvaluationTiming& e : s.evaluations)
       add(own_evaluations, evaluations, s, of_evaluation(e, s.threads));
     for (const StepTiming& t : s.steps) add(own_steps, steps, s, of_step(t));
-    all.push_back(of_conditions(s));
-    for (Quantity& q : all.back()) q.label.clear();
+    all.push_back(without_labels(of_conditions(s)));
     append(all.back(), {{"evaluations", "", own_evaluations, "timings of a force evaluation"},
                         {"steps", "", own_steps, "timings of a step"}});
   }
   return {{"systems", "", all, "timings"},
-          {"", "", evaluations, "", "a force evaluation, cutoff 0.9 nm"},
-          {"", "", steps, "", "a step and its parts"}};
+          detail({"", "", evaluations, "", "a force evaluation, cutoff 0.9 nm"}),
+          detail({"", "", steps, "", "a step and its parts"})};
 }
 
 std::string join(const std::vector<std::string>& parts, const char* between = ", ") {
@@ -146,36 +145,35 @@ std::string join(const std::vector<std::string>& parts, const char* between = ",
 std::vector<std::string> verdict(const Benchmark& b) {
   std::vector<std::string> lines;
   for (const std::size_t molecules : sizes(b)) {
-    std::vector<std::string> beside, speed_up, speeds;
+    std::vector<std::string> beside, speeds;
+    const auto add = [&](const std::string& sentence) {
+      lines.push_back(fmt::format("{} waters: {}", molecules, sentence));
+    };
     for (const SystemTiming& s : of_size(b, molecules)) {
       const EvaluationTiming& e = s.evaluations[0];
       const StepTiming& hoa2 = s.steps[0];
       const std::string_view precision = name_of(s.precision);
+      speeds.push_back(fmt::format("{:.3g} ns/day in {} precision with {}", hoa2.ns_per_day(),
+                                   precision, threads_text(s.threads)));
       if (s.threads == 1) {
-        lines.push_back(fmt::format(
-            "{} waters: {} for the forces in {} precision; the arithmetic of the pairs within the "
-            "cutoff alone, with all lanes used, would take {}, {:.2f} of that",
-            molecules, duration(e.forces.best), precision, duration(e.arithmetic), share(e, 1)));
-        beside.push_back(fmt::format("{:.0f} % in {}", percent(non_force_share(hoa2)), precision));
-      } else {
-        for (const SystemTiming& one : b.systems)
-          if (one.molecules == molecules && one.precision == s.precision && one.threads == 1)
-            speed_up.push_back(fmt::format(
-                "{:.2f} times as much as one for forces, {:.2f} for steps in {} precision",
-                one.evaluations[0].forces.best / e.forces.best,
-                one.steps[0].all.best / hoa2.all.best, precision));
+        add(fmt::format(
+            "forces in {} precision take {}, of which the arithmetic of the pairs needs "
+            "at least {} ({:.0f} %)",
+            precision, duration(e.forces.best), duration(e.arithmetic), percent(share(e, 1))));
+        beside.push_back(
+            fmt::format("{:.0f} % in {} precision", percent(non_force_share(hoa2)), precision));
+        continue;
       }
-      speeds.push_back(fmt::format("{:.3g} in {} with {}", hoa2.ns_per_day(), precision,
-                                   threads_text(s.threads)));
+      for (const SystemTiming& one : b.systems)
+        if (one.molecules == molecules && one.precision == s.precision && one.threads == 1)
+          add(
+              fmt::format("{} compute forces {:.2f}x as fast as one in {} precision, and steps "
+                          "{:.2f}x as fast",
+                          threads_text(s.threads), one.evaluations[0].forces.best / e.forces.best,
+                          precision, one.steps[0].all.best / hoa2.all.best));
     }
-    lines.push_back(fmt::format(
-        "{} waters: everything except the forces takes {} of a step of hoa2, on one thread",
-        molecules, join(beside)));
-    if (!speed_up.empty())
-      lines.push_back(fmt::format("{} waters: {} do {}", molecules,
-                                  threads_text(b.systems.back().threads), join(speed_up, "; ")));
-    lines.push_back(
-        fmt::format("{} waters: ns/day with hoa2 at 4 fs: {}", molecules, join(speeds)));
+    add("on one thread, a step of hoa2 spends outside the forces " + join(beside));
+    add("hoa2 at 4 fs simulates " + join(speeds));
   }
   const double spread = b.spread();
   lines.push_back(
@@ -207,7 +205,7 @@ Quantities quantities(const Benchmark& b, const Computer& computer) {
       {"instruction_sets", "", instruction_sets, "instruction sets of this computer"},
       {"threads", "", computer.threads, "numbers of threads"},
       row("threads", join(threads)),
-      {"limits", "", limits, "speed of one core", "one core, best of all repeats"}};
+      detail({"limits", "", limits, "speed of one core", "one core, best of all repeats"})};
   append(list, of_systems(b.systems));
   append(list, {{"spread", "", b.spread(), "largest spread of the repeats"},
                 {"verdict", "", verdict(b), "what the numbers mean", "verdict"}});

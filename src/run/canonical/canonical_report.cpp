@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/canonical/canonical_report.hpp"
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cmath>
@@ -208,8 +208,8 @@ Quantities quantities(const CanonicalReport& report) {
                   "points, with the biases of averages; * above the strict bound, ** above the "
                   "loose one"}),
           of_findings("claims", report, report.findings[0]),
-          of_findings("loose_claims", report, report.findings[1]),
-          row("files", fmt::format("{}", fmt::join(report.files, " ")))};
+          detail(of_findings("loose_claims", report, report.findings[1])),
+          row_of_files(report.files)};
 }
 
 CanonicalReport run_canonical_study(const Config& config, const std::string& prefix,

@@ -254,9 +254,9 @@ std::string answer(const HybridAdvice& advice) {
 Quantities quantities(const HybridAdvice& advice) {
   Quantities list = {
       {"scheme", "", advice.scheme, "scheme of the proposals"},
-      {"pilots", "", records_of(advice.pilots), "short runs of all choices", "pilot runs"},
-      {"finalists", "", records_of(advice.finalists), "longer runs of the best, the answer first",
-       "independent, longer runs of the best"},
+      detail({"pilots", "", records_of(advice.pilots), "short runs of all choices", "pilot runs"}),
+      detail({"finalists", "", records_of(advice.finalists),
+              "longer runs of the best, the answer first", "independent, longer runs of the best"}),
       {"not_distinguishable", "", advice.equal,
        "the finalists, counted from 0, whose cost is not distinguishable from the best"},
       {"answer", "", answer(advice), "the answer in words"}};

@@ -46,14 +46,14 @@ Quantities of_properties(const PreparationReport& r) {
       {"potential", "kJ/mol", s.potential, "", "potential energy",
        " per molecule, " + change_of(s.potential_drift)},
       {"potential_drift_p_value", "", s.potential_drift.p_value},
-      {"compressibility", "1/bar", compressibility},
-      {"warnings", "", list_of(p.warnings)}};
+      {"compressibility", "1/bar", compressibility}};
   if (p.pressure)
     list.push_back(
         row("compressibility", compressibility_text(p.compressibility, p.moves_compressibility)));
   else
     list.insert(list.begin(),
                 row("density", fmt::format("{:.4g} kg/m3, constant{}", density.value, lattice)));
+  append(list, of_warnings(p.warnings));
   return list;
 }
 
@@ -91,7 +91,9 @@ Quantities quantities(const PreparationReport& r) {
     append(list, {row("", fmt::format("{} molecules, averages of the last {:g} ps", r.molecules,
                                       r.properties->summary.length)),
                   row("", ""),
-                  {"", "", of_properties(r)}});
+                  {"", "", of_properties(r)},
+                  row_of_files(r.files),
+                  row("next", "polhode run " + r.run_file)});
   return list;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "run/study/study_report.hpp"
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "io/files/with_error.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/figures/plot.hpp"
@@ -60,7 +61,7 @@ Quantities of_point(const EfficiencyPoint& p, bool usable) {
       {"relative_drift", "", p.relative_drift(),
        "change of the energy by its drift during a run, in rms fluctuations of the energy"},
       {"temperature", "K", p.temperature, "mean kinetic temperature"},
-      {"R_rounding", "", p.rounding, "R of rounding alone, estimated; 0 in double precision"},
+      {"R_rounding", "", p.rounding, "estimated round-off limit of R; 0 in double precision"},
       {"rounded", "", p.at_rounding(), "whether R is below twice that"},
       {"near_weight", "", p.near_weight,
        "time of a near-force evaluation relative to one of all forces"}};
@@ -120,29 +121,41 @@ Quantity of_guidelines(const StudyReport& report) {
   std::vector<Quantities> lines;
   for (const Guideline& line : report.guidelines)
     lines.push_back(of_guideline(line, curves, verlet));
-  return {
-      "guidelines", "", lines, "the lowest costs",
-      fmt::format("minimum cost for R at or below the given value, in force evaluations per "
-                  "ps{};\n* extrapolated by the scheme's order, + the longest step of the curve",
-                  verlet < curves.size() ? " (ratio to velocity Verlet)" : "")};
+  return detail(
+      {"guidelines", "", lines, "the lowest costs",
+       fmt::format("minimum cost for R at or below the given value, in force evaluations per "
+                   "ps{};\n* extrapolated by the scheme's order, + the longest step of the curve",
+                   verlet < curves.size() ? " (ratio to velocity Verlet)" : "")});
 }
 
-Quantity of_claims(const StudyReport& report) {
+/// The verdict on a claim, and the claim with its value.
+Quantity row_of(const Claim& claim) {
+  const std::string value =
+      claim.value ? fmt::format(": {}", with_error(claim.value->value, claim.value->error)) : "";
+  return row(claim.verdict == Verdict::undecided ? "not decided" : in_words(claim.verdict),
+             claim.text + value);
+}
+
+/// The claims in JSON, and as rows of the text.
+Quantities of_claims(const StudyReport& report) {
   const auto& molecules = report.config.system.molecules;
   const bool of_the_paper =
       molecules.size() == 1 && molecules[0].model == "tip4p" && molecules[0].count == 512;
   std::vector<Quantities> list;
+  Quantities rows;
   for (const Claim& claim : report.claims) {
-    list.push_back({{"claim", "", claim.text, "of the paper", "claim"},
+    list.push_back({{"claim", "", claim.text, "of the paper"},
                     {"verdict", "", in_words(claim.verdict),
-                     "`reproduced`, `not reproduced` or `not decided by these data`", "verdict"},
-                    {"", "", claim.value, "", "value"}});
+                     "`reproduced`, `not reproduced` or `not decided by these data`"}});
     if (claim.value)
       append(list.back(), {{"value", "", claim.value->value}, {"error", "", claim.value->error}});
+    rows.push_back(row_of(claim));
   }
-  return {list.empty() ? "" : "claims", "", list, "claims of the paper",
-          fmt::format("the paper's claims [vanzon2008]{}",
-                      of_the_paper ? "" : "; they refer to 512 TIP4P waters, not to this system")};
+  if (list.empty()) return {};
+  return {{"claims", "", list, "claims of the paper"},
+          {"", "", rows, "",
+           fmt::format("the paper's claims [vanzon2008]{}",
+                       of_the_paper ? "" : ", which refer to 512 TIP4P waters")}};
 }
 
 /// What a reader of the figure needs to know to compare the curves.
@@ -251,7 +264,7 @@ std::string advice(const StudyReport& report, double ratio) {
   for (std::size_t c = 0; c < report.curves.size(); ++c)
     if (report.curves[c].scheme == "velocity-verlet" && line.costs[c] && c != *line.best)
       text +=
-          fmt::format(", {:.2f} times fewer than velocity Verlet", line.costs[c]->cost / best.cost);
+          fmt::format(", {:.2f}x cheaper than velocity Verlet", line.costs[c]->cost / best.cost);
   return text;
 }
 
@@ -265,10 +278,9 @@ Quantities quantities(const StudyReport& report) {
   for (const Quantity& table : temperature_tables(report.curves, report.equipartition))
     list.push_back(detail(table));
   append(list, limits(report.equipartition));
-  append(list, {of_claims(report),
-                {"advice", "", answer, "the cheapest scheme for R = 0.5 %"},
-                row("", answer),
-                row("files", fmt::format("{}", fmt::join(report.files, " ")))});
+  append(list, of_claims(report));
+  append(list, {{"advice", "", answer, "the cheapest scheme for R = 0.5 %", "recommendation"},
+                row_of_files(report.files)});
   return list;
 }
 

@@ -63,8 +63,7 @@ Quantities quantities(const StudyReport& report);
 /// Cutoff, initial configuration, runs and energies of a study, in a sentence.
 std::string conditions(const Config& config);
 
-/// "for R = 0.5 % use SCHEME at H fs: N force evaluations per ps, X times fewer than velocity
-/// Verlet"
+/// "for R = 0.5 % use SCHEME at H fs: N force evaluations per ps, Xx cheaper than velocity Verlet"
 std::string advice(const StudyReport& report, double ratio);
 
 }  // namespace polhode

@@ -168,15 +168,23 @@ SeriesEstimate in_unit(const char* symbol, Dimension dimension, const SeriesEsti
   return scaled(estimate, 1 / unit(symbol, dimension));
 }
 
-std::vector<Quantities> list_of(const std::vector<Warning>& warnings) {
+Quantities of_warnings(const std::vector<Warning>& warnings) {
   std::vector<Quantities> list;
-  for (const Warning& w : warnings)
+  Quantities rows;
+  for (const Warning& w : warnings) {
     list.push_back({{"kind", "", w.kind},
                     {"value", "", w.value},
                     {"bound", "", w.bound},
                     {"text", "", w.text},
                     {"remedy", "", w.remedy}});
-  return list;
+    rows.push_back(row(w.kind, fmt::format("{}\n-> {}", w.text, w.remedy)));
+  }
+  Quantities all = {{"warnings", "", list, "what is probably wrong"}};
+  if (!warnings.empty())
+    append(all, {row("", ""),
+                 {"", "", rows, "", "WARNINGS: something is probably wrong with this run"},
+                 row("", "")});
+  return all;
 }
 
 Quantity of_step_bias(const RunSummary& s) {

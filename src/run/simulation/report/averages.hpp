@@ -12,7 +12,8 @@ namespace polhode {
 /// An estimate in another unit.
 SeriesEstimate in_unit(const char* symbol, Dimension dimension, const SeriesEstimate& estimate);
 
-std::vector<Quantities> list_of(const std::vector<Warning>& warnings);
+/// The warnings as a list, and as rows of the text.
+Quantities of_warnings(const std::vector<Warning>& warnings);
 
 /// Energies, temperatures, pressure, and what thermostat, barostat and hybrid Monte Carlo did.
 Quantities of_averages(const RunSummary& summary);

@@ -98,7 +98,7 @@ Quantities conservation_rows(const RunSummary& s) {
   Quantities rows = {row("R", ratio_text(s))};
   if (s.rounding > 0 && s.samples >= min_samples_reported)
     rows.push_back(detail(row(
-        "R of rounding",
+        "round-off limit of R",
         fmt::format(
             "{:.2g} %, estimated{}", percent(s.rounding),
             s.ratio.value < rounding_margin * s.rounding
@@ -131,10 +131,10 @@ Quantities of_conservation(const RunSummary& s) {
        {"rms_total", "kJ/mol", s.total_fluctuation, "rms fluctuation of the conserved energy"},
        {"rms_potential", "kJ/mol", s.potential_fluctuation,
         "rms fluctuation of the potential energy"},
-       {"R_rounding", "%", s.rounding, "R of rounding alone, estimated; 0 in double precision"},
+       {"R_rounding", "%", s.rounding, "estimated round-off limit of R; 0 in double precision"},
        {"R_truncation", "%", s.truncation, "R of the random walk by the truncation, predicted"},
        {"R_of_random_walk", "%", known_if(s.walk > 0, s.ratio_of_walk()),
-        "R of the random walk alone; null without evidence for one"},
+        "R of the random walk by itself; null without evidence for one"},
        {"walk_of_rounding_known", "", s.walk_known, "whether the random walk of rounding is known"},
        {"drift_in_run_over_rms_potential", "", known_if(known, s.relative_drift()),
         "change by the energy drift in this run over the rms fluctuation of the potential energy"},
@@ -284,9 +284,8 @@ Quantities run_quantities(const RunReport& r) {
   append(all, of_conservation(s));
   append(all, of_shadow(s));
   append(all, of_costs(r));
-  all.push_back(of_step_bias(s));
-  all.push_back(of_guarantee(r.guarantee));
-  all.push_back({"warnings", "", list_of(r.warnings), "what is probably wrong"});
+  append(all, of_warnings(r.warnings));
+  append(all, {of_step_bias(s), of_guarantee(r.guarantee), row_of_files(r.files.all())});
   return all;
 }
 
