@@ -198,8 +198,8 @@ std::string lines_of(const TextRow& row) {
 
 constexpr std::size_t label_width = 22;
 
-/// A text beside a label, whose further lines begin below its first.
-std::string beside_label(std::string text) {
+/// A text next to a label, whose further lines begin below its first.
+std::string next_to_label(std::string text) {
   const std::string below = "\n" + std::string(label_width, ' ');
   for (auto at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
     text.replace(at, 1, below);
@@ -220,7 +220,7 @@ std::string lines_of(const std::vector<TextRow>& rows) {
     else if (row.label.empty() || row.text.empty())
       text += indent + row.label + row.text + "\n";
     else
-      text += fmt::format("{:<{}}{}\n", indent + row.label, label_width, beside_label(row.text));
+      text += fmt::format("{:<{}}{}\n", indent + row.label, label_width, next_to_label(row.text));
   }
   return text;
 }
