@@ -5,13 +5,13 @@ import re
 import subprocess
 
 import sandbox
+from advise import GAS
+from run_warnings import LATTICE
 from sandbox import SMALL, Sandbox, edited
 
 COLUMNS, LINES = 80, 40
 PAPER = edited(SMALL, ('["velocity-verlet"]', '["velocity-verlet", "hoa2", "gier4-fd"]'), ('["2 fs"]', '["2 fs", "4 fs"]'))
 CANONICAL = edited(SMALL, ("[study]", '[study]\nensemble = "nvt"'), ('["velocity-verlet"]', '["obabo", "hoa2"]'), ('length = "0.1 ps"', 'length = "1 ps"'))
-ADVICE = edited(SMALL, ('length = "0.02 ps"', 'length = "1 ps"'), ('scheme = "hoa2"\nstep = "2 fs"', 'candidates = ["velocity-verlet", "hoa2"]'))
-WARM = edited(SMALL, ('"0.02 ps"', '"0.4 ps"')) + '\n[thermostat]\ntype = "rescaling"\n'
 
 
 class Screens(Sandbox):
@@ -51,11 +51,11 @@ class Screens(Sandbox):
         self.assertIn("loose bounds", self.verbose("study", "run.toml"))
 
     def test_advice_ends_with_the_answer(self):
-        lines = self.screen(ADVICE, "advise", "run.toml", "--accuracy", "20 %", "--time", "1")
-        self.assertRegex(lines[0], "^for an R of at most 20 % use ")
+        lines = self.screen(GAS, "advise", "run.toml", "--time", "1")
+        self.assertRegex(lines[0], "^for an R of at most 2 % use ")
         self.assertTrue(lines[-1].startswith("files "))
-        whole = self.polhode("advise", "run.toml", "--accuracy", "20 %", "--time", "1", "--force", "--verbose").out
-        self.assertRegex(whole, r"(?s)^candidates\n.*\nfor an R of at most 20 % use ")
+        whole = self.polhode("advise", "run.toml", "--time", "1", "--force", "--verbose").out
+        self.assertRegex(whole, r"(?s)^candidates\n.*\nfor an R of at most 2 % use ")
 
     def test_bench_ends_with_speeds(self):
         lines = self.screen(SMALL, "bench", "--quick")
@@ -67,7 +67,7 @@ class Screens(Sandbox):
         self.assertRegex(whole.splitlines()[-1], "^  .*best repeats")
 
     def test_a_run_ends_with_averages_warnings_and_files(self):
-        self.write("run.toml", WARM)
+        self.write("run.toml", LATTICE)
         lines = self.on_terminal(COLUMNS, "run", "run.toml", error=subprocess.DEVNULL).splitlines()
         self.assertLessEqual(max(map(len, lines)), COLUMNS)
         places = [next(k for k, line in enumerate(lines) if re.match(label, line))
