@@ -1,7 +1,33 @@
-# Bias of canonical averages against cost, a panel for each quantity, and the cost of an independent sample. Above: for each
-# scheme its name, colour, filled marker; caption; panels, panel (titles), strict1.., loose1.. (bounds; 0: none, a logarithmic
-# axis), low1.., high1.. (of the vertical axes); cost_low, cost_high; $points, a block per scheme: force evaluations per ps, then value and
-# standard error for each panel.
+# Bias of canonical averages against cost, a panel for each quantity, and the cost of an independent sample. Above: data (the CSV
+# file of a study), caption; for each scheme its name, colour, filled marker, first and last row from 0; panels, and for each its title
+# and column, the column of its errors, and strict and loose, its bounds (0: none, a logarithmic axis).
+set datafile separator ","
+set datafile columnheaders
+stable(y) = column("stable [1]") == 1 ? y : NaN
+cost(dummy) = column("cost [1/ps]")
+k = j = 1
+stats data using (stable(cost(0))) name "C" nooutput
+# The vertical axes: all values, or with bounds up to a few of them, so that a large bias of one scheme does not hide the others.
+within(y, a, b) = y < a ? a : y > b ? b : y
+end_of(j, sign) = stable(column(column_of[j]) + sign*column(error_of[j]))
+is_known(y) = y == y
+array low[panels]
+array high[panels]
+do for [j=1:panels] {
+  low[j] = loose_of[j] > 0 ? 0 : 1
+  high[j] = loose_of[j] > 0 ? 0 : 1e4
+  stats data using (is_known(end_of(j, 0)) ? 1 : 0) name "N" nooutput
+  if (N_sum > 0) {
+    stats data using (end_of(j, -1)) name "L" nooutput
+    stats data using (end_of(j, 1)) name "H" nooutput
+    low[j] = loose_of[j] > 0 ? L_min : 0.7*L_min
+    high[j] = loose_of[j] > 0 ? H_max : 1.4*H_max
+  }
+  if (loose_of[j] > 0) {
+    low[j] = 1.1*within(low[j], -2.5*loose_of[j], -loose_of[j])
+    high[j] = 1.1*within(high[j], loose_of[j], 2.5*loose_of[j])
+  }
+}
 set multiplot
 across = 3
 down = ceil(real(panels)/across)
@@ -38,7 +64,7 @@ do for [d=-3:5] {
     set xtics add (sprintf("%g", x) x)
   }
 }
-set xrange [cost_low:cost_high]
+set xrange [0.8*C_min:1.25*C_max]
 do for [j=1:panels] {
   place = (j - 1)%across
   row = (j - 1)/across
@@ -46,9 +72,8 @@ do for [j=1:panels] {
   set rmargin at screen left + (right - left)*(place + 0.99)/across
   set tmargin at screen top - (top - bottom)*(row + 0.12)/down
   set bmargin at screen top - (top - bottom)*(row + 0.93)/down
-  set label 3 panel[j] at graph 0, graph 1.06 left noenhanced textcolor rgb ink
-  strict = value(sprintf("strict%d", j))
-  loose = value(sprintf("loose%d", j))
+  set label 3 title_of[j] at graph 0, graph 1.06 left noenhanced textcolor rgb ink
+  strict = strict_of[j]; loose = loose_of[j]
   if (strict > 0) {
     unset logscale y
     set ytics auto
@@ -64,9 +89,9 @@ do for [j=1:panels] {
     unset object 2
     unset arrow 1
   }
-  set yrange [value(sprintf("low%d", j)):value(sprintf("high%d", j))]
-  plot for [k=1:curves] $points index k-1 using (beside($1, k)):(column(2*j)) with lines linewidth 1.6 linecolor rgb colour[k], \
-    for [k=1:curves] $points index k-1 using (beside($1, k)):(column(2*j)):(column(2*j+1)) with yerrorbars pointtype filled[k] pointsize 0.8 linewidth 1.2 linecolor rgb colour[k], \
+  set yrange [low[j]:high[j]]
+  plot for [k=1:curves] data every ::first[k]::last[k] using (beside(cost(0), k)):(stable(column(column_of[j]))) smooth unique with lines linewidth 1.6 linecolor rgb colour[k], \
+    for [k=1:curves] data every ::first[k]::last[k] using (beside(cost(0), k)):(stable(column(column_of[j]))):(column(error_of[j])) with yerrorbars pointtype filled[k] pointsize 0.8 linewidth 1.2 linecolor rgb colour[k], \
     NaN notitle
   unset label 1
   unset label 2

@@ -1,6 +1,55 @@
-# R against cost for each scheme, on linear axes and, all points, on logarithmic ones. Above: for each curve its
-# name, colour, filled and open marker; caption; the ranges of the axes; some_end, some_rounded; and $points, a block per curve:
-# force evaluations per ps, R [%], its standard error, 1 at the last step before the curve ends, 1 where R is dominated by rounding.
+# R against cost for each scheme, on linear axes and, all points, on logarithmic ones. Above: data (the CSV file of a study), caption;
+# for each scheme its name, colour, filled and open marker, first and last row from 0; highest, the largest R of the linear axis [%].
+set datafile separator ","
+set datafile columnheaders
+# The points before the ends of curves: number of the scheme, cost, R [%], its standard error, 1 where rounding dominates R.
+$points << EOD
+NaN NaN NaN NaN NaN
+EOD
+if (curves > 0) {
+  set table $points
+  plot for [k=1:curves] data every ::first[k]::last[k] using (k):(column("cost [1/ps]")):(100*column("R [1]")):(100*column("R_error [1]")):(column("rounded [1]")) \
+    with table if (column("usable [1]") == 1)
+  unset table
+}
+# The cost of the last step before a curve ends; 0: no longer step is known to drift.
+array end[curves + 1]
+end[1] = 0
+some_end = 0
+do for [k=1:curves] {
+  stats data every ::first[k]::last[k] using (column("usable [1]")) name "U" nooutput
+  end[k] = U_min
+}
+set datafile nocolumnheaders
+set datafile separator whitespace
+k = 1
+own(k, y) = column(1) == k ? y : NaN
+do for [k=1:curves] {
+  stats $points using (own(k, $2)) name "C" nooutput
+  end[k] = end[k] == 0 ? C_min : 0
+  some_end = some_end || end[k] > 0
+}
+
+# The ends of the axes: linear as far as any curve differs from the axis; logarithmic for all points.
+cost_low = 1; cost_high = 1000; ratio_low = 0.1; ratio_high = 100; last_cost = 1; some_rounded = 0
+if (curves > 0) {
+  stats $points using 2 name "P" nooutput
+  cost_low = P_min; cost_high = P_max
+  stats $points using 3 name "P" nooutput
+  if (P_max > 0) {
+    ratio_high = P_max
+    stats $points using ($3 > 0 ? $3 : NaN) name "P" nooutput
+    ratio_low = P_min < ratio_high ? P_min : ratio_high/10
+  }
+  stats $points using 5 name "P" nooutput
+  some_rounded = P_max > 0
+}
+top = 1.08*ratio_high < highest ? 1.08*ratio_high : highest
+if (curves > 0) {
+  stats $points using ($3 >= 0.02*top ? $2 : NaN) name "P" nooutput
+  last_cost = P_max
+}
+
 longest = 0
 do for [k=1:curves] { if (strlen(name[k]) > longest) { longest = strlen(name[k]) } }
 entries = curves + some_end + some_rounded
@@ -36,14 +85,14 @@ set rmargin at screen 0.485
 set label 1 caption at screen 0.015, screen 0.06 left noenhanced textcolor rgb ink font small
 set xlabel "cost:  force evaluations per ps" offset 0,0.2
 set ylabel "error:  R = rms of E / rms of V  (%)"
-set xrange [cost_low:cost_high]
-set yrange [0:ratio_high]
-plot for [k=1:curves] $points index k-1 using 1:2 with lines linewidth 1.6 linecolor rgb colour[k] notitle, \
-  for [k=1:curves] $points index k-1 using 1:2:3 with yerrorbars pointtype -1 linewidth 1 linecolor rgb colour[k] notitle, \
-  for [k=1:curves] $points index k-1 using 1:($4 == 0 ? $2 : NaN) with points pointtype filled[k] pointsize 0.9 linecolor rgb colour[k] notitle, \
-  for [k=1:curves] $points index k-1 using 1:($4 == 1 ? $2 : NaN) with points pointtype filled[k] pointsize 1.26 linewidth 0 linecolor "white" notitle, \
-  for [k=1:curves] $points index k-1 using 1:($4 == 1 ? $2 : NaN) with points pointtype open[k] pointsize 1.26 linewidth 1.6 linecolor rgb colour[k] notitle, \
-  for [k=1:curves] $points index k-1 using 1:($5 == 1 ? $2 : NaN) with points pointtype 2 pointsize 1.6 linewidth 1.4 linecolor rgb ink notitle, \
+set xrange [0.6*cost_low:1.1*last_cost]
+set yrange [0:top]
+plot for [k=1:curves] $points using 2:(own(k, $3)) with lines linewidth 1.6 linecolor rgb colour[k] notitle, \
+  for [k=1:curves] $points using 2:(own(k, $3)):4 with yerrorbars pointtype -1 linewidth 1 linecolor rgb colour[k] notitle, \
+  for [k=1:curves] $points using 2:(own(k, $2 == end[k] ? NaN : $3)) with points pointtype filled[k] pointsize 0.9 linecolor rgb colour[k] notitle, \
+  for [k=1:curves] $points using 2:(own(k, $2 == end[k] ? $3 : NaN)) with points pointtype filled[k] pointsize 1.26 linewidth 0 linecolor "white" notitle, \
+  for [k=1:curves] $points using 2:(own(k, $2 == end[k] ? $3 : NaN)) with points pointtype open[k] pointsize 1.26 linewidth 1.6 linecolor rgb colour[k] notitle, \
+  for [k=1:curves] $points using 2:(own(k, $5 == 1 ? $3 : NaN)) with points pointtype 2 pointsize 1.6 linewidth 1.4 linecolor rgb ink notitle, \
   NaN notitle
 
 # Everything, on logarithmic axes.
@@ -54,12 +103,12 @@ set logscale xy
 set ylabel ""
 set xtics (50, 100, 200, 500, 1000, 2000, 5000, 10000)
 set format y "%g"
-set xrange [all_cost_low:all_cost_high]
-set yrange [all_ratio_low:all_ratio_high]
-plot for [k=1:curves] $points index k-1 using 1:2 with lines linewidth 1.6 linecolor rgb colour[k], \
-  for [k=1:curves] $points index k-1 using 1:($4 == 0 ? $2 : NaN) with points pointtype filled[k] pointsize 0.7 linecolor rgb colour[k], \
-  for [k=1:curves] $points index k-1 using 1:($4 == 1 ? $2 : NaN) with points pointtype filled[k] pointsize 1 linewidth 0 linecolor "white", \
-  for [k=1:curves] $points index k-1 using 1:($4 == 1 ? $2 : NaN) with points pointtype open[k] pointsize 1 linewidth 1.6 linecolor rgb colour[k], \
-  for [k=1:curves] $points index k-1 using 1:($5 == 1 ? $2 : NaN) with points pointtype 2 pointsize 1.4 linewidth 1.4 linecolor rgb ink, \
+set xrange [0.8*cost_low:1.25*cost_high]
+set yrange [0.7*ratio_low:1.6*ratio_high]
+plot for [k=1:curves] $points using 2:(own(k, $3)) with lines linewidth 1.6 linecolor rgb colour[k], \
+  for [k=1:curves] $points using 2:(own(k, $2 == end[k] ? NaN : $3)) with points pointtype filled[k] pointsize 0.7 linecolor rgb colour[k], \
+  for [k=1:curves] $points using 2:(own(k, $2 == end[k] ? $3 : NaN)) with points pointtype filled[k] pointsize 1 linewidth 0 linecolor "white", \
+  for [k=1:curves] $points using 2:(own(k, $2 == end[k] ? $3 : NaN)) with points pointtype open[k] pointsize 1 linewidth 1.6 linecolor rgb colour[k], \
+  for [k=1:curves] $points using 2:(own(k, $5 == 1 ? $3 : NaN)) with points pointtype 2 pointsize 1.4 linewidth 1.4 linecolor rgb ink, \
   NaN notitle
 unset multiplot

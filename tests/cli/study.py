@@ -2,6 +2,7 @@
 """Which runs the tables of a study include, and tables from an existing record."""
 
 import json
+import re
 import unittest
 
 import sandbox
@@ -49,18 +50,18 @@ class Study(Sandbox):
         self.write("run.toml", edited(SMALL, ('["2 fs"]', '["5 fs", "10 fs", "20 fs", "400 fs"]'), ("runs = 2", "runs = 3"),
                                       ('length = "0.1 ps"', 'length = "4 ps"'), ('["velocity-verlet"]', '["velocity-verlet", "hoa2"]')))
         points, _ = self.points()
-        script = (self.folder / "study.gp").read_text(encoding="utf-8")
+        script, figure = (self.folder / "study.gp").read_text(encoding="utf-8"), self.folder / "study.svg"
         report = json.loads((self.folder / "study.json").read_text(encoding="utf-8"))
-        for scheme in ("velocity-verlet", "hoa2"):
+        self.assertIn("data = './study.csv'\n", script)
+        for k, scheme in enumerate(("velocity-verlet", "hoa2"), 1):
             own = [p for p in points if p["scheme"] == scheme]
             self.assertEqual([p["step_fs"] for p in own if p["usable"]], [5, 10, 20])
-            drawn = script[script.index(f"\n# {scheme}\n"):].split("\n\n")[0].splitlines()[2:]
-            self.assertEqual(len(drawn), 3)
-            for p, line in zip(reversed(own[:3]), drawn):  # by increasing cost
-                cost, ratio, _, last, _ = map(float, line.split())
-                self.assertAlmostEqual(cost, p["force_evaluations_per_ps"], delta=1e-6 * cost)
-                self.assertAlmostEqual(ratio, 100 * p["R"], delta=1e-6 * ratio)
-                self.assertEqual(last, p["step_fs"] == 20)
+            if figure.exists():  # in each panel three markers, one of them open and on a white one; and one in the key
+                colour, filled, opened = (re.search(rf"^{name}\[{k}\] = '?([^'\n]+)", script, re.M)[1] for name in ("colour", "filled", "open"))
+                markers = re.findall(r"<use xlink:href='#gpPt(\d+)'[^>]* color='([^']+)'", figure.read_text(encoding="utf-8"))
+                rgb = "rgb({}, {}, {})".format(*(f"{int(colour[i:i + 2], 16):>3}" for i in (1, 3, 5)))
+                self.assertEqual(markers.count((str(int(filled) - 1), rgb)), 2 * 2 + 1)
+                self.assertEqual(markers.count((str(int(opened) - 1), rgb)), 2)
             self.assertTrue(all(row["costs"][scheme]["step_fs"] <= 20 for row in report["guidelines"] if scheme in row["costs"]))
 
     def test_schemes_of_ones_own(self):

@@ -109,7 +109,7 @@ void add_lines(FigureScript& script, const CurvesFigure& figure) {
 
 }  // namespace
 
-std::string curves_script(const CurvesFigure& figure, const std::string& csv, const Image& image) {
+std::string script_of(const CurvesFigure& figure, const Image& image) {
   const Layout layout = layout_of(figure);
   std::vector<std::string> titles;
   std::vector<double> low, high;
@@ -127,7 +127,7 @@ std::string curves_script(const CurvesFigure& figure, const std::string& csv, co
   constexpr std::size_t caption = 40, foot = 44;
   FigureScript script(image, static_cast<int>(layout.across * layout.width + 34),
                       static_cast<int>(caption + foot + layout.down * (layout.height + head)));
-  script.file("data", csv).text("caption", figure.title);
+  script.file("data", figure.csv).text("caption", figure.title);
   script.text("x_label", figure.x_label).text("y_label", figure.y_label);
   script.number("left", figure.left).number("right", figure.right);
   script.count("across", layout.across).count("panels", figure.panels.size());

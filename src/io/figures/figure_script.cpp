@@ -64,42 +64,21 @@ FigureScript& FigureScript::texts(std::string_view name, std::span<const std::st
   return *this;
 }
 
-FigureScript& FigureScript::schemes(const std::vector<std::string>& names) {
-  std::vector<std::string> colours;
-  std::vector<std::size_t> filled, open;
+FigureScript& FigureScript::schemes(const std::vector<SchemeRows>& schemes) {
+  std::vector<std::string> names, colours;
+  std::vector<std::size_t> filled, open, first, last;
+  for (const SchemeRows& rows : schemes) {
+    names.push_back(rows.scheme);
+    first.push_back(rows.first), last.push_back(rows.last);
+  }
   for (const SchemeStyle& style : scheme_styles(names)) {
     colours.push_back(style.colour);
     filled.push_back(static_cast<std::size_t>(style.filled));
     open.push_back(static_cast<std::size_t>(style.open));
   }
-  count("curves", names.size());
-  return texts("name", names)
-      .texts("colour", colours)
-      .counts("filled", filled)
-      .counts("open", open);
-}
-
-FigureScript& FigureScript::block(std::string_view name) {
-  text_ += fmt::format("${} << EOD\n", name);
-  return *this;
-}
-
-FigureScript& FigureScript::rows(std::string_view comment,
-                                 std::span<const std::vector<double>> rows) {
-  text_ += fmt::format("# {}\n", gnuplot_comment(comment));
-  for (const std::vector<double>& row : rows) {
-    std::string line;
-    for (const double value : row) line += fmt::format("{}{:.8g}", line.empty() ? "" : " ", value);
-    text_ += line + "\n";
-  }
-  if (rows.empty()) text_ += "NaN NaN NaN NaN NaN\n";
-  text_ += "\n\n";
-  return *this;
-}
-
-FigureScript& FigureScript::end_block() {
-  text_ += "EOD\n";
-  return *this;
+  count("curves", schemes.size()).texts("name", names).texts("colour", colours);
+  counts("filled", filled).counts("open", open);
+  return counts("first", first).counts("last", last);
 }
 
 std::string FigureScript::with(std::string_view name) const {

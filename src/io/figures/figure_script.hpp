@@ -28,16 +28,9 @@ class FigureScript {
   FigureScript& counts(std::string_view name, std::span<const std::size_t> values);
   FigureScript& numbers(std::string_view name, std::span<const double> values);
   FigureScript& texts(std::string_view name, std::span<const std::string> values);
-  /// The number of schemes, their names, colours and markers: `curves`, `name`, `colour`, `filled`,
-  /// `open`.
-  FigureScript& schemes(const std::vector<std::string>& names);
-
-  /// Begins a data block, to which rows() adds curves.
-  FigureScript& block(std::string_view name);
-  /// A curve of the data block, on separate lines, with a comment; gnuplot's `index` is its number
-  /// from 0.
-  FigureScript& rows(std::string_view comment, std::span<const std::vector<double>> rows);
-  FigureScript& end_block();
+  /// The number of schemes, their names, colours, markers, and first and last rows: `curves`,
+  /// `name`, `colour`, `filled`, `open`, `first`, `last`.
+  FigureScript& schemes(const std::vector<SchemeRows>& schemes);
 
   /// The script, with the style and the template data/plots/NAME.gp.
   std::string with(std::string_view name) const;

@@ -75,12 +75,16 @@ std::string gnuplot_trouble(const std::string& program, const fs::path& script,
   return fmt::format("gnuplot exited with code {}", WEXITSTATUS(status));
 }
 
-/// @param image  that the script draws, in its folder; gnuplot would write through a link
-bool draw(const std::string& file, const std::string& image, const std::string& script,
+/// Writes the script of a figure next to its data, with their name, and draws the image.
+bool draw(const auto& figure, const std::string& data, const std::string& format,
           std::ostream& warnings) {
-  write_file(file, [&](std::ostream& out) { out << script; });
-  remove_output((fs::path(file).parent_path() / image).string());
-  return run_gnuplot(file, warnings);
+  const fs::path script = fs::path(data).replace_extension("gp");
+  const fs::path image = fs::path(data).replace_extension(format);
+  write_file(script.string(), [&](std::ostream& out) {
+    out << script_of(figure, {image.filename().string(), format});
+  });
+  remove_output(image.string());  // gnuplot would write through a link
+  return run_gnuplot(script.string(), warnings);
 }
 
 }  // namespace
@@ -104,44 +108,29 @@ bool run_gnuplot(const std::string& script, std::ostream& warnings, std::chrono:
 }
 
 bool energy_plot(const EnergyFigure& figure, const std::string& format, std::ostream& warnings) {
-  const fs::path data(figure.csv);
-  const std::string image = fs::path(data.filename()).replace_extension(format).string();
-  return draw(fs::path(data).replace_extension("gp").string(), image,
-              energy_script(figure, data.filename().string(), {image, format}), warnings);
+  return draw(figure, figure.csv, format, warnings);
 }
 
 bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings) {
-  const fs::path data(figure.csv);
-  const std::string image = fs::path(data.filename()).replace_extension(format).string();
-  return draw(fs::path(data).replace_extension("gp").string(), image,
-              curves_script(figure, data.filename().string(), {image, format}), warnings);
+  return draw(figure, figure.csv, format, warnings);
 }
 
-bool efficiency_plot(const std::string& prefix, const EfficiencyFigure& figure,
-                     const std::string& format, std::ostream& warnings) {
-  const std::string image = fs::path(prefix + "." + format).filename().string();
-  return draw(prefix + ".gp", image, efficiency_script(figure, {image, format}), warnings);
+bool efficiency_plot(const EfficiencyFigure& figure, const std::string& format,
+                     std::ostream& warnings) {
+  return draw(figure, figure.csv, format, warnings);
 }
 
-bool advice_plot(const std::string& prefix, const AdviceFigure& figure, const std::string& format,
-                 std::ostream& warnings) {
-  const std::string image = fs::path(prefix + "." + format).filename().string();
-  return draw(prefix + ".gp", image, advice_script(figure, {image, format}), warnings);
+bool advice_plot(const AdviceFigure& figure, const std::string& format, std::ostream& warnings) {
+  return draw(figure, figure.csv, format, warnings);
 }
 
-bool canonical_plot(const std::string& prefix, const CanonicalFigure& figure,
-                    const std::string& format, std::ostream& warnings) {
-  const std::string image = fs::path(prefix + "." + format).filename().string();
-  return draw(prefix + ".gp", image, canonical_script(figure, {image, format}), warnings);
+bool canonical_plot(const CanonicalFigure& figure, const std::string& format,
+                    std::ostream& warnings) {
+  return draw(figure, figure.csv, format, warnings);
 }
 
-bool polhode_plot(const std::string& prefix, const PolhodeFigure& figure, std::ostream& warnings) {
-  for (const char* format : {"svg", "png"}) {
-    const std::string image = fs::path(prefix + "." + format).filename().string();
-    if (!draw(prefix + ".gp", image, polhode_script(figure, {image, format}), warnings))
-      return false;
-  }
-  return true;
+bool polhode_plot(const PolhodeFigure& figure, std::ostream& warnings) {
+  return draw(figure, figure.data, "svg", warnings) && draw(figure, figure.data, "png", warnings);
 }
 
 }  // namespace polhode

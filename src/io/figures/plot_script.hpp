@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// gnuplot scripts: values and data blocks, followed by a template from data/plots.
+// gnuplot scripts: values, followed by a template from data/plots that reads the data.
 #pragma once
 
 #include <string>
@@ -15,16 +15,11 @@ struct Image {
   std::string format;  ///< "svg" or "png"
 };
 
-std::string energy_script(const EnergyFigure& figure, const std::string& csv, const Image& image);
-
-std::string curves_script(const CurvesFigure& figure, const std::string& csv, const Image& image);
-
-std::string efficiency_script(const EfficiencyFigure& figure, const Image& image);
-
-std::string advice_script(const AdviceFigure& figure, const Image& image);
-
-std::string canonical_script(const CanonicalFigure& figure, const Image& image);
-
-std::string polhode_script(const PolhodeFigure& figure, const Image& image);
+std::string script_of(const EnergyFigure& figure, const Image& image);
+std::string script_of(const CurvesFigure& figure, const Image& image);
+std::string script_of(const EfficiencyFigure& figure, const Image& image);
+std::string script_of(const AdviceFigure& figure, const Image& image);
+std::string script_of(const CanonicalFigure& figure, const Image& image);
+std::string script_of(const PolhodeFigure& figure, const Image& image);
 
 }  // namespace polhode

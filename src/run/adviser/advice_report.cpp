@@ -127,20 +127,32 @@ std::vector<Quantities> table_records(const Advice& advice) {
   return records;
 }
 
-std::vector<AdviceCurve> figure_curves(const Advice& advice) {
-  std::vector<AdviceCurve> figure_data;
-  for (const Candidate& candidate : advice.candidates) {
-    if (candidate.seconds == 0) continue;
-    AdviceCurve curve{candidate.name, {}, {}};
-    const auto seconds = [&](double step) { return candidate.seconds * candidate.step / step; };
-    for (const AdviserPoint& p : candidate.points)
-      if (p.usable) curve.marks.push_back({seconds(p.step), p.ratio().value, p.ratio().error});
-    if (candidate.model)
-      for (double step = 0.7 * candidate.step; step < 1.25 * candidate.step; step *= 1.02)
-        curve.model.push_back({seconds(step), std::exp(candidate.model->log_ratio(step).value)});
-    figure_data.push_back(curve);
+/// The points of a candidate with a step and a measured time, and its model.
+AdviceFigure::Curve curve_of(const Candidate& c, std::size_t first) {
+  AdviceFigure::Curve curve{
+      {c.name, first, first + c.points.size() - 1}, c.step * units::fs_per_ps, c.seconds};
+  if (!c.model) return curve;
+  curve.ratio = std::exp(c.model->log_ratio(c.step).value);
+  curve.exponent = c.model->exponent(c.step);
+  curve.short_exponent = c.model->exponent(0);
+  return curve;
+}
+
+/// @param rows  their number in the table, of which the last one is the answer
+AdviceFigure figure(const AdviceReport& report, std::size_t rows) {
+  const Advice& advice = report.advice;
+  AdviceFigure figure{report.files.points, {}};
+  std::size_t row = 0;
+  for (std::size_t c = 0; c < advice.candidates.size(); ++c) {
+    const Candidate& candidate = advice.candidates[c];
+    if (candidate.seconds > 0) {
+      if (c == advice.best) figure.confirmed = {figure.curves.size(), rows - 1};
+      figure.curves.push_back(curve_of(candidate, row));
+    }
+    row += candidate.points.size();
   }
-  return figure_data;
+  if (report.criterion.quality == Quality::ratio) figure.bound = report.criterion.bound;
+  return figure;
 }
 
 /// Why candidates have no step, and why confirming runs were not the answer, a line each.
@@ -243,23 +255,14 @@ Quantities of_criterion(const Criterion& criterion) {
 
 void write_advice(const AdviceReport& report, const Provenance& provenance,
                   const Callbacks& callbacks) {
-  const Advice& advice = report.advice;
-  const Criterion& criterion = report.criterion;
   const AdviceFiles& files = report.files;
-  write_file(files.points, [&](std::ostream& out) {
-    write_csv(out, table_of(table_records(advice)), provenance);
-  });
+  const Table points = table_of(table_records(report.advice));
+  write_file(files.points, [&](std::ostream& out) { write_csv(out, points, provenance); });
   write_file(files.json, [&](std::ostream& out) { out << json_text(quantities(report)) << '\n'; });
   if (files.figure.empty()) return;
-  AdviceFigure figure{figure_curves(advice), {}, {}};
-  if (criterion.quality == Quality::ratio) figure.bound = criterion.bound;
-  if (advice.best) {
-    const Candidate& best = advice.candidates[*advice.best];
-    figure.confirmed = {best.seconds, advice.confirmation.ratio().value,
-                        advice.confirmation.ratio().error};
-  }
   pass_messages(callbacks, [&](std::ostream& warnings) {
-    advice_plot(files.prefix, figure, files.figure.substr(files.prefix.size() + 1), warnings);
+    advice_plot(figure(report, points.rows.size()), files.figure.substr(files.prefix.size() + 1),
+                warnings);
   });
 }
 

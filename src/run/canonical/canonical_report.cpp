@@ -108,28 +108,30 @@ Quantity of_findings(const char* key, const CanonicalReport& report,
 /// The quantities of the figure, in panels: the cost of a sample is the last one.
 constexpr std::array<std::size_t, 5> drawn = {0, 1, 2, 5, 4};
 
-CanonicalFigure figure(const CanonicalReport& report) {
-  CanonicalFigure figure;
+/// A panel of a column of the table of points.
+CanonicalFigure::Panel panel(const std::string& title, const std::string& column,
+                             std::string_view unit) {
+  return {title, fmt::format("{} [{}]", column, unit), fmt::format("{}_error [{}]", column, unit)};
+}
+
+CanonicalFigure figure(const CanonicalReport& report, const std::string& csv) {
+  CanonicalFigure figure{csv, {}, {}};
   for (const std::size_t k : drawn) {
     const CanonicalQuantity& q = canonical_quantities[k];
     const bool unitless = std::string_view(q.unit) == "1";
     figure.panels.push_back(
-        {fmt::format("bias of {}{}", q.label, unitless ? "" : fmt::format("  ({})", q.unit)),
-         q.strict, q.loose});
+        panel(fmt::format("bias of {}{}", q.label, unitless ? "" : fmt::format("  ({})", q.unit)),
+              fmt::format("{}_bias", q.name), q.unit));
+    figure.panels.back().strict = q.strict, figure.panels.back().loose = q.loose;
   }
-  figure.panels.push_back({"force evaluations per independent U"});
-  for (const CanonicalPoint& p : report.points) {
+  figure.panels.push_back(
+      panel("force evaluations per independent U", "evaluations_per_sample", "1"));
+  for (std::size_t row = 0; row < report.points.size(); ++row) {
+    const CanonicalPoint& p = report.points[row];
     if (!p.stable) continue;
-    if (figure.curves.empty() || figure.curves.back().scheme != p.method.name)
-      figure.curves.push_back({p.method.name, {}});
-    CanonicalMark mark{p.method.cost(), {}};
-    for (const std::size_t k : drawn) {
-      const Estimate bias = p.bias[k].value_or(Estimate{std::nan(""), std::nan("")});
-      mark.values.emplace_back(bias.value, bias.error);
-    }
-    const Estimate sample = p.evaluations_per_sample();
-    mark.values.emplace_back(sample.value, sample.error);
-    figure.curves.back().marks.push_back(mark);
+    if (figure.schemes.empty() || figure.schemes.back().scheme != p.method.name)
+      figure.schemes.push_back({p.method.name, row, row});
+    figure.schemes.back().last = row;
   }
   figure.caption = fmt::format(
       "Shaded: the strict and the loose bounds. Points of one cost are drawn side by side. Hybrid "

@@ -22,8 +22,8 @@ namespace polhode {
 ///     identity(config, system)                   of its record
 ///     read(stream, path)                         all runs of any such record
 ///     perform(config, known, keep, callbacks, workers)
-///     records_of(report), figure_of(report)
-///     plot(prefix, figure, format, warnings)
+///     records_of(report), figure_of(report, csv)
+///     plot(figure, format, warnings)
 /// and, as an object with the settings `config`,
 ///     points()                                   their number
 ///     check(system)                              throws Error
@@ -129,7 +129,7 @@ class StudyJob {
                [&](std::ostream& out) { out << json_text(quantities(report)) << '\n'; });
     pass_messages(callbacks_, [&](std::ostream& warnings) {
       for (const char* format : {"svg", "png"})
-        Study::plot(files_.prefix, Study::figure_of(report), format, warnings);
+        Study::plot(Study::figure_of(report, files_.points), format, warnings);
     });
   }
 

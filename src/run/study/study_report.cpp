@@ -170,15 +170,13 @@ std::string caption(const Config& config) {
       molecules.empty() ? config.source : molecules, config.study.runs, config.study.length);
 }
 
-EfficiencyFigure figure(const StudyReport& report) {
-  EfficiencyFigure figure{{}, caption(report.config)};
+EfficiencyFigure figure(const StudyReport& report, const std::string& csv) {
+  EfficiencyFigure figure{csv, {}, caption(report.config)};
+  std::size_t rows = 0;
   for (const Curve& curve : report.curves) {
-    figure.curves.push_back({curve.scheme, {}});
-    for (std::size_t i = 0; i < curve.points.size(); ++i) {
-      const EfficiencyPoint& p = curve.points[i];
-      figure.curves.back().marks.push_back(
-          {p.cost, p.ratio.value, p.ratio.error, i < curve.usable, p.at_rounding()});
-    }
+    const std::size_t first = rows;
+    rows += curve.points.size();
+    if (curve.usable > 0) figure.schemes.push_back({curve.scheme, first, rows - 1});
   }
   return figure;
 }

@@ -156,7 +156,7 @@ void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>
   write_file(figure.data(),
              [&](std::ostream& out) { write_data(out, figure.command, J, L, twice_E); });
   pass_messages(callbacks, [&](std::ostream& warnings) {
-    polhode_plot(figure.prefix, {figure.data(), J, L}, warnings);
+    polhode_plot({figure.data(), J, L}, warnings);
   });
 }
 

@@ -38,10 +38,25 @@ constexpr const char* shell =
     "/"
     "bin/sh";
 
-const EfficiencyFigure study{
-    {{"hoa2", {{1000, 0.001, 1e-4}, {250, 0.012, 1e-3}, {200, 0.5, 0.1, false}}},
-     {"gier4", {{3000, 1e-6, 1e-7}, {300, 0.02, 1e-3}}}},
-    "four runs"};
+/// The table of a study with two schemes, of which the first has a step that is too long.
+EfficiencyFigure study_in(const fs::path& folder, const std::string& name) {
+  const std::string csv = (folder / (name + ".csv")).string();
+  std::ofstream(csv) << "scheme,step [fs],cost [1/ps],usable [1],R [1],R_error [1],rounded [1]\n"
+                        "# polhode\n"
+                        "hoa2,2,1000,1,0.001,1e-4,0\nhoa2,8,250,1,0.012,1e-3,0\n"
+                        "hoa2,10,200,0,,,0\n"
+                        "gier4,1,3000,1,1e-6,1e-7,1\ngier4,10,300,1,0.02,,0\n";
+  return {csv, {{"hoa2", 0, 2}, {"gier4", 3, 4}}, "four runs"};
+}
+
+AdviceFigure advice_in(const fs::path& folder) {
+  const std::string csv = (folder / "advice.csv").string();
+  std::ofstream(csv) << "scheme,step [fs],usable [1],R [1],R_error [1]\n# polhode\n"
+                        "hoa2,4,1,0.008,0.001\nhoa2,5,1,0.013,0.001\nhoa2,9,0,,\n"
+                        "gier4,5,1,0.002,0.0001\nhoa2,4.4,1,0.0097,0.001\n";
+  return {
+      csv, {{{"hoa2", 0, 2}, 4.5, 1.2, 0.01, 2.5, 2}, {{"gier4", 3, 3}, 6, 1.4}}, 0.01, {{0, 4}}};
+}
 
 }  // namespace
 
@@ -50,7 +65,7 @@ TEST_CASE("whole numbers of a top are written with a decimal point, as gnuplot's
   setenv("PATH", place.folder.c_str(), 1);
   std::ostringstream warnings;
   const std::string prefix = (place.folder / "top").string();
-  polhode_plot(prefix, {prefix + ".dat", {1, 2, 3}, {0.5, 1, 0.25}}, warnings);
+  polhode_plot({prefix + ".dat", {1, 2, 3}, {0.5, 1, 0.25}}, warnings);
   const std::string script = text_of(prefix + ".gp");
   for (const char* line : {"\nJ2 = 2.0", "\nL2 = 1.0", "\nL3 = 0.25", "\nwidth = 1000\n"})
     CHECK(script.find(line) != std::string::npos);
@@ -61,43 +76,40 @@ TEST_CASE("without gnuplot there is a warning, and the script is kept") {
   setenv("PATH", place.folder.c_str(), 1);
   std::ostringstream warnings;
   const std::string prefix = (place.folder / "efficiency").string();
-  CHECK(!efficiency_plot(prefix, study, "svg", warnings));
+  CHECK(!efficiency_plot(study_in(place.folder, "efficiency"), "svg", warnings));
   CHECK(warnings.str().find("gnuplot is not installed") != std::string::npos);
   CHECK(warnings.str().find("gnuplot efficiency.gp") != std::string::npos);
   const std::string script = text_of(prefix + ".gp");
   CHECK(script.find("image = './efficiency.svg'\n") != std::string::npos);
   CHECK(script.find("caption = 'four runs'\n") != std::string::npos);
   CHECK(script.find("set output image\n") != std::string::npos);
-  // R in %; the longest stable step is marked only where a longer one is unstable.
-  CHECK(script.find("250 1.2 0.1 1 0\n1000 0.1 0.01 0 0\n") != std::string::npos);
-  CHECK(script.find("300 2 0.1 0 0\n") != std::string::npos);
-  CHECK(script.find("200 50") == std::string::npos);
+  CHECK(script.find("data = './efficiency.csv'\n") != std::string::npos);
+  CHECK(script.find("first[2] = 3\n") != std::string::npos);
+  CHECK(script.find("last[1] = 2\n") != std::string::npos);
 }
 
 TEST_CASE("a figure has a curve for each scheme, in the scheme's style") {
   const Place place;
   setenv("PATH", place.folder.c_str(), 1);
   std::ostringstream warnings;
-  const std::string prefix = (place.folder / "figure").string();
-  efficiency_plot(prefix, study, "svg", warnings);
-  const auto has_curves = [&] {
-    const std::string script = text_of(prefix + ".gp");
+  const EfficiencyFigure study = study_in(place.folder, "figure");
+  const auto has_curves = [&](const fs::path& path) {
+    const std::string script = text_of(path);
     CHECK(script.find("curves = 2\n") != std::string::npos);
     std::vector<std::string> names;
-    for (const EfficiencyCurve& curve : study.curves) names.push_back(curve.scheme);
+    for (const SchemeRows& rows : study.schemes) names.push_back(rows.scheme);
     const std::vector<SchemeStyle> styles = scheme_styles(names);
     for (std::size_t k = 0; k < names.size(); ++k) {
       const std::string at = "[" + std::to_string(k + 1) + "] = ";
       CHECK(script.find("name" + at + "'" + names[k] + "'\n") != std::string::npos);
       CHECK(script.find("colour" + at + "'" + styles[k].colour + "'\n") != std::string::npos);
       CHECK(script.find("filled" + at + std::to_string(styles[k].filled)) != std::string::npos);
-      CHECK(script.find("\n# " + names[k] + "\n") != std::string::npos);
     }
   };
-  has_curves();
-  advice_plot(prefix, {{{"hoa2", {{1, 0.01, 0.001}}, {}}, {"gier4", {}, {{2, 0.01}}}}, 0.01, {}},
-              "svg", warnings);
-  has_curves();
+  efficiency_plot(study, "svg", warnings);
+  has_curves(place.folder / "figure.gp");
+  advice_plot(advice_in(place.folder), "svg", warnings);
+  has_curves(place.folder / "advice.gp");
 }
 
 TEST_CASE("curves of panels are numbered through, and those with errors have bands") {
@@ -131,14 +143,14 @@ TEST_CASE("figures are drawn if gnuplot is installed") {
                   "svg", warnings);
   if (!drawn && warnings.str().find("not installed") != std::string::npos) return;
   CHECK(drawn);
-  CHECK(efficiency_plot((place.folder / "eff").string(), study, "svg", warnings));
-  CHECK(efficiency_plot((place.folder / "none").string(), {}, "svg", warnings));
-  CHECK(advice_plot(
-      (place.folder / "advice").string(),
-      {{{"hoa2", {{1, 0.01, 0.001}}, {{1, 0.01}, {2, 0.003}}}, {"B(1/2) A(1) B(1/2)", {}, {}}},
-       0.01,
-       AdviceMark{1.5, 0.006, 0.001}},
-      "svg", warnings));
+  CHECK(efficiency_plot(study_in(place.folder, "eff"), "svg", warnings));
+  EfficiencyFigure none = study_in(place.folder, "none");
+  none.schemes.clear();
+  CHECK(efficiency_plot(none, "svg", warnings));
+  AdviceFigure advice = advice_in(place.folder);
+  CHECK(advice_plot(advice, "svg", warnings));
+  advice = {advice.csv, {}};
+  CHECK(advice_plot(advice, "svg", warnings));
   for (const std::size_t panels : {1u, 2u, 5u}) {
     CurvesFigure figure{(place.folder / "many.csv").string(), "many", "r", "g", 1, 8};
     std::ofstream(figure.csv) << "r,a,a error,b\n1,1,0.1,2\n2,3,,2\n8,5,0.2,2\n";
@@ -150,8 +162,7 @@ TEST_CASE("figures are drawn if gnuplot is installed") {
     std::ofstream data(place.folder / "top.dat");
     data << "1 0 0\n0 1 0\n\n-1 0 0\n0 -1 0\n\n\nnan 0 0\n\n\n1 0 0\n\n\n1 0 0\n";
   }
-  CHECK(polhode_plot((place.folder / "top").string(),
-                     {(place.folder / "top.dat").string(), {1, 2, 3}, {0.1, 0.2, 1}}, warnings));
+  CHECK(polhode_plot({(place.folder / "top.dat").string(), {1, 2, 3}, {0.1, 0.2, 1}}, warnings));
   CHECK(text_of(place.folder / "top.gp").find("J3 = 3.0") != std::string::npos);
   CHECK(text_of(place.folder / "top.svg").find("polhode") != std::string::npos);
   CHECK(warnings.str() == "");

@@ -3,16 +3,10 @@
 
 #include <doctest/doctest.h>
 
-#include <unistd.h>
-
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <vector>
 
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/figures/plot.hpp"
 #include "polhode/math/random.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "rms.hpp"
@@ -146,22 +140,4 @@ TEST_CASE("no cost is extrapolated where rounding dominates") {
   CHECK(extrapolated());
   p.rounding = 2.9e-5;
   CHECK(!extrapolated());
-}
-
-TEST_CASE("figures cross out points dominated by rounding") {
-  const std::filesystem::path prefix =
-      std::filesystem::temp_directory_path() / ("polhode-crossed-" + std::to_string(::getpid()));
-  const auto script = [&](bool rounded) {
-    std::ostringstream warnings, text;
-    efficiency_plot(prefix.string(),
-                    {{{"gier4", {{3000, 3e-5, 1e-6, true, rounded}, {300, 0.02, 1e-3}}}}}, "svg",
-                    warnings);
-    text << std::ifstream(prefix.string() + ".gp").rdbuf();
-    return text.str();
-  };
-  CHECK(script(true).find("some_rounded = 1\n") != std::string::npos);
-  CHECK(script(true).find("3000 0.003 0.0001 0 1\n") != std::string::npos);
-  CHECK(script(false).find("some_rounded = 0\n") != std::string::npos);
-  for (const char* extension : {".gp", ".svg"})
-    std::filesystem::remove(prefix.string() + extension);
 }

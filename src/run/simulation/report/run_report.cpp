@@ -134,7 +134,7 @@ Quantities of_conservation(const RunSummary& s) {
        {"R_rounding", "%", s.rounding, "estimated round-off limit of R; 0 in double precision"},
        {"R_truncation", "%", s.truncation, "R of the random walk by the truncation, predicted"},
        {"R_of_random_walk", "%", known_if(s.walk > 0, s.ratio_of_walk()),
-        "R of the random walk by itself; null without evidence for one"},
+        "R of the random walk, without other errors; null without evidence for one"},
        {"walk_of_rounding_known", "", s.walk_known, "whether the random walk of rounding is known"},
        {"drift_in_run_over_rms_potential", "", known_if(known, s.relative_drift()),
         "change by the energy drift in this run over the rms fluctuation of the potential energy"},
