@@ -20,8 +20,8 @@ do for [j=1:panels] {
   if (N_sum > 0) {
     stats data using (end_of(j, -1)) name "L" nooutput
     stats data using (end_of(j, 1)) name "H" nooutput
-    low[j] = loose_of[j] > 0 ? L_min : 0.7*L_min
-    high[j] = loose_of[j] > 0 ? H_max : 1.4*H_max
+    low[j] = loose_of[j] > 0 ? L_min : L_min > 0 ? 0.7*L_min : 1
+    high[j] = loose_of[j] > 0 ? H_max : L_min > 0 ? 1.4*H_max : 1e4
   }
   if (loose_of[j] > 0) {
     low[j] = 1.1*within(low[j], -2.5*loose_of[j], -loose_of[j])
