@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "polhode/base/vec3.hpp"
@@ -69,83 +68,68 @@ struct CurvesFigure {
 /// @param format  "svg" or "png"
 bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings);
 
-/// Accuracy and cost of a scheme at one step.
-struct EfficiencyMark {
-  double cost;               ///< force evaluations per ps
-  double ratio;              ///< R = rms of E divided by rms of V [1]
-  double error;              ///< standard error of R [1]
-  bool stable = true;        ///< false: the step is too large for the scheme; not drawn
-  bool at_rounding = false;  ///< R is dominated by rounding
-};
-
-struct EfficiencyCurve {
+/// The rows of a scheme in a CSV file, counted from 0.
+struct SchemeRows {
   std::string scheme;
-  std::vector<EfficiencyMark> marks;  ///< marks in any order
+  std::size_t first, last;
 };
 
+/// R of schemes against their cost, in the columns "cost [1/ps]", "R [1]" and "R_error [1]". In two
+/// more columns, "usable [1]" is 1 before the end of a curve, and "rounded [1]" where rounding
+/// dominates R.
 struct EfficiencyFigure {
-  std::vector<EfficiencyCurve> curves;
-  std::string caption{};     ///< below the axes: the conditions of the comparison
-  double max_ratio = 0.035;  ///< R of the linear axis
+  std::string csv;
+  std::vector<SchemeRows> schemes;  ///< each with a usable step at least
+  std::string caption{};            ///< below the axes: the conditions of the comparison
+  double max_ratio = 0.035;         ///< R of the linear axis
 };
 
 /// R against cost for each scheme [vanzon2008, Fig. 1], on linear axes, and all points on
-/// logarithmic ones. The largest stable step has an open symbol if a larger one is known to be
-/// unstable; points at the rounding floor are crossed out. Writes PREFIX.gp and PREFIX.svg or
-/// PREFIX.png.
-bool efficiency_plot(const std::string& prefix, const EfficiencyFigure& figure,
-                     const std::string& format, std::ostream& warnings);
+/// logarithmic ones. The longest usable step has an open symbol if the curve ends there; points at
+/// the rounding floor are crossed out. Script and image are written next to the CSV file, as by
+/// energy_plot().
+bool efficiency_plot(const EfficiencyFigure& figure, const std::string& format,
+                     std::ostream& warnings);
 
-/// R of a scheme against its cost.
-struct AdviceMark {
-  double seconds;  ///< wall-clock time per simulated ps
-  double ratio;    ///< R [1]
-  double error;    ///< standard error of R [1]
-};
-
-struct AdviceCurve {
-  std::string scheme;
-  std::vector<AdviceMark> marks;                 ///< measured
-  std::vector<std::pair<double, double>> model;  ///< seconds and R along the fitted model
-};
-
+/// R of schemes against computing time: the columns "step [fs]", "R [1]", "R_error [1]" and
+/// "usable [1]".
 struct AdviceFigure {
-  std::vector<AdviceCurve> curves;
-  std::optional<double> bound;          ///< the requested bound on R
-  std::optional<AdviceMark> confirmed;  ///< the confirmed answer
+  struct Curve {
+    SchemeRows rows;
+    double step, seconds;  ///< a step [fs], and the computing time of a ps with it
+    /// Of the fitted model: R at that step [1], 0 without a model, and d log R/d log h there and
+    /// for short steps.
+    double ratio = 0, exponent = 0, short_exponent = 0;
+  };
+  struct Answer {
+    std::size_t curve, row;  ///< counted from 0
+  };
+  std::string csv;
+  std::vector<Curve> curves;          ///< each with a usable step at least
+  std::optional<double> bound{};      ///< the requested bound on R
+  std::optional<Answer> confirmed{};  ///< the confirmed answer
 };
 
 /// R against computing time, on logarithmic axes, with the models that the adviser fitted to its
-/// runs, the bound, and the answer. Writes PREFIX.gp and PREFIX.svg or PREFIX.png.
-bool advice_plot(const std::string& prefix, const AdviceFigure& figure, const std::string& format,
-                 std::ostream& warnings);
+/// runs, the bound, and the answer. Script and image are written next to the CSV file.
+bool advice_plot(const AdviceFigure& figure, const std::string& format, std::ostream& warnings);
 
-/// A quantity of a canonical study in a panel of its own.
-struct CanonicalPanel {
-  std::string title;
-  double strict = 0, loose = 0;  ///< bounds on its magnitude, shaded; 0: none, a logarithmic axis
-};
-
-/// A scheme's values of all panels at one step; not numbers where they are unknown.
-struct CanonicalMark {
-  double cost = 0;                                ///< force evaluations per ps
-  std::vector<std::pair<double, double>> values;  ///< values with errors, one for each panel
-};
-
+/// Columns of a CSV file against "cost [1/ps]", in panels, where "stable [1]" is 1.
 struct CanonicalFigure {
-  struct Curve {
-    std::string scheme;
-    std::vector<CanonicalMark> marks;  ///< marks in any order
+  struct Panel {
+    std::string title, column, error;  ///< columns with their units, as in the file
+    double strict = 0, loose = 0;  ///< bounds on the magnitude, shaded; 0: none, a logarithmic axis
   };
-  std::vector<CanonicalPanel> panels;
-  std::vector<Curve> curves;
+  std::string csv;
+  std::vector<SchemeRows> schemes;
+  std::vector<Panel> panels;
   std::string caption{};  ///< below the axes: the conditions of the comparison
 };
 
-/// Bias of canonical averages against cost, small multiples. Writes PREFIX.gp and PREFIX.svg or
-/// PREFIX.png.
-bool canonical_plot(const std::string& prefix, const CanonicalFigure& figure,
-                    const std::string& format, std::ostream& warnings);
+/// Bias of canonical averages against cost, small multiples. Script and image are written next to
+/// the CSV file.
+bool canonical_plot(const CanonicalFigure& figure, const std::string& format,
+                    std::ostream& warnings);
 
 /// A free top, and a file with blocks of ω in three columns, separated by two blank lines: inertia
 /// ellipsoid, polhodes of the same energy, the top's polhode, ω.
@@ -155,7 +139,7 @@ struct PolhodeFigure {
 };
 
 /// The polhode on the inertia ellipsoid and, next to it, L on the ellipsoid of the same energy.
-/// Writes PREFIX.gp, PREFIX.svg and PREFIX.png.
-bool polhode_plot(const std::string& prefix, const PolhodeFigure& figure, std::ostream& warnings);
+/// Script and images, SVG and PNG, are written next to the data.
+bool polhode_plot(const PolhodeFigure& figure, std::ostream& warnings);
 
 }  // namespace polhode
