@@ -1,6 +1,7 @@
 # R against computing time, with the models that the adviser fitted. Above: data (its CSV file); for each scheme its name, colour, filled
 # marker, first and last row from 0, step_of [fs] and the seconds_of a simulated ps with that step; of its model R_of, R at that step [%] (0:
-# no model), and the exponents of the step there and for short steps; bound [%] (0: none); answers (0 or 1), and of the confirmed answer its row and the number of its scheme, best.
+# no model), and the exponents of the step there and for short steps; bound [%] (0: none); answers (0 or 1), and of the confirmed answer
+# its row and the number of its scheme, best.
 set datafile separator ","
 set datafile columnheaders
 set key outside top center horizontal
@@ -13,6 +14,7 @@ error(dummy) = 100*column("R_error [1]")
 model(k, x) = x < 0.8*seconds_of[k] || x > 1.43*seconds_of[k] ? NaN : fitted(k, seconds_of[k]/x)
 fitted(k, h) = R_of[k]*h**short_exponent_of[k]*exp(0.5*(exponent_of[k] - short_exponent_of[k])*(h**2 - 1))
 k = 1
+if (curves == 0) { R_of[1] = 0 }
 left = 1e300; right = 0; low = bound > 0 ? bound : 1e300; high = bound
 do for [k=1:curves] {
   stats data every ::first[k]::last[k] using (R(0)) name "P" nooutput

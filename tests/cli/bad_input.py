@@ -52,7 +52,7 @@ RUN_FILE = [
     ("no inner steps", [('"hoa2"', '"hoa2 / hoa2 x 0 within 0.5 nm"')], ["0 steps", "from 1 to 1000", "run.toml:10"]),
     ("near forces without a unit", [('"hoa2"', '"hoa2 / hoa2 x 2 within 0.5"')], ["hoa2 x 2 within 0.5", "run.toml:10"]),
     ("near forces with a switching distance beyond their cutoff", [('"hoa2"', '"hoa2 / hoa2 x 2 within 0.6 to 0.5 nm"')],
-     ["0.6 to 0.5 nm", "kink", "run.toml:10"]),
+     ["0.6 to 0.5 nm", "and a longer cutoff", "run.toml:10"]),
     ("unknown molecule", [('"argon"', '"argn"')], ["'argn'", "'argon'", "run.toml:2"]),
     ("unknown study scheme", [('"velocity-verlet"', '"velocity-verlett"')],
      ["'velocity-verlett'", "'velocity-verlet'", "run.toml", "study.schemes"]),

@@ -136,7 +136,7 @@ TEST_CASE("errors in LAMMPS data files give the line, what was found and what wa
   refused(replaced(good, "Bonds", "Ellipsoids"), {"there is no section 'Ellipsoids'"});
   refused(replaced(good, "9 0.01", "8 0.01"), {"a velocity for atom 8, but no such atom"});
   refused(replaced(good, "lj/cut/coul/long", "lj/cut/soft"),
-          {"the pair style is 'lj/cut/soft'; it must be lj/cut, buck or mie/cut"});
+          {"the pair style is 'lj/cut/soft'; it must be mie/cut, or lj/cut or buck"});
   refused(replaced(good, "lj/cut/coul/long", "table"), {"the pair style is 'table'", "tabulated"});
   refused(replaced(good, "lj/cut/coul/long", "lj/cut/tip4p/long"),
           {"site M is not in the data file", "tip4p"});
