@@ -14,7 +14,6 @@ error(dummy) = 100*column("R_error [1]")
 model(k, x) = x < 0.8*seconds_of[k] || x > 1.43*seconds_of[k] ? NaN : fitted(k, seconds_of[k]/x)
 fitted(k, h) = R_of[k]*h**short_exponent_of[k]*exp(0.5*(exponent_of[k] - short_exponent_of[k])*(h**2 - 1))
 k = 1
-if (curves == 0) { R_of[1] = 0 }
 left = 1e300; right = 0; low = bound > 0 ? bound : 1e300; high = bound
 do for [k=1:curves] {
   stats data every ::first[k]::last[k] using (R(0)) name "P" nooutput

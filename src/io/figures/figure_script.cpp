@@ -44,23 +44,23 @@ FigureScript& FigureScript::file(std::string_view name, std::string_view path) {
 }
 
 FigureScript& FigureScript::counts(std::string_view name, std::span<const std::size_t> values) {
-  text_ += fmt::format("array {}[{}]\n", name, std::max<std::size_t>(1, values.size()));
-  for (std::size_t k = 0; k < values.size(); ++k)
-    text_ += fmt::format("{}[{}] = {}\n", name, k + 1, values[k]);
-  return *this;
+  return array(name, values, "0", [](std::size_t value) { return fmt::format("{}", value); });
 }
 
 FigureScript& FigureScript::numbers(std::string_view name, std::span<const double> values) {
-  text_ += fmt::format("array {}[{}]\n", name, std::max<std::size_t>(1, values.size()));
-  for (std::size_t k = 0; k < values.size(); ++k)
-    text_ += fmt::format("{}[{}] = {:#.10g}\n", name, k + 1, values[k]);
-  return *this;
+  return array(name, values, "0", [](double value) { return fmt::format("{:#.10g}", value); });
 }
 
 FigureScript& FigureScript::texts(std::string_view name, std::span<const std::string> values) {
+  return array(name, values, "''", gnuplot_text);
+}
+
+FigureScript& FigureScript::array(std::string_view name, auto values, std::string_view none,
+                                  const auto& text_of) {
   text_ += fmt::format("array {}[{}]\n", name, std::max<std::size_t>(1, values.size()));
   for (std::size_t k = 0; k < values.size(); ++k)
-    text_ += fmt::format("{}[{}] = {}\n", name, k + 1, gnuplot_text(values[k]));
+    text_ += fmt::format("{}[{}] = {}\n", name, k + 1, text_of(values[k]));
+  if (values.empty()) text_ += fmt::format("{}[1] = {}\n", name, none);
   return *this;
 }
 

@@ -24,7 +24,7 @@ class FigureScript {
   FigureScript& text(std::string_view name, std::string_view value);
   /// A file next to the script.
   FigureScript& file(std::string_view name, std::string_view path);
-  /// Arrays of gnuplot, from 1; one empty element if there are none.
+  /// Arrays of gnuplot, from 1; one element, 0 or an empty text, if there are none.
   FigureScript& counts(std::string_view name, std::span<const std::size_t> values);
   FigureScript& numbers(std::string_view name, std::span<const double> values);
   FigureScript& texts(std::string_view name, std::span<const std::string> values);
@@ -36,6 +36,10 @@ class FigureScript {
   std::string with(std::string_view name) const;
 
  private:
+  /// @param none  the element of an empty array, which gnuplot evaluates where it loops over none
+  FigureScript& array(std::string_view name, auto values, std::string_view none,
+                      const auto& text_of);
+
   std::string text_;
 };
 
