@@ -24,11 +24,20 @@ std::string remarks(const MeasuredProperty& m) {
   return text;
 }
 
+/// The interval that contains the true value with a probability; null if the error is not known.
+Value interval(const MeasuredProperty& m, double probability) {
+  if (m.value.known != Known::yes) return {};
+  const double half = interval_factor(m.value, probability) * m.value.error;
+  return std::vector{m.value.value - half, m.value.value + half};
+}
+
 Quantities of_property(const MeasuredProperty& m) {
   const Property& p = *m.request.property;
   return {{"name", "", p.name, "of the property", "property"},
           {"value", "", m.value, "with all corrections, in `unit`", "value"},
           {"unit", "", p.unit, "of value, error and corrections", "unit"},
+          {"interval_68", "", interval(m, 0.68), "68 % confidence interval, by Student's t"},
+          {"interval_95", "", interval(m, 0.95), "95 % confidence interval, by Student's t"},
           {"requested_error", "", m.requested_error(), "standard error that was requested"},
           {"reached", "", m.reached(), "whether the error is reached and the value converged"},
           {"step_bias", "", m.bias ? Value(*m.bias) : Value(),
