@@ -21,7 +21,7 @@ int measure(const Options& o, const std::string& command, bool only_evaluate) {
   settings.only_evaluate = only_evaluate;
   Workers workers = o.workers();
   const MeasureReport report = polhode::measure(settings, console(), workers);
-  print_results(quantities(report), o.json);
+  print_results(quantities(report), o);
   if (report.interrupted) log("interrupted; the same command resumes\n");
   if (report.out_of_time) log("the time limit is reached; the same command resumes\n");
   return report.interrupted ? 130 : 0;
