@@ -122,7 +122,7 @@ class Analyze(Sandbox):
         self.assertEqual(len(pairs), 10)  # of four selections
         self.assertEqual(report["notes"], [])
         pooled = json.loads(self.analyze(*options, "--pairs", "OW-OW").out)
-        self.assertIn("g(r) of 'OW' is of the sites of tip4p, spce together; 'tip4p:OW' selects those of one", pooled["notes"])
+        self.assertIn("g(r) of 'OW' includes the sites of tip4p, spce; 'tip4p:OW' selects one molecule", pooled["notes"])
 
     def test_names_with_dashes(self):
         self.done("run", edited(WATERS, ("count = 27 }", "count = 25 }, { model = \"na-tip4p-ew\", count = 2 }")), "--force")
@@ -178,7 +178,7 @@ class Analyze(Sandbox):
 
     def test_bias_of_the_step_with_thermostats(self):
         """Known with one kind of thermostat, at frames that are samples of the shadow energy."""
-        for ensemble, shadow, said in (("rescaling", "20 fs", ""), ("rescaling", "80 fs", "from 11 of 41 frames"), ("rescaling", "0 fs", "no frame has a sample"),
+        for ensemble, shadow, said in (("rescaling", "20 fs", ""), ("rescaling", "80 fs", "uses 11 of 41 frames"), ("rescaling", "0 fs", "no frame has a sample"),
                                        ("langevin", "", "known at constant energy")):
             text = edited(LONG, ("[output]", (f'shadow_sample = "{shadow}"\n' if shadow else "") + f'[thermostat]\ntype = "{ensemble}"\n[output]'),
                           ('length = "1.2 ps"', 'length = "0.8 ps"'))

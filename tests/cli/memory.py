@@ -86,7 +86,7 @@ class Memory(Sandbox):
         self.assertIn("PME: pairs of charges up to", self.done("energy", ions, "--json").err)
         short = edited(ions, ('"pme"', '"pme"\ncoulomb_cutoff = "1.0 nm"'))
         self.write("ions.toml", short)
-        self.refused(["energy", "ions.toml"], ["points in this box, for 2 charges", "use a coulomb_cutoff of"])
+        self.refused(["energy", "ions.toml"], ["mesh points for 2 charges", "use a coulomb_cutoff of"])
         cutoff = self.polhode("energy", "ions.toml").err.split("use a coulomb_cutoff of ")[1].split(" nm")[0]
         process = self.done("energy", edited(short, ('coulomb_cutoff = "1.0 nm"', f'coulomb_cutoff = "{cutoff} nm"')), "--json")
         self.assertIn("PME: pairs of charges up to", process.err)
