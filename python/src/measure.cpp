@@ -65,7 +65,7 @@ nb::bytes perform_replica(const std::string& system, const Words& properties, co
     const nb::gil_scoped_release released;
     return perform(settings, task);
   }();
-  return {after.data(), after.size()};
+  return nb::bytes(after.data(), after.size());
 }
 
 }  // namespace

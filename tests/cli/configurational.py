@@ -49,7 +49,7 @@ class Configurational(Sandbox):
         self.assertEqual(self.point()["configurational_excess_K"], [None] * 4)
         # Values that were not measured are not in the record.
         self.refused((*STUDY, "--configurational-sample", "10 fs"), ["another study", "--force"])
-        process = self.polhode(*STUDY, "--configurational-sample", "10 fs", "--steps", "1 fs", "2 fs", "--force")
+        process = self.polhode(*STUDY, "--configurational-sample", "10 fs", "--steps", "1 fs", "2 fs", "--force", "--verbose")
         self.assertEqual(process.returncode, 0, process.err)
         self.assertIn("configurational minus kinetic temperature of translation and of rotation", process.out)
         self.assertEqual(process.out.count("0, k = 2"), 2)  # and the limit of both for zero step

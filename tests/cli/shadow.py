@@ -135,7 +135,7 @@ class Shadow(Sandbox):
     def test_temperatures_in_records_of_any_age(self):
         study = ("study", "run.toml", "--output", "study")
         self.write("run.toml", edited(SMALL, ('"argon"', '"tip4p"'), ('"100 K"', '"297 K"')))
-        report = self.polhode(*study)
+        report = self.polhode(*study, "--verbose")
         self.assertEqual(report.returncode, 0, report.err)
         self.assertIn("rotation about each principal axis", report.out)
         whole = json.loads((self.folder / "study.json").read_text())

@@ -90,14 +90,17 @@ Sampled sampled(const Method& method, double length, std::uint64_t seed) {
           ensemble_summary(system, settings, t)};
 }
 
-// The rms of the errors that runs state: that of one run is known to 30 % only.
+// The rms of the errors that runs state: that of one run is known to 30 % only. A run of 300 ps is
+// found too short in 1 of 50 cases, more than two of 13 in 1 of 500.
 double rms_error(const std::vector<Sampled>& all, const SeriesEstimate& (*of)(const Sampled&)) {
-  double squares = 0;
+  double squares = 0, known = 0;
   for (const Sampled& s : all) {
-    REQUIRE(of(s).known == Known::yes);
-    squares += of(s).error * of(s).error / double(all.size());
+    if (of(s).known != Known::yes) continue;
+    squares += of(s).error * of(s).error;
+    ++known;
   }
-  return std::sqrt(squares);
+  REQUIRE(known >= double(all.size()) - 2);
+  return std::sqrt(squares / known);
 }
 
 const SeriesEstimate& pressure_of(const Sampled& s) { return s.pressure; }

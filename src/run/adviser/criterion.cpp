@@ -44,8 +44,9 @@ void check_bias_known(const EnsembleSettings& ensemble) {
         "%\"), "
         "or use --ensemble nvt for its step and trajectory length");
   throw Error(
-      "a time-step bias is known at constant energy, or with type = \"rescaling\" in [thermostat] "
-      "and edges = [\"xyz\"] in a [barostat]; use these, or bound R (\"0.5 %\")");
+      "the time-step bias is not known in this ensemble; use constant energy, or type = "
+      "\"rescaling\" in [thermostat] with edges = [\"xyz\"] in a [barostat], or bound R (\"0.5 "
+      "%\")");
 }
 
 }  // namespace

@@ -33,12 +33,14 @@ std::vector<RequestOption<TopRequest>> TopRequest::options() {
 }
 
 FreeTop TopRequest::top() const {
+  FreeTop top;
+  if (J) top.J = three_numbers(J);
+  if (L) top.L = three_numbers(L);
   if (!J || !L)
     throw Error(fmt::format("a top needs three principal moments and three components of angular "
                             "momentum: write for example {} 1,2,3 {} 0.1,0.2,1, or give a {}",
                             J.name, L.name, table.name),
                 J.name + ", " + L.name);
-  FreeTop top{three_numbers(J), three_numbers(L)};
   if (step) top.step = given_numbers(step, 1, "0.1").front();
   if (length) top.length = given_numbers(length, 1, "20").front();
   return top;
