@@ -80,7 +80,7 @@ std::size_t equilibrated(const Replica& replica);
 
 /// Time between lags of dynamics [ps].
 inline double lag_interval(const Replica& replica) {
-  return replica.step * static_cast<double>(steps_of_lags / lags);
+  return replica.step * static_cast<double>(steps_of_lags) / static_cast<double>(lags);
 }
 
 }  // namespace polhode
