@@ -45,7 +45,7 @@ std::vector<RequestOption<NewRunFileRequest>> NewRunFileRequest::options() {
 
 std::string new_run_file(const std::string& kind, const std::string& file,
                          const NewRunFileRequest& request, const Callbacks& callbacks) {
-  const std::string name = file.empty() ? kind + ".toml" : file;
+  std::string name = file.empty() ? kind + ".toml" : file;
   const std::string text = text_of(kind, name, request, callbacks);
   if (std::filesystem::exists(name))
     throw Error(fmt::format(

@@ -148,7 +148,7 @@ class Advise(Sandbox):
         process = self.done("advise", GAS + rescaling, *bound)
         self.assertRegex(process.err, r"biases are converted to this ensemble: 150 K, stochastic velocity rescaling .* potential energy by 0\.\d+ ± \S+ kJ/mol and the pressure by")
         self.assertNotIn("converted", self.done("advise", GAS, *bound).err)
-        for tables, words in (("[thermostat]\n", ["rescaling", "is known at constant energy"]), ("[hybrid_monte_carlo]\n", ["has no time-step bias", "--ensemble nvt"])):
+        for tables, words in (("[thermostat]\n", ["rescaling", "is not known in this ensemble; use constant energy"]), ("[hybrid_monte_carlo]\n", ["has no time-step bias", "--ensemble nvt"])):
             self.refused(GAS + tables, "--bias", "energy 0.01 kJ/mol", words=words)
 
     def test_the_runs_that_confirm_decide(self):

@@ -85,7 +85,7 @@ CASES = [
     ("an option without its value", SMALL, (*RUN, "--length"), ["--length needs a value", "polhode help run"]),
     ("a number out of its range", SMALL, ("study", "run.toml", "--runs", "1"), ["--runs", 'runs = "1" must be 2 or more']),
     ("a word where a number is due", SMALL, ("study", "run.toml", "--runs", "two"), ["--runs", 'runs = "two" must be a whole number']),
-    ("a list of numbers with a letter", "", ("top", "--J", "1,a,3"), ["--J = 1,a,3", "cannot be read as a number"]),
+    ("a list of numbers with a letter", "", ("top", "--J", "1,a,3"), ["--J = \"1,a,3\"", "must be 3 numbers"]),
     ("a method that does not exist", "", ("top", "--table", "tops.csv", "--method", "serie"), ["--method", '"serie"', "did you mean 'series'"]),
     ("a variable of the shell that is not set", SMALL, (*RUN, "--output", ""), ["--output is an empty text", "polhode help run"]),
     ("a run file whose name is not set", "", ("run", ""), ["FILE is an empty text", "default"]),

@@ -71,7 +71,7 @@ TEST_CASE("requirements: biases are bounded only in ensembles in which they are 
   ensemble.thermostat = Rescaling{};
   CHECK(criterion_of(energy, ensemble).quality == Quality::energy_bias);
   ensemble.barostat = BarostatSettings{.edges = {{true, true, false}, {false, false, true}}};
-  refused(ensemble, {"one factor"});
+  refused(ensemble, {"edges = [\"xyz\"]"});
   refused({.temperature = 300, .hybrid_monte_carlo = HybridMonteCarloSettings{}},
           {"hybrid Monte Carlo has no time-step bias"});
 }
