@@ -8,6 +8,7 @@ import tempfile
 import unittest
 from concurrent.futures import ProcessPoolExecutor
 
+import package
 import polhode
 
 CALL = {"system": "argon", "properties": {"density": "1 %", "compressibility": "30 %"}, "molecules": 64,
@@ -59,4 +60,4 @@ class Measure(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    package.main()

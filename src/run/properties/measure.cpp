@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <mutex>
+#include <span>
 
 #include "base/stopwatch.hpp"
 #include "io/files/checksum.hpp"
@@ -125,16 +126,16 @@ class PointMeasurement {
 
   void choose_step();
   void show_plan(const Target& target, double seconds_per_step) const;
-  Target first_target() const;
   void extend(const Target& target);
   void extend(Replica& replica, const Target& target);
   void execute(const Target& target);
   void keep(Replica& replica, Replica changed);
-  std::vector<MeasuredProperty> evaluate() const;
-  bool next(Target& target, const std::vector<MeasuredProperty>& values) const;
+  std::vector<Replica> first_of(const Target& target) const;
+  std::vector<MeasuredProperty> evaluate(std::span<const Replica> replicas) const;
+  bool next(Target& target, const std::vector<MeasuredProperty>& values, bool equilibrium) const;
   void show(const std::vector<MeasuredProperty>& values) const;
-  PointData data() const {
-    return {system_.topology, system_.common.config.forces.mixing, at(), replicas_};
+  PointData data(std::span<const Replica> replicas) const {
+    return {system_.topology, system_.common.config.forces.mixing, at(), replicas};
   }
 
   const MeasureSettings& settings_;
@@ -226,16 +227,28 @@ void PointMeasurement::extend(const Target& target) {
     workers_.each(replicas_.size(), [&](std::size_t k) { extend(replicas_[k], target); });
 }
 
-std::vector<MeasuredProperty> PointMeasurement::evaluate() const {
+/// The replicas as they were at a target, on which decisions are made: a resumed measurement makes
+/// those of one that was never stopped.
+std::vector<Replica> PointMeasurement::first_of(const Target& target) const {
+  std::vector<Replica> first = replicas_;
+  for (Replica& replica : first) {
+    replica.averages.resize(std::min(replica.averages.size(), target.averages));
+    replica.dynamics.resize(std::min(replica.dynamics.size(), target.dynamics));
+  }
+  return first;
+}
+
+std::vector<MeasuredProperty> PointMeasurement::evaluate(std::span<const Replica> replicas) const {
   std::vector<MeasuredProperty> values;
   for (const RequestedProperty& request : settings_.properties)
-    values.push_back(estimate(request, data()));
+    values.push_back(estimate(request, data(replicas)));
   return values;
 }
 
 /// Longer lengths for what has not reached its error; a shard of n need reach √n times the error.
 /// @return  whether anything is left to do
-bool PointMeasurement::next(Target& target, const std::vector<MeasuredProperty>& values) const {
+bool PointMeasurement::next(Target& target, const std::vector<MeasuredProperty>& values,
+                            bool equilibrium) const {
   const auto longer = [](std::size_t n) {
     return static_cast<std::size_t>(std::ceil(growth * static_cast<double>(n)));
   };
@@ -248,7 +261,7 @@ bool PointMeasurement::next(Target& target, const std::vector<MeasuredProperty>&
     averages |= m.request.property->measured_in == MeasuredIn::averages;
     dynamics |= m.request.property->measured_in == MeasuredIn::dynamics;
   }
-  if (!in_equilibrium(data())) {
+  if (!equilibrium) {
     if (target.averages >= max_equilibration) return false;
     averages = true;
   }
@@ -283,34 +296,25 @@ void PointMeasurement::show_plan(const Target& target, double seconds_per_step) 
           std::min(n, static_cast<double>(workers_.threads()))));
 }
 
-/// Resumed replicas all get the length of the longest.
-Target PointMeasurement::first_target() const {
-  Target target{first_averages, wants(MeasuredIn::dynamics) ? first_dynamics : 0};
-  for (const Replica& r : replicas_) {
-    target.averages = std::max(target.averages, r.averages.size());
-    if (target.dynamics > 0) target.dynamics = std::max(target.dynamics, r.dynamics.size());
-  }
-  return target;
-}
-
 MeasuredPoint PointMeasurement::perform() {
   if ((wants(MeasuredIn::averages) || wants(MeasuredIn::dynamics)) && !settings_.only_evaluate) {
     const Stopwatch of_pilot;
     choose_step();
-    Target target = first_target();
+    Target target{first_averages, wants(MeasuredIn::dynamics) ? first_dynamics : 0};
     // The pilot has taken about as many force evaluations as 30,000 steps do.
     if (system_.common.step > 0) show_plan(target, of_pilot.seconds() / 15'000);
     while (system_.common.step > 0 && !stopped()) {
       extend(target);
       if (stopped()) break;
-      const std::vector<MeasuredProperty> values = evaluate();
-      if (!next(target, values)) break;
+      const std::vector<Replica> replicas = first_of(target);
+      const std::vector<MeasuredProperty> values = evaluate(replicas);
+      if (!next(target, values, in_equilibrium(data(replicas)))) break;
       show(values);
     }
   }
-  MeasuredPoint point = described(data());
-  point.properties = evaluate();
-  for (MeasuredProperty& m : point.properties) m.stages = stages_of(m.request, data());
+  MeasuredPoint point = described(data(replicas_));
+  point.properties = evaluate(replicas_);
+  for (MeasuredProperty& m : point.properties) m.stages = stages_of(m.request, data(replicas_));
   return point;
 }
 
