@@ -104,7 +104,7 @@ def unbiased_density(run):
 
 
 def densities(points):
-    head = ["T [K]", "scheme", "step [fs]", "density [kg/m³]", "predicted bias [kg/m³]", "without it [kg/m³]"]
+    head = ["T [K]", "scheme", "step [fs]", "density [kg/m³]", "predicted bias [kg/m³]", "density minus bias [kg/m³]"]
     return table(head, [[f"{p.temperature:g}", p.scheme, f"{p.step:g}", cell(of_runs(runs, density), 2), cell(of_runs(runs, density_bias), 2),
                          cell(of_runs(runs, unbiased_density), 2)] for p, runs in points.items()])
 
@@ -210,7 +210,7 @@ def maxima_of(points, draws=2000):
 def maxima(points, draws=2000):
     """Temperatures of the maxima, how far the step moves them, and what it changes in the density."""
     row = lambda name, m: [name, cell(m.place, 1), cell(m.moved, 1), cell(m.change, 3)]
-    return table(["", "maximum of the density [K]", "moved by the step [K]", "density, mean over temperatures [%]"],
+    return table(["", "maximum of the density [K]", "shift due to the step [K]", "density, mean over temperatures [%]"],
                  [row(name, m) for name, m in maxima_of(points, draws).items()])
 
 
@@ -288,7 +288,7 @@ def compressibilities(points):
     for (scheme, step), curve in curves.items():
         change, error = slope(curve) if len(curve) > 1 else (0, inf)
         rows.append([scheme, f"{step:g}", *(cell((b, e), 1) for _, b, e in sorted(curve)), cell((-100 * KAPPA * change, 100 * KAPPA * error), 2)])
-    return table(["scheme", "step [fs]", *(f"bias of the pressure at {x:g} g/cm³ [bar]" for x in (0.978, 0.998, 1.018)), "resulting bias of κ [%]"], rows)
+    return table(["scheme", "step [fs]", *(f"pressure bias at {x:g} g/cm³ [bar]" for x in (0.978, 0.998, 1.018)), "resulting bias of κ [%]"], rows)
 
 
 def from_volumes(points):
@@ -305,7 +305,7 @@ def from_volumes(points):
 
 def starts(points):
     """Differences of temperatures without a bias of the step."""
-    head = ["start", "runs", "length [ps]", "T_rot − T_trans, measured [K]", "predicted [K]", "configurational [K]"]
+    head = ["initial configuration", "runs", "length [ps]", "T_rot − T_trans, measured [K]", "predicted [K]", "configurational [K]"]
     return table(head, [[p.ensemble, str(len(runs)), f"{p.length:g}", cell(of_runs(runs, difference), 3), cell(of_runs(runs, predicted("difference")), 3),
                          cell(of_runs(runs, configurational), 3)] for p, runs in points.items()])
 
