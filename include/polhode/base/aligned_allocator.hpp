@@ -12,10 +12,11 @@
 
 namespace polhode {
 
-/// Bytes of the widest pack; columns start and end at multiples of it.
+/// Size of the widest SIMD pack in bytes; columns start and end at multiples of it.
 inline constexpr std::size_t pack_bytes = 64;
 
-/// Bytes of a large page of common processors; memory of at least two of them starts at one.
+/// Size of a large page on common processors, in bytes. A block of memory of at least two large
+/// pages starts at a large-page boundary.
 inline constexpr std::size_t large_page_bytes = std::size_t{1} << 21;
 
 template <class T>
@@ -27,7 +28,7 @@ struct AlignedAllocator {
   T* allocate(std::size_t n) {
     void* const memory = ::operator new(n * sizeof(T), alignment(n));
 #ifdef __linux__
-    if (is_large(n)) madvise(memory, n * sizeof(T), MADV_HUGEPAGE);  // may be refused
+    if (is_large(n)) madvise(memory, n * sizeof(T), MADV_HUGEPAGE);  // may be ignored
 #endif
     return static_cast<T*>(memory);
   }

@@ -40,7 +40,8 @@ class Column {
   std::vector<T, AlignedAllocator<T>> data_;
 };
 
-/// One of several columns that share a block of memory: a component of the vectors of all bodies.
+/// One of several columns that share a block of memory, such as the x components of the positions
+/// of all bodies.
 class Component {
  public:
   Component() = default;
@@ -51,7 +52,7 @@ class Component {
   double& operator[](std::size_t i) { return data_[i]; }
   const double& operator[](std::size_t i) const { return data_[i]; }
   std::span<const double> values() const { return {data_, size_}; }
-  Component(const Component&) = delete;  // it would lead into memory of another owner
+  Component(const Component&) = delete;  // a copy would point into memory of another owner
   Component& operator=(const Component&) = delete;
 
  private:
@@ -61,14 +62,14 @@ class Component {
   std::size_t size_ = 0;
 };
 
-/// The memory of `n` columns of equal size, at equal distances. Other languages can share it as one
-/// array with strides. Assigning the same number of values does not move it.
+/// Owns the memory of `n` columns of equal size, at equal distances. Other languages can share it
+/// as one array with strides. Assigning the same number of values does not move it.
 template <std::size_t n>
 class Components {
  public:
   std::size_t size() const { return size_; }
   std::size_t padded_size() const { return Column<double>::padded(size_); }
-  /// Distance from a value to the next component of the same body.
+  /// Distance from a value to the next component of the same body, in values.
   std::size_t stride() const { return stride_of(size_); }
   /// The values of a component.
   std::span<double> component(std::size_t k) {
@@ -85,7 +86,7 @@ class Components {
     for (std::size_t k = 0; k < n && size > 0; ++k)
       std::fill_n(component(k).data(), padded_size(), value[k]);
   }
-  /// Call this when the memory may have changed.
+  /// Updates the components after the memory may have moved.
   void place(const std::array<Component*, n>& components) {
     for (std::size_t k = 0; k < n; ++k) {
       components[k]->data_ = component(k).data();
@@ -98,8 +99,8 @@ class Components {
   }
 
  private:
-  /// One pack more than the values, because components that are whole pages apart share few cache
-  /// lines.
+  /// The stride is one pack larger than the values need, because components that are whole pages
+  /// apart share few cache lines.
   static constexpr std::size_t stride_of(std::size_t size) {
     return Column<double>::padded(size) + pack_bytes / sizeof(double);
   }
@@ -107,7 +108,7 @@ class Components {
   Column<double> memory_;
 };
 
-/// Three columns that hold one vector per body.
+/// Three columns that hold one vector for each body.
 struct Vec3Column : Components<3> {
   Component x, y, z;
 
@@ -141,7 +142,7 @@ struct Vec3Column : Components<3> {
   void add(std::size_t i, const Vec3<double>& v) { set(i, (*this)[i] + v); }
 };
 
-/// Four columns that hold one unit quaternion per body; the padding is the identity.
+/// Four columns that hold one unit quaternion for each body; the padding is the identity.
 struct QuaternionColumn : Components<4> {
   Component w, x, y, z;
 

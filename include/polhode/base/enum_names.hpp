@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// The names of an enumeration's values, an array in their order: specialized for each enumeration
-/// that has names.
+/// The names of the values of an enumeration, as an array in their order. It is specialized for
+/// each enumeration that has names.
 template <class Enum>
 inline constexpr auto enum_names = nullptr;
 
@@ -24,7 +24,7 @@ constexpr std::string_view name_of(Enum value) {
   return enum_names<Enum>[static_cast<std::size_t>(value)];
 }
 
-/// The value of that name, if there is one.
+/// The enumeration value with a given name; empty if there is none.
 template <NamedEnum Enum>
 constexpr std::optional<Enum> value_of(std::string_view name) {
   for (std::size_t k = 0; k < enum_names<Enum>.size(); ++k)

@@ -15,17 +15,19 @@ class Error : public std::runtime_error {
   explicit Error(const std::string& what_and_remedy, std::string where = {})
       : std::runtime_error(what_and_remedy), where_(std::move(where)) {}
 
-  /// File, line and key, as far as known: "water.toml:9, forces.cutoff".
+  /// The place of the error as far as it is known: file, line and key, such as "water.toml:9,
+  /// forces.cutoff".
   const std::string& where() const { return where_; }
 
-  /// This error with its place, unless a more precise place is already known.
+  /// Returns this error with a place added, unless a more precise place is already known.
   Error at(const std::string& where) const { return where_.empty() ? Error(what(), where) : *this; }
 
  private:
   std::string where_;
 };
 
-/// A run that cannot continue although its input was valid: the trajectory blew up. Exit code 1.
+/// A run that cannot continue although its input was valid, for example because the trajectory blew
+/// up. Exit code 1.
 class RunError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -37,13 +37,13 @@ constexpr Quaternion<Real> scaled(const Quaternion<Real>& q, Real s) {
   return {q.w * s, q.x * s, q.y * s, q.z * s};
 }
 
-/// q / |q|.
+/// The normalized quaternion q / |q|.
 template <class Real>
 Quaternion<Real> normalized(const Quaternion<Real>& q) {
   return scaled(q, Real(1) / sqrt(norm2(q)));
 }
 
-/// The matrix S of the papers: x_body = S x_lab.
+/// The matrix S of the papers, which takes lab-frame vectors to the body frame: x_body = S x_lab.
 template <class Real>
 constexpr Mat3<Real> matrix_S(const Quaternion<Real>& q) {
   const Real two(2);
@@ -55,13 +55,13 @@ constexpr Mat3<Real> matrix_S(const Quaternion<Real>& q) {
            q.w * q.w - q.x * q.x - q.y * q.y + q.z * q.z}};
 }
 
-/// S v: a lab-frame vector expressed in the body frame.
+/// The product S v, which expresses a lab-frame vector in the body frame.
 template <class Real>
 constexpr Vec3<Real> to_body(const Quaternion<Real>& q, const Vec3<Real>& v) {
   return matrix_S(q) * v;
 }
 
-/// Sᵀ v: a body-frame vector expressed in the lab frame.
+/// The product Sᵀ v, which expresses a body-frame vector in the lab frame.
 template <class Real>
 constexpr Vec3<Real> to_lab(const Quaternion<Real>& q, const Vec3<Real>& v) {
   return transpose(matrix_S(q)) * v;

@@ -25,8 +25,8 @@ constexpr Real select(bool condition, Real if_true, Real if_false) {
 /// Whether a comparison holds in any lane; a plain number has one lane.
 constexpr bool any(bool mask) { return mask; }
 
-/// The type of constant factors of a Real. It is the Real, but for a dual number the plain number,
-/// whose derivative need not be computed.
+/// The type of constant factors of a Real. It is the Real itself, except for a dual number: there
+/// it is the plain number, because constants have no derivative.
 template <class Real>
 struct ConstantOf {
   using type = Real;
@@ -34,7 +34,7 @@ struct ConstantOf {
 template <class Real>
 using Constant = typename ConstantOf<Real>::type;
 
-/// A literal, or a parameter of a law, as a Constant of Reals of any precision.
+/// A literal or a parameter of a law, converted to a Constant for Reals of any precision.
 template <class Real, class T>
 constexpr Constant<Real> constant(T x) {
   using C = Constant<Real>;
@@ -44,25 +44,25 @@ constexpr Constant<Real> constant(T x) {
     return static_cast<C>(x);
 }
 
-/// sum += a b.
+/// Multiply-add: sum += a b.
 template <class Real>
 constexpr void add_product(Real& sum, const Real& a, const Real& b) {
   sum += a * b;
 }
-/// sum −= a b.
+/// Negative multiply-add: sum −= a b.
 template <class Real>
 constexpr void subtract_product(Real& sum, const Real& a, const Real& b) {
   sum -= a * b;
 }
 
-/// The value of a function at x together with its known derivative there. A dual number takes its
-/// slope from the derivative, which is cheaper than differentiating the value.
+/// The value of a function at x, with its known derivative. For a dual number this derivative gives
+/// the slope, which is cheaper than differentiating the value.
 template <class Real>
 constexpr Real with_derivative(const Real& value, const Real&, const Real&) {
   return value;
 }
 
-/// A number without its derivative.
+/// The value of a number without its derivative.
 template <class Real>
 constexpr const Real& value_of(const Real& x) {
   return x;
@@ -76,19 +76,19 @@ using std::max;
 using std::min;
 using std::sqrt;
 
-/// The entry of a table at an index that is a Real: lane by lane for packs.
+/// The table entry at an index given as a Real; packs look up each lane separately.
 template <class T>
 T table_entry(const T* table, T index) {
   return table[static_cast<std::size_t>(index)];
 }
 
-/// 1/√a.
+/// The inverse square root 1/√a.
 template <class Real>
 Real inverse_sqrt(Real a) {
   return Real(1.0) / sqrt(a);
 }
 
-/// 1/r, 1/r² and 1/r³ from r². Packs compute each in a cheaper way than by products.
+/// 1/r, 1/r² and 1/r³ from r². For packs there are faster ways than multiplying powers of 1/r.
 template <class Real>
 class InversePowers {
  public:

@@ -5,7 +5,7 @@
 
 namespace polhode::units {
 
-// CODATA 2018: the first three are exact by definition of the SI.
+// CODATA 2018. The first three constants are exact by definition of the SI.
 inline constexpr double avogadro = 6.02214076e23;                // 1/mol
 inline constexpr double boltzmann = 1.380649e-26 * avogadro;     // kJ/mol/K
 inline constexpr double elementary_charge = 1.602176634e-19;     // C

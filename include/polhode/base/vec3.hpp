@@ -42,7 +42,7 @@ constexpr Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// sum += a × b, in the order suited to multiply-adds.
+/// Adds a cross product, sum += a × b, in an order suited to fused multiply-adds.
 template <class Real>
 constexpr void add_cross(Vec3<Real>& sum, const Vec3<Real>& a, const Vec3<Real>& b) {
   add_product(sum.x, a.y, b.z);
@@ -53,7 +53,7 @@ constexpr void add_cross(Vec3<Real>& sum, const Vec3<Real>& a, const Vec3<Real>&
   subtract_product(sum.z, a.y, b.x);
 }
 
-/// sum += s a.
+/// Adds a scaled vector, sum += s a.
 template <class Real>
 constexpr void add_scaled(Vec3<Real>& sum, const Real& s, const Vec3<Real>& a) {
   add_product(sum.x, s, a.x);
@@ -61,7 +61,7 @@ constexpr void add_scaled(Vec3<Real>& sum, const Real& s, const Vec3<Real>& a) {
   add_product(sum.z, s, a.z);
 }
 
-/// Element-wise product: J⁻¹ L and the like, for diagonal tensors held as a Vec3.
+/// The element-wise product of two vectors, such as J⁻¹ L for a diagonal tensor J held as a Vec3.
 template <class Real>
 constexpr Vec3<Real> scaled(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
@@ -77,7 +77,7 @@ Real norm(const Vec3<Real>& a) {
   return sqrt(norm2(a));
 }
 
-/// A 3 × 3 matrix by rows.
+/// A 3 × 3 matrix, stored by rows.
 template <class Real>
 struct Mat3 {
   Vec3<Real> row0{}, row1{}, row2{};

@@ -7,31 +7,32 @@
 
 namespace polhode {
 
-/// A fixed number of threads, including the calling one. Between calls the others spin for a few
-/// tens of µs, so that the next call costs only a µs or two. Then they sleep and leave the cores
-/// to other processes. A thread that gets no core takes no work, and no other thread waits for
-/// it.
+/// A fixed number of threads, including the calling thread. Between calls the other threads spin
+/// for a few tens of µs, so that the next call costs only a µs or two. After that they sleep and
+/// leave the cores to other processes. If the system gives a thread no core, the thread takes no
+/// work, and no other thread waits for it.
 class Workers {
  public:
-  /// @param threads  at least 1; more than the allowed cores gains nothing (base/threads.hpp)
+  /// @param threads  number of threads, at least 1; more threads than allowed cores gain nothing
+  ///   (base/threads.hpp)
   explicit Workers(int threads);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// The calling thread only.
+  /// A Workers object that uses only the calling thread.
   static Workers& serial();
 
   int threads() const { return threads_; }
 
   /// Calls task(k) once for every 0 ≤ k < count, in any order and on any thread, and returns when
-  /// all are done. What the tasks have written is then visible to the caller. Does not allocate.
-  /// Called from within a task, or while another thread's call is in progress, it runs all tasks on
-  /// the calling thread.
+  /// all are done. The caller then sees everything that the tasks have written. Does not allocate
+  /// memory. A call from within a task, or during another thread's call, runs all its tasks on the
+  /// calling thread.
   ///
-  /// If a task throws, tasks not yet started are skipped, and the exception of the smallest k is
-  /// rethrown here. Tasks start in order, so a single thread would have thrown the same exception
-  /// first.
+  /// If a task throws, all tasks that have not started are skipped, and the exception of the task
+  /// with the smallest k is rethrown. Tasks start in order, so this is the exception that a single
+  /// thread would throw.
   template <class Task>
   void each(std::size_t count, const Task& task) {
     if (count > 1 && threads_ > 1)

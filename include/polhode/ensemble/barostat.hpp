@@ -14,38 +14,41 @@
 
 namespace polhode {
 
-/// What a barostat has done so far.
+/// Counters and sums that a barostat has accumulated so far.
 struct BarostatMemory {
-  double work = 0;       ///< given to the bodies: changes of H by accepted moves [kJ/mol]
-  Vec3<double> edges{};  ///< edges of the box at the first move [nm]
+  double work = 0;       ///< work done on the bodies: changes of H by accepted moves [kJ/mol]
+  Vec3<double> edges{};  ///< box edges at the first move [nm]
   std::uint64_t moves = 0, accepted = 0;
-  TimeBlocks decisions;            ///< 1 for each accepted move, 0 for each rejected move
-  std::uint64_t evaluations = 0;   ///< number of force evaluations by moves
+  TimeBlocks decisions;            ///< one entry for each move: 1 if accepted, 0 if rejected
+  std::uint64_t evaluations = 0;   ///< number of force evaluations by barostat moves
   std::uint64_t beyond_shape = 0;  ///< moves rejected by max_shape_change
 };
 
-/// Edges in different groups have changed since the first move by factors whose ratio is at most
-/// this. A fluid does not resist a change of shape. Without a bound its shape would drift until an
+/// The largest ratio of the factors by which edges in different groups have changed since the first
+/// move. A fluid does not resist a change of shape, so without a bound the box would drift until an
 /// edge is too short for the cutoff. Moves beyond the bound are rejected, so the distribution
 /// within it is unchanged.
 inline constexpr double max_shape_change = 1.2;
 
-/// Scales edges of the box, and the centres of mass along them.
-/// @param momenta  also scales these momenta by the inverse, so that volume in phase space is kept
+/// Scales box edges, and with them the centres of mass.
+/// @param momenta  if true, also scales these momenta by the inverse factors, which conserves
+///   phase-space volume
 void scale_box(State& state, const CoupledEdges& edges, double factor, bool momenta);
 
-/// Moves of one group of edges at a time, whose stationary distribution is exp(−(H + P₀V)/kT) dV.
+/// Moves the box, one group of edges at a time, with the stationary distribution exp(−(H + P₀V)/kT)
+/// dV.
 ///
 /// Stochastic cell rescaling [bernetti2020], with λ = √V: dλ = −(β λ/2τ) [P₀ − P − kT/(2V)] dt +
 /// √(kT β/2τ) dW, where P is the molecular pressure along the edges of the group. Momenta are
-/// scaled inversely. A move is accepted with probability min(1, exp(−Δ/kT)), where Δ is its
-/// violation of detailed balance [roberts1996]. Without this test (`metropolis` false), Δ is the
-/// error of a move, and the work is the change of H minus Δ.
+/// scaled by the inverse factors. A move is accepted with probability min(1, exp(−Δ/kT)), where Δ
+/// is its violation of detailed balance [roberts1996]. If `metropolis` is false, every move is
+/// accepted, Δ is its error, and the work is the change of H minus Δ.
 ///
-/// Monte Carlo: ΔV uniform between ±δ, δ = 2 √(kT β V₀) with V₀ the volume at the first move,
-/// momenta unchanged, accepted with min(1, exp(−(ΔU + P₀ΔV)/kT + N ln(V'/V))), N molecules.
+/// Monte Carlo: ΔV is uniform between ±δ with δ = 2 √(kT β V₀), where V₀ is the volume at the first
+/// move. Momenta do not change. A move of N molecules is accepted with probability min(1, exp(−(ΔU
+/// + P₀ΔV)/kT + N ln(V'/V))).
 ///
-/// The total momentum is 0, and the centre of mass moves with the box. The volume of an ideal gas
+/// The total momentum is 0, and the centre of mass scales with the box. The volume of an ideal gas
 /// of N molecules has the distribution Gamma(N, kT/P₀) with cell rescaling, and Gamma(N + 1, kT/P₀)
 /// with Monte Carlo moves. Momenta have 3 N − 3 degrees of freedom.
 class Barostat {
@@ -53,13 +56,13 @@ class Barostat {
   /// Computes forces, energies and virial of a state.
   using Evaluate = std::function<void(const State&, Load&)>;
 
-  /// @param bodies  kept by reference
+  /// @param bodies  masses of the bodies, kept by reference
   Barostat(const BarostatSettings& settings, double temperature, const Bodies& bodies,
            std::uint64_t seed);
 
-  /// One move.
-  /// @param load  of the state, with energies; afterwards of the new state
-  /// @param step  of the trajectory, for the random numbers
+  /// Tries one move.
+  /// @param load  load of the state, with energies; updated if the state changes
+  /// @param step  step of the trajectory, which selects the random numbers
   /// @return  whether the state has changed
   /// @throws Error  from `evaluate` if the box has become too small for the cutoff
   bool move(State& state, Load& load, const Evaluate& evaluate, std::uint64_t step);
@@ -83,8 +86,8 @@ class Barostat {
   const Bodies& bodies_;
   std::uint64_t seed_;
   BarostatMemory memory_;
-  State before_;  // the move
-  Load load_;     // after the move
+  State before_;  // state before the move
+  Load load_;     // load after the move
 };
 
 }  // namespace polhode

@@ -16,29 +16,30 @@
 
 namespace polhode {
 
-/// What hybrid Monte Carlo has done so far.
+/// Sums that hybrid Monte Carlo has accumulated so far.
 struct HybridMonteCarloMemory {
-  double work = 0;  ///< energy that the bodies received from draws and rejections [kJ/mol]
+  double work = 0;  ///< energy given to the bodies by new momenta and rejections [kJ/mol]
   std::uint64_t trajectories = 0, accepted = 0;
-  /// Blocks of three quantities: w = exp(−ΔH/kT), whose mean must be 1; 1 if accepted and 0 if not;
-  /// (w − 1) exp(−|ΔH|/kT), whose mean must be 0 (docs/theory.md, Eq. (40)). The last is between −1
-  /// and 1, so its error is known even if rare large weights make the error of w unknown.
+  /// Blocks of three quantities. The first is the weight w = exp(−ΔH/kT), whose mean must be 1. The
+  /// second is 1 for accepted trajectories and 0 for rejected ones. The third is (w − 1)
+  /// exp(−|ΔH|/kT), whose mean must be 0 (docs/theory.md, Eq. (40)). It lies between −1 and 1, so
+  /// its error is known even if rare large weights make the error of w unknown.
   TimeBlocks weights;
 
-  /// Adds a trajectory.
-  /// @param change  ΔH/kT at its end; infinite or not a number where the energy is none
+  /// Adds the decision on one trajectory.
+  /// @param change  ΔH/kT at the end of the trajectory; infinite or NaN if the energy is not finite
   void add(double change, bool accept);
 };
 
-/// @throws Error  unless the scheme is a palindrome, so that it is reversible, without a bath.
-///                Drifts and kicks keep volume in phase space, gradient kicks by finite difference
-///                included: each changes momenta by a function of positions and orientations
+/// @throws Error  unless the scheme is a palindrome without a bath, so that it is reversible. All
+///   drifts and kicks conserve phase-space volume. This includes gradient kicks by finite
+///   difference, because they change momenta by a function of positions and orientations.
 void check_hybrid(const Scheme& scheme);
 
-/// The decisions between trajectories of a scheme. A trajectory begins with momenta √(1 − φ) p + √φ
-/// ξ, with ξ from the Maxwell distribution of total momentum 0, and φ the part to refresh. Its end
-/// is accepted with probability min(1, exp(−ΔH/kT)). Otherwise the bodies return to its begin, with
-/// opposite momenta [horowitz1991].
+/// Accepts or rejects trajectories of a scheme. A trajectory begins with momenta √(1 − φ) p + √φ ξ,
+/// where ξ has the Maxwell distribution with total momentum 0, and φ is the fraction to refresh.
+/// Its end is accepted with probability min(1, exp(−ΔH/kT)). Otherwise the bodies return to its
+/// beginning, with reversed momenta [horowitz1991].
 class HybridMonteCarlo {
  public:
   /// @param bodies, workers  kept by reference
@@ -48,12 +49,12 @@ class HybridMonteCarlo {
 
   std::size_t steps() const { return settings_.steps; }
 
-  /// Refreshes the momenta.
-  /// @param load  of the state, with energies
-  /// @param step  the number of the next step, for the random numbers
+  /// Refreshes the momenta at the start of a trajectory.
+  /// @param load  load of the state, with energies
+  /// @param step  number of the next step, which selects the random numbers
   void begin(State& state, const Load& load, std::uint64_t step);
-  /// Decides at the end of a trajectory.
-  /// @param load  of the state, with energies; after a rejection, of the first state
+  /// Accepts or rejects a trajectory at its end.
+  /// @param load  load of the state, with energies; after a rejection, load of the restored state
   /// @return  whether the trajectory was accepted
   bool end(State& state, Load& load, std::uint64_t step);
 
@@ -70,7 +71,7 @@ class HybridMonteCarlo {
   HybridMonteCarloMemory memory_;
   State begin_;
   Load load_;
-  double energy_ = 0;  // at the begin [kJ/mol]
+  double energy_ = 0;  // energy at the start of the trajectory [kJ/mol]
 };
 
 }  // namespace polhode

@@ -12,20 +12,20 @@
 
 namespace polhode {
 
-/// When a minimisation ends, and how far it moves at once.
+/// Convergence criteria and step limits of a minimisation.
 struct MinimisationSettings {
-  double force = 10;              ///< bound of the largest force on a body [kJ/mol/nm]
-  double torque = 1;              ///< bound of the largest torque [kJ/mol]
-  std::size_t max_steps = 20000;  ///< largest number of steps, of one force evaluation each
-  /// Largest move of the centre of a body in a step, and of its outermost site by rotation, to
-  /// first order [nm]; 1/60 of the diameter of an atom.
+  double force = 10;              ///< bound on the largest force on a body [kJ/mol/nm]
+  double torque = 1;              ///< bound on the largest torque on a body [kJ/mol]
+  std::size_t max_steps = 20000;  ///< maximum number of steps, each with one force evaluation
+  /// Largest displacement in a step, of the centre of a body and (by rotation, to first order) of
+  /// its outermost site [nm]. The default is 1/60 of the diameter of an atom.
   double max_move = 0.005;
 };
 
-/// The energy of a configuration, and how far it is from a minimum.
+/// The energy of a configuration, with the largest force and torque.
 struct Steepness {
   double potential = 0;  ///< [kJ/mol]
-  double force = 0;      ///< the largest on a body [kJ/mol/nm]
+  double force = 0;      ///< largest force on a body [kJ/mol/nm]
   double torque = 0;     ///< largest torque on a body about its centre of mass [kJ/mol]
 };
 
@@ -38,7 +38,7 @@ enum class MinimisationEnd {
 struct Minimisation {
   Steepness before, after;
   std::size_t steps = 0;
-  /// One for each step, and one before the first.
+  /// Number of force evaluations: one for each step, and one before the first step.
   std::size_t evaluations() const { return steps + 1; }
   MinimisationEnd end = MinimisationEnd::converged;
 };
@@ -46,14 +46,14 @@ struct Minimisation {
 /// Computes forces, torques and energies of a state.
 using EvaluateLoad = std::function<void(const State&, Load&)>;
 
-/// Called before every step; true ends the minimisation.
+/// A function called before every step; if it returns true, the minimisation ends.
 using MinimisationWatch = std::function<bool(std::size_t steps, const Steepness& now)>;
 
 /// Moves bodies downhill by FIRE [bitzek2006, guenole2020], with kicks and drifts, so that bodies
-/// stay rigid. Momenta turn towards forces, p ← (1 − α) p + α c f and ℓ ← (1 − α) ℓ + α c τ with c
-/// = √(Σ(p²/m + L·J⁻¹L) / Σ(f²/m + τ·J⁻¹τ)). The step grows as long as the power Σ(f·p/m + τ·J⁻¹L)
-/// is positive. Otherwise the step shrinks, and momenta are set to 0. Moves are capped, so
-/// overlapping molecules separate slowly.
+/// stay rigid. Momenta turn towards the forces by p ← (1 − α) p + α c f and ℓ ← (1 − α) ℓ + α c τ
+/// with c = √(Σ(p²/m + L·J⁻¹L) / Σ(f²/m + τ·J⁻¹τ)). The step grows as long as the power Σ(f·p/m +
+/// τ·J⁻¹L) is positive. Otherwise the step shrinks, and momenta are set to 0. Displacements are
+/// capped, so overlapping molecules separate slowly.
 ///
 /// Momenta are 0 afterwards. A state that is already within the bounds keeps its positions and
 /// orientations, bit for bit. The result is the same for any number of threads, if this holds for

@@ -10,18 +10,20 @@
 
 namespace polhode {
 
-/// Forces that are added to a force field. They must be a function of positions, orientations and
-/// box only, because an evaluation is reused until one of these changes.
+/// Forces that are added to a force field. They must depend only on positions, orientations and
+/// box, because an evaluation is reused until one of these changes.
 struct ExternalForces {
-  std::string name;  ///< name in messages, and in checkpoints, which fit this name only
-  /// Adds forces, torques, the energy (Load::external), and the virial if they have one.
+  std::string name;  ///< name in messages and checkpoints; a checkpoint fits only runs with this
+                     ///< name
+  /// Adds the external forces, torques, energy (Load::external), and virial if `has_virial` is set.
   std::function<void(const State& state, Load& load)> add{};
-  bool has_virial = false;  ///< whether `add` sets the virial; if not, pressures lack the forces
+  bool has_virial = false;  ///< whether `add` sets the virial; if not, pressures do not include the
+                            ///< external forces
 };
 
 /// Adds the derivative of external forces and torques along a displacement of all bodies, as in
-/// ForceField::directional_derivative(). It is a central difference, whose relative error is about
-/// 1e-9 for forces that vary over 0.1 nm.
+/// ForceField::directional_derivative(). The derivative is a central difference with a relative
+/// error of about 1e-9 for forces that vary over 0.1 nm.
 void add_derivative(const ExternalForces& forces, const State& state, const Vec3Column& dq,
                     const Vec3Column& dtheta, Load& slope);
 

@@ -13,40 +13,43 @@
 
 namespace polhode {
 
-/// A rigid body. Any consistent units will do; ours are nm, ps, u.
+/// A single rigid body. Any consistent set of units works; polhode uses nm, ps and u.
 struct RigidBody {
   double m = 1;                      ///< mass [u]
-  Vec3<double> J{1, 1, 1};           ///< principal moments of inertia [u nm²]; no two of them 0
-  Vec3<double> q{}, p{};             ///< centre of mass [nm] and momentum [u nm/ps], lab
-  Quaternion<double> orientation{};  ///< body → lab
-  Vec3<double> ell{};                ///< angular momentum about the centre [u nm²/ps], lab
+  Vec3<double> J{1, 1, 1};           ///< principal moments of inertia [u nm²]; at most one of them
+                                     ///< is 0
+  Vec3<double> q{}, p{};             ///< centre of mass [nm] and momentum [u nm/ps], lab frame
+  Quaternion<double> orientation{};  ///< rotation from the body frame to the lab frame
+  Vec3<double> ell{};                ///< angular momentum about the centre of mass [u nm²/ps], lab
+                                     ///< frame
 
   /// Kinetic energy of translation and rotation [kJ/mol].
   double kinetic_energy() const {
     const Vec3<double> L = to_body(orientation, ell);
     return norm2(p) / (2 * m) + dot(L, over_J(L)) / 2;
   }
-  /// J⁻¹ v for a vector in the body frame; 0 along an axis without inertia.
+  /// The product J⁻¹ v for a body-frame vector v; its component is 0 along an axis with no moment
+  /// of inertia.
   Vec3<double> over_J(const Vec3<double>& v) const {
     const auto over = [](double x, double moment) { return moment > 0 ? x / moment : 0; };
     return {over(v.x, J.x), over(v.y, J.y), over(v.z, J.z)};
   }
 };
 
-/// Force on a body [kJ/mol/nm] and torque about its centre of mass [kJ/mol], lab.
+/// Force on a body [kJ/mol/nm] and torque about its centre of mass [kJ/mol], in the lab frame.
 struct BodyLoad {
   Vec3<double> f{}, tau{};
 };
 
-/// The flows of some bodies. Forces are reused from one kick to the next if positions have not
-/// changed in between.
+/// Drifts and kicks for a few rigid bodies. Forces are reused from one kick to the next unless the
+/// positions have changed in between.
 /// @tparam Forces  callable as forces(std::span<const RigidBody>, std::span<BodyLoad>), which sets
 ///                 the force and torque of every body
 template <class Forces>
 class BodyFlows {
  public:
-  /// @param bodies  kept by reference; only the flows may move them
-  /// @param lambda  for gradient kicks [vanzon2008, Eq. 6]
+  /// @param bodies  kept by reference; only these flows may move the bodies
+  /// @param lambda  displacement factor of gradient kicks [vanzon2008, Eq. 6]
   BodyFlows(std::span<RigidBody> bodies, Forces forces, double lambda = 1e-4)
       : bodies_(bodies),
         forces_(std::move(forces)),
@@ -55,7 +58,7 @@ class BodyFlows {
         displaced_load_(bodies.size()),
         displaced_(bodies.size()) {}
 
-  /// e^{At}: free flight and the exact free rotation [vanzon2008, Eq. 2].
+  /// The drift e^{At}: free flight and exact free rotation [vanzon2008, Eq. 2].
   void drift(double t) {
     for (RigidBody& b : bodies_) {
       b.q += (t / b.m) * b.p;
@@ -65,7 +68,7 @@ class BodyFlows {
     current_ = false;
   }
 
-  /// e^{Bt}: forces and torques act [vanzon2008, Eq. 3].
+  /// The kick e^{Bt}: forces and torques change momenta [vanzon2008, Eq. 3].
   void kick(double t) {
     if (!current_) {
       forces_(std::span<const RigidBody>(bodies_), std::span(load_));
@@ -75,8 +78,8 @@ class BodyFlows {
     kick(t, load_);
   }
 
-  /// e^{B̂(ξ)t}, always by finite difference [vanzon2008, Eqs. 4 to 7].
-  /// @param xi_h2  ξ h²
+  /// The gradient kick e^{B̂(ξ)t}, always by finite difference [vanzon2008, Eqs. 4 to 7].
+  /// @param xi_h2  product ξ h²
   void kick(double t, double xi_h2, Gradient) {
     kick(t);
     const double c = 2 * xi_h2 * lambda_;
@@ -107,7 +110,7 @@ class BodyFlows {
   double lambda_;
   std::vector<BodyLoad> load_, displaced_load_;
   std::vector<RigidBody> displaced_;
-  bool current_ = false;  // load_ belongs to the current positions
+  bool current_ = false;  // whether load_ belongs to the current positions
   int evaluations_ = 0;
 };
 

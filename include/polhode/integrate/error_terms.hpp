@@ -7,15 +7,15 @@
 
 namespace polhode {
 
-/// The prefactors in H̃ = H + h² (α V̈ + β W) + O(h⁴), the Hamiltonian that a palindromic scheme
-/// conserves: V̈ = {T,{T,V}}, W = {V,{V,T}}.
+/// The prefactors α and β in H̃ = H + h² (α V̈ + β W) + O(h⁴), the Hamiltonian that a palindromic
+/// scheme conserves. The brackets are V̈ = {T,{T,V}} and W = {V,{V,T}}.
 struct ErrorTerms {
   double alpha = 0, beta = 0;
 };
 
-/// Works from the middle stage outwards: each pair of stages e^{X/2} · e^{X/2} is wrapped around
-/// the inner part by the symmetric Baker-Campbell-Hausdorff formula [parisi1988]. Baths are left
-/// out: the terms belong to drifts and kicks only.
+/// Computes the O(h²) error terms of a scheme, from the middle stage outwards. Each pair of stages
+/// e^{X/2} · e^{X/2} is wrapped around the inner part by the symmetric Baker-Campbell-Hausdorff
+/// formula [parisi1988]. Baths are ignored, because only drifts and kicks have such terms.
 /// @param scheme  a palindrome; any other scheme has O(h) errors, which are not computed
 constexpr ErrorTerms error_terms(const Scheme& scheme) {
   const auto stages = scheme.stages();
@@ -35,7 +35,7 @@ constexpr ErrorTerms error_terms(const Scheme& scheme) {
         error.beta -= (pair ? 2 * t : t) * stages[i].xi;
         b += pair ? 2 * t : t;
         break;
-      case Flow::bath:  // no part of the Hamiltonian
+      case Flow::bath:  // not a part of the Hamiltonian
         break;
     }
   }

@@ -11,19 +11,19 @@
 
 namespace polhode {
 
-/// e^{At}: free flight and free rotation of every body, both exact [vanzon2008, Eq. 2]: q ← q + t
-/// p/m, S ← P(t) S.
+/// The drift e^{At}: exact free flight and free rotation of every body [vanzon2008, Eq. 2]: q ← q +
+/// t p/m, S ← P(t) S.
 void drift(State& state, const Bodies& bodies, double t, Workers& workers = Workers::serial());
 
-/// e^{Bt}: forces and torques act [vanzon2008, Eq. 3]: p ← p + t f, ℓ ← ℓ + t τ. No torque acts
-/// along an axis without inertia; what rounding of τ adds to ℓ there is removed, because it would
-/// accumulate over the steps.
+/// The kick e^{Bt}: forces and torques change momenta [vanzon2008, Eq. 3]: p ← p + t f, ℓ ← ℓ + t
+/// τ. No torque acts along an axis with no moment of inertia. The component of ℓ that round-off of
+/// τ adds along such an axis is removed, because it would accumulate over the steps.
 void kick(State& state, const Bodies& bodies, const Load& load, double t,
           Workers& workers = Workers::serial());
 
-/// The direction along which a gradient kick needs the derivative of the forces: f/m for each
-/// centre and J⁻¹ S τ for each orientation, body frame. ∇W is twice the derivative of f and τ along
-/// it.
+/// Computes the direction along which a gradient kick needs the derivative of the forces. It is f/m
+/// for each centre, and J⁻¹ S τ in the body frame for each orientation. ∇W is twice the derivative
+/// of f and τ along this direction.
 void gradient_direction(const State& state, const Bodies& bodies, const Load& load, Vec3Column& dq,
                         Vec3Column& dtheta, Workers& workers = Workers::serial());
 

@@ -7,8 +7,8 @@
 
 namespace polhode {
 
-/// Anything that computes the Load at a State. Optional member: forces_alone(state, load), which
-/// skips the energies when they are not needed.
+/// A type that computes the Load at a State. Its optional member forces_alone(state, load) skips
+/// the energies when they are not needed.
 template <class F>
 concept ForceModel = requires(F& forces, const State& state, Load& load) {
   {forces(state, load)};

@@ -13,20 +13,22 @@ namespace polhode {
 
 /// One force evaluation of a step, and the stages of the scheme around it, by their indices.
 struct ForceEvaluation {
-  std::size_t first = 0;  ///< stages first ≤ k < use lead to the positions of this evaluation;
-                          ///< kicks among them use the forces of the plain evaluation before it
+  std::size_t first = 0;  ///< Stages first ≤ k < use lead to the positions of this evaluation.
+                          ///< Kicks among these stages use the forces of the preceding plain
+                          ///< evaluation.
   std::size_t use = 0;    ///< stages use ≤ k < end change momenta with its forces
   std::size_t end = 0;
-  double xi = 0;  ///< ξ of a gradient kick by finite difference, which is stage `use`: the forces
-                  ///< belong to positions displaced as in [vanzon2008, Eq. 7], and the
-                  ///< positions return afterwards; 0: a plain evaluation
+  double xi = 0;  ///< ξ of a gradient kick by finite difference, where stage `use` is the kick. The
+                  ///< forces belong to positions displaced as in [vanzon2008, Eq. 7], which are
+                  ///< restored afterwards. 0 for a plain evaluation.
 };
 
-/// The force evaluations of one step in their order. A step begins with the forces at its first
-/// positions, which the last evaluation of the step before it has computed. A scheme that begins
-/// with a kick has as many evaluations as Scheme::force_evaluations() counts. Any other scheme has
-/// one more.
-/// @throws Error  if the scheme has exact gradients, whose derivatives of forces other engines lack
+/// Lists the force evaluations of one step in their order. A step begins with the forces at its
+/// first positions, which the previous step has computed in its last evaluation. A scheme that
+/// begins with a kick has as many evaluations as Scheme::force_evaluations() counts. Any other
+/// scheme has one evaluation more.
+/// @throws Error  if the scheme has exact gradients, because other engines do not compute
+///   derivatives of forces
 inline std::vector<ForceEvaluation> force_program(const Scheme& scheme) {
   if (scheme.has(Gradient::exact))
     throw Error(
@@ -34,8 +36,8 @@ inline std::vector<ForceEvaluation> force_program(const Scheme& scheme) {
         "differences, as in \"gier4-fd\"");
   const auto stages = scheme.stages();
   std::vector<ForceEvaluation> program;
-  bool known = true;      // the forces at the current positions
-  std::size_t first = 0;  // of the stages that belong to no evaluation yet
+  bool known = true;      // whether the forces at the current positions are known
+  std::size_t first = 0;  // first stage that does not belong to an evaluation yet
   for (std::size_t k = 0; k < stages.size(); ++k) {
     if (stages[k].flow == Flow::drift) {
       known = false;

@@ -23,7 +23,7 @@ struct FreeDrift {
   void operator()(State& state, double t) const { drift(state, bodies, t, workers); }
 };
 
-/// Takes the place of a bath, for schemes that have none.
+/// Replaces the bath in integrators of schemes that have none.
 struct NoBath {};
 
 /// A callable that drifts a state over a time t.
@@ -39,35 +39,36 @@ concept StateBath = std::same_as<F, NoBath> ||
   {bath(state, t, at)};
 };
 
-/// What an integrator keeps from step to step. Another integrator with this memory continues bit
-/// for bit like the first.
+/// The data that an integrator keeps from step to step. An integrator that receives this memory
+/// continues the trajectory bit for bit.
 struct IntegratorMemory {
-  Load load;              ///< result of the last evaluation
-  bool current = false;   ///< whether it belongs to the current positions
-  bool complete = false;  ///< whether it includes energies
+  Load load;              ///< load of the last evaluation
+  bool current = false;   ///< whether `load` belongs to the current positions
+  bool complete = false;  ///< whether `load` includes energies
   std::uint64_t steps = 0, evaluations = 0, derivatives = 0, measurements = 0;
   std::vector<IntegratorMemory> inner;  ///< memory of the inner scheme, if there is one
 };
 
-/// Applies step() to a state: joins adjacent stages, keeps forces while positions do not change,
-/// computes energies only on demand, and counts steps and evaluations. It does so in place: it owns
-/// its scratch space and the last Load; a step does not allocate.
-/// @tparam Drift  other than free motion, such as steps of an inner scheme
-/// @tparam Bath   for schemes that have one
+/// Applies step() to a state. It joins adjacent stages, reuses forces while positions do not
+/// change, computes energies only on demand, and counts steps and evaluations. It works in place
+/// and owns its scratch space and the last Load, so a step does not allocate memory.
+/// @tparam Drift  drift to use instead of free motion, such as steps of an inner scheme
+/// @tparam Bath   bath, for schemes that have one
 template <ForceModel Forces, StateDrift Drift = FreeDrift, StateBath Bath = NoBath>
 class Integrator {
  public:
   /// @param forces  kept by reference
-  /// @param lambda  for gradient kicks by finite difference [vanzon2008, Eq. 6]
-  /// @param workers  for drifts and kicks, kept by reference; the forces have their own
+  /// @param lambda  displacement factor of gradient kicks by finite difference [vanzon2008, Eq. 6]
+  /// @param workers  threads for drifts and kicks, kept by reference; the forces have their own
+  ///   threads
   /// @throws Error  if the scheme has exact gradients and the forces offer no derivative, or if it
-  ///                has a bath and none is given
+  ///   has a bath and no bath is given
   Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, double lambda = 1e-4,
              Workers& workers = Workers::serial()) requires std::same_as<Drift, FreeDrift> &&
       std::same_as<Bath, NoBath>
       : Integrator(scheme, bodies, forces, FreeDrift{bodies, workers}, NoBath{}, lambda, workers) {}
 
-  /// @param drift, bath  kept by value: pass std::ref() for one that has a state
+  /// @param drift, bath  kept by value; pass std::ref() for an object with a state
   Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, Drift drift, Bath bath,
              double lambda = 1e-4, Workers& workers = Workers::serial())
       : scheme_(scheme),
@@ -93,11 +94,11 @@ class Integrator {
     if (exact || difference) gradient_load_ = Load(bodies.size());
   }
 
-  /// Advances by `steps` steps e^{Lh} [vanzon2008, Eq. 1]. Adjacent stages of one flow are applied
-  /// as one, such as the last of a step and the first of the next. At the end the state is
-  /// synchronized: positions and momenta belong to the same time.
-  /// @param energies  whether energies are required from load() at the end; otherwise they have to
-  ///                  be computed at that point
+  /// Advances by `steps` steps e^{Lh} [vanzon2008, Eq. 1]. Adjacent stages of one flow, such as the
+  /// last stage of a step and the first stage of the next, are applied as one. At the end the state
+  /// is synchronized: positions and momenta belong to the same time.
+  /// @param energies  whether load() will need energies at the end; if not, load() computes them on
+  ///   demand
   void advance(State& state, double h, std::size_t steps = 1, bool energies = true) {
     if (steps == 0) return;
     const double start = state.time;
@@ -107,15 +108,15 @@ class Integrator {
 
     const std::span<const Stage> last = scheme_.stages();
     play(last.first(after_last_drift_), joined, h, {steps_, 0});
-    flows.energies = energies;  // of the positions at the end
+    flows.energies = energies;  // energies of the positions at the end
     play(last.subspan(after_last_drift_), joined, h, {steps_++, after_last_drift_});
     joined.flush();
     state.time = start + static_cast<double>(steps) * h;
   }
 
-  /// The Load at the positions of the state. It is reused from the last kick if the positions have
-  /// not changed since. Otherwise it is a new evaluation, which is counted as a measurement, not as
-  /// part of the integration.
+  /// The Load at the positions of the state. The result of the last kick is reused if the positions
+  /// have not changed since. Otherwise the forces are evaluated again, and this evaluation is
+  /// counted as a measurement, not as part of the integration.
   const Load& load(const State& state) {
     if (!current_ || !complete_) {
       evaluate(state, true);
@@ -124,8 +125,9 @@ class Integrator {
     return load_;
   }
 
-  /// Forces and torques at the positions of the state. They are reused from the last kick if the
-  /// positions have not changed since. Otherwise they are a new evaluation of the integration.
+  /// Forces and torques at the positions of the state. The values of the last kick are reused if
+  /// the positions have not changed since. Otherwise the forces are evaluated again, as part of the
+  /// integration.
   /// @param energies  whether a new evaluation should include energies
   const Load& forces(const State& state, bool energies = false) {
     if (!current_) {
@@ -138,9 +140,10 @@ class Integrator {
   /// Forces and torques of the last kick, at the positions of that kick.
   const Load& last_load() const { return load_; }
 
-  /// Call this when the positions or the box were changed from outside.
+  /// Discards the stored Load. Call this after a change of positions or box from outside.
   void forget() { current_ = false; }
-  /// Call this if, in addition, the Load at the positions is known, with energies.
+  /// Replaces the stored Load. Call this after a change of positions or box from outside, if the
+  /// new Load is known with energies.
   void replace_load(const Load& load) {
     load_ = load;
     current_ = complete_ = true;
@@ -158,17 +161,24 @@ class Integrator {
   }
 
   const Scheme& scheme() const { return scheme_; }
-  std::uint64_t steps() const { return steps_; }                    ///< the number of the next one
-  std::uint64_t force_evaluations() const { return evaluations_; }  ///< force evaluations by steps
-  std::uint64_t derivatives() const { return derivatives_; }        ///< derivatives by steps
-  std::uint64_t measurements() const { return measurements_; }      ///< evaluations by load() only
+  std::uint64_t steps() const { return steps_; }  ///< number of the next step
+  std::uint64_t force_evaluations() const {
+    return evaluations_;
+  }  ///< number of force evaluations by steps
+  std::uint64_t derivatives() const {
+    return derivatives_;
+  }  ///< number of derivative evaluations by
+     ///< steps
+  std::uint64_t measurements() const {
+    return measurements_;
+  }  ///< number of evaluations by load() only
 
  private:
-  /// The flows of one state.
+  /// Implements the flows of a scheme for one state.
   struct StateFlows {
     Integrator& integrator;
     State& state;
-    bool energies = false;  // whether evaluations include them
+    bool energies = false;  // whether evaluations include energies
 
     void drift(double t) {
       integrator.drift_(state, t);
@@ -203,9 +213,10 @@ class Integrator {
     current_ = true;
   }
 
-  /// Adds ξ h² ∇W, the difference of e^{B̂(ξ)t} and e^{Bt} [vanzon2008, Eq. 5]. ∇W is twice the
-  /// derivative of f and τ along the displacement that they would cause (docs/theory.md, Eq. (14)).
-  /// h in ξ h² is the full step, whatever the fraction of the kick.
+  /// Adds the gradient term ξ h² ∇W to the momenta: the difference of e^{B̂(ξ)t} and e^{Bt}
+  /// [vanzon2008, Eq. 5]. ∇W is twice the derivative of f and τ along the displacement that forces
+  /// and torques would cause (docs/theory.md, Eq. (14)). h is the full step, whatever the fraction
+  /// of the kick.
   void exact_gradient_kick(State& state, double t, double xi_h2) {
     gradient_direction(state, bodies_, load_, dq_, dtheta_, workers_);
     forces_.directional_derivative(state, dq_, dtheta_, gradient_load_);
@@ -213,8 +224,8 @@ class Integrator {
     kick(state, bodies_, gradient_load_, t * 2 * xi_h2, workers_);
   }
 
-  /// Adds the gradient kick by finite difference: Δf = [f(q̃, S̃) − f(q, S)]/λ, and likewise for τ,
-  /// both in the lab frame [vanzon2008, Eqs. 6 and 7].
+  /// Adds the gradient kick by finite difference: Δf = [f(q̃, S̃) − f(q, S)]/λ, and similarly for
+  /// τ, both in the lab frame [vanzon2008, Eqs. 6 and 7].
   void finite_difference_kick(State& state, double t, double xi_h2) {
     shifted_.q = state.q;
     shifted_.orientation = state.orientation;
@@ -233,12 +244,12 @@ class Integrator {
   Bath bath_;
   double lambda_;
   Workers& workers_;
-  std::size_t after_last_drift_ = 0;  // stages up to and including the last drift
+  std::size_t after_last_drift_ = 0;  // number of stages up to and including the last drift
   Load load_, gradient_load_;
   Vec3Column dq_, dtheta_;  // displacement along which the derivative is taken
-  State shifted_;           // q̃, S̃
-  bool current_ = false;    // load_ belongs to the current positions
-  bool complete_ = false;   // load_ includes energies
+  State shifted_;           // displaced state q̃, S̃
+  bool current_ = false;    // whether load_ belongs to the current positions
+  bool complete_ = false;   // whether load_ includes energies
   std::uint64_t steps_ = 0, evaluations_ = 0, derivatives_ = 0, measurements_ = 0;
 };
 

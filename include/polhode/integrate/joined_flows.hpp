@@ -8,14 +8,15 @@
 
 namespace polhode {
 
-/// Delays each drift or kick until another flow follows. The last kick of a step and the first
-/// kick of the next are then one: e^{Bs} e^{Bt} = e^{B(s + t)}. Only flush() synchronizes the
-/// state.
+/// Delays each drift or kick until a different flow follows. The last kick of a step and the first
+/// kick of the next step are then applied as one: e^{Bs} e^{Bt} = e^{B(s + t)}. Only flush()
+/// synchronizes the state.
 template <Flows F>
 class JoinedFlows {
  public:
   /// @param flows        kept by reference
-  /// @param join_drifts  false for drifts that depend on how a time is divided, such as inner steps
+  /// @param join_drifts  false for drifts that depend on how the time is divided, such as inner
+  ///   steps
   explicit JoinedFlows(F& flows, bool join_drifts = true)
       : flows_(flows), join_drifts_(join_drifts) {}
 
@@ -32,7 +33,7 @@ class JoinedFlows {
     flows_.bath(t, at);
   }
 
-  /// Applies what is held back.
+  /// Applies the stage that is being delayed.
   void flush() {
     if (held_) play(*held_, flows_, 1, {});
     held_.reset();
@@ -50,7 +51,8 @@ class JoinedFlows {
 
   F& flows_;
   bool join_drifts_;
-  std::optional<Stage> held_;  // its fraction is a time, its ξ is ξ h²: a stage of a step h = 1
+  std::optional<Stage> held_;  // Delayed stage, as a stage of a step h = 1: its fraction is a time,
+                               // and its ξ is ξ h².
 };
 
 }  // namespace polhode

@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-/// e^{(A + B_near)t}, approximated by a number of steps of an inner integrator.
+/// The flow e^{(A + B_near)t}, approximated by a number of steps of an inner integrator.
 template <class Inner>
 struct InnerSteps {
   Inner& inner;
@@ -18,9 +18,9 @@ struct InnerSteps {
   }
 };
 
-/// The slow forces of V = V_near + V_slow, which are all forces minus the near forces. At the
-/// positions of the integrated state, the inner integrator evaluates the near forces once for
-/// both.
+/// Computes the slow forces of V = V_near + V_slow, which are all forces minus the near forces. At
+/// the positions of the integrated state, the inner and the outer integrator share one evaluation
+/// of the near forces.
 /// @tparam Near  a cheap, rapidly varying part of the forces of Full
 template <ForceModel Full, ForceModel Near>
 class SlowForces {
@@ -28,17 +28,19 @@ class SlowForces {
   SlowForces(Full& full, Near& near, Integrator<Near>& inner, std::size_t bodies)
       : full_(full), near_(near), inner_(inner), part_(bodies) {}
 
-  /// Slow forces and torques; the energies and the virial belong to all forces.
+  /// Computes slow forces and torques. The energies and the virial of the result belong to all
+  /// forces.
   void operator()(const State& state, Load& load) {
     full_(state, load);
     subtract(load, near_load(state));
   }
-  /// Slow forces and torques only.
+  /// Computes only the slow forces and torques.
   void forces_alone(const State& state, Load& load) {
     polhode::forces_alone(full_, state, load);
     subtract(load, near_load(state));
   }
-  /// Derivative of the slow forces and torques: all forces minus near forces.
+  /// Computes the derivative of the slow forces and torques: the derivative of all forces minus the
+  /// derivative of the near forces.
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
                               Load& derivative) requires OffersDerivative<Full> &&
       OffersDerivative<Near> {
@@ -48,11 +50,11 @@ class SlowForces {
     subtract(derivative, part_);
   }
 
-  /// Sets the state that the inner integrator advances. Any other state has displaced positions, as
-  /// for a finite difference, and must not affect the memory of the inner integrator.
+  /// Sets the state that the inner integrator advances. Evaluations at any other state, such as the
+  /// displaced state of a finite difference, must not affect the memory of the inner integrator.
   void integrates(const State& state) { integrated_ = &state; }
 
-  /// Number of evaluations outside the inner integrator.
+  /// Number of near-force evaluations outside the inner integrator.
   std::uint64_t near_evaluations() const { return near_evaluations_; }
   std::uint64_t near_derivatives() const { return near_derivatives_; }
   void reset_counts() { near_evaluations_ = near_derivatives_ = 0; }
@@ -78,20 +80,20 @@ class SlowForces {
   Full& full_;
   Near& near_;
   Integrator<Near>& inner_;
-  Load part_;  // of the near forces, when the inner integrator has none
+  Load part_;  // load of the near forces, if the inner integrator has none
   const State* integrated_ = nullptr;
   std::uint64_t near_evaluations_ = 0, near_derivatives_ = 0;
 };
 
-/// An integrator of the slow forces whose drift is an integrator of the near ones: like Integrator,
-/// for a scheme with an inner scheme.
+/// Integrates a scheme with an inner scheme. It is an Integrator of the slow forces, whose drift is
+/// an Integrator of the near forces.
 template <ForceModel Full, ForceModel Near, StateBath Bath = NoBath>
 class NestedIntegrator {
  public:
-  /// @param scheme  must have an inner scheme
+  /// @param scheme  scheme with an inner scheme
   /// @param full, near  total and near forces, kept by reference
-  /// @param bath  of the outer scheme; the inner one has none
-  /// @throws Error  as Integrator
+  /// @param bath  bath of the outer scheme; the inner scheme has none
+  /// @throws Error  under the same conditions as Integrator
   NestedIntegrator(const NestedScheme& scheme, const Bodies& bodies, Full& full, Near& near,
                    double lambda = 1e-4, Workers& workers = Workers::serial(), Bath bath = {})
       : inner_(scheme.inner.value().scheme, bodies, near, lambda, workers),
@@ -115,9 +117,12 @@ class NestedIntegrator {
   const Load& last_load() const { return outer_.last_load(); }
   SlowForces<Full, Near>& slow_forces() { return slow_; }
 
-  /// Call this when the positions were changed from outside.
+  /// Discards stored loads. Call this after a change of positions from outside.
   void forget() { inner_.forget(), outer_.forget(); }
-  void replace_load(const Load&) { forget(); }  // the parts of all forces are not known
+  void replace_load(const Load&) {
+    forget();
+  }  // the near and slow parts of this Load are not
+     // known
 
   IntegratorMemory memory() const {
     IntegratorMemory memory = outer_.memory();
@@ -126,7 +131,7 @@ class NestedIntegrator {
     inner.derivatives = near_derivatives();
     return memory;
   }
-  /// @param memory  without memory of an inner scheme, if the scheme so far had none
+  /// @param memory  has no memory of an inner scheme if the previous scheme had none
   void resume_from(const IntegratorMemory& memory) {
     outer_.resume_from(memory);
     if (memory.inner.empty())
@@ -136,7 +141,9 @@ class NestedIntegrator {
     slow_.reset_counts();
   }
 
-  std::uint64_t force_evaluations() const { return outer_.force_evaluations(); }  ///< all forces
+  std::uint64_t force_evaluations() const {
+    return outer_.force_evaluations();
+  }  ///< number of evaluations of all forces
   std::uint64_t derivatives() const { return outer_.derivatives(); }
   std::uint64_t measurements() const { return outer_.measurements(); }
   std::uint64_t near_evaluations() const {

@@ -9,17 +9,17 @@
 
 namespace polhode {
 
-/// The inner scheme: steps with the near forces that make up each drift of an outer scheme.
+/// An inner scheme. Its steps with the near forces replace each drift of an outer scheme.
 struct InnerScheme {
   Scheme scheme;
   int steps = 1;           ///< steps per drift of the outer scheme
   double switch_from = 0;  ///< distance between molecules at which the switch of the near forces
                            ///< begins [nm]
-  double cutoff = 0;       ///< distance beyond which they are zero [nm]
+  double cutoff = 0;       ///< distance beyond which the near forces are zero [nm]
 };
 
-/// A scheme, and optionally one nested within it; then the kicks of the outer scheme use the slow
-/// part of the forces.
+/// A scheme with an optional inner scheme nested within it. If there is one, the kicks of the outer
+/// scheme use only the slow forces.
 struct NestedScheme {
   Scheme outer;
   std::optional<InnerScheme> inner;
@@ -27,7 +27,8 @@ struct NestedScheme {
   NestedScheme(const Scheme& scheme, std::optional<InnerScheme> within = {})
       : outer(scheme), inner(within) {}
 
-  /// The lower of the two orders; 0 if one of them is unknown.
+  /// The order of the nested scheme: the lower of the outer and inner orders, or 0 if one of them
+  /// is unknown.
   int order() const {
     return inner ? std::min(outer.order(), inner->scheme.order()) : outer.order();
   }
@@ -38,8 +39,8 @@ struct NestedScheme {
   }
 
   /// Evaluations of the near forces per step of the outer scheme, in addition to its
-  /// force_evaluations() of the total forces. Outer and inner kicks at the same positions share
-  /// one; the displaced positions of a finite difference need another.
+  /// force_evaluations() of the total forces. Outer and inner kicks at the same positions share one
+  /// evaluation. The displaced positions of a finite difference need another.
   int near_evaluations() const {
     if (!inner) return 0;
     const bool shared = inner->scheme.starts_with_kick() || inner->scheme.ends_with_kick();
@@ -52,11 +53,12 @@ struct NestedScheme {
   int near_derivatives() const {
     return inner ? inner_steps() * inner->scheme.derivatives() + outer.derivatives() : 0;
   }
-  /// Total cost of both, in evaluations of the near forces.
+  /// Total cost per step of near-force evaluations and near-force derivatives, in evaluations of
+  /// the near forces.
   double near_cost() const { return near_evaluations() + derivative_cost * near_derivatives(); }
 
  private:
-  /// Inner steps per step of the outer scheme.
+  /// Number of inner steps in one step of the outer scheme.
   int inner_steps() const {
     const auto drifts = std::count_if(outer.stages().begin(), outer.stages().end(),
                                       [](const Stage& stage) { return stage.flow == Flow::drift; });

@@ -12,8 +12,8 @@
 
 namespace polhode {
 
-/// What a stage does. Code that depends on the flow uses a `switch` without `default`, so that the
-/// compiler reports every switch in which a new flow is missing.
+/// The flow that a stage applies. Code that depends on the flow uses a `switch` without `default`,
+/// so that the compiler reports every switch in which a new flow is missing.
 enum class Flow {
   drift,  ///< free flight and free rotation: changes positions and orientations
   kick,   ///< forces and torques act: changes momenta
@@ -22,7 +22,7 @@ enum class Flow {
 
 inline constexpr std::array all_flows{Flow::drift, Flow::kick, Flow::bath};
 
-/// The letter of a flow in the text of a scheme.
+/// The letter of a flow in scheme texts.
 constexpr char letter_of(Flow flow) {
   switch (flow) {
     case Flow::drift:
@@ -53,15 +53,15 @@ enum class Gradient {
   finite_difference,  ///< uses forces at displaced positions [vanzon2008, Eqs. 6 and 7]
 };
 
-/// One factor of the propagator.
+/// One stage of a scheme: a factor of its propagator.
 struct Stage {
   Flow flow = Flow::drift;
   double fraction = 0;  ///< fraction of the step h
-  double xi = 0;        ///< ξ of a gradient kick [vanzon2008, Eqs. 4 to 7]; 0 for a plain one
+  double xi = 0;        ///< ξ of a gradient kick [vanzon2008, Eqs. 4 to 7]; 0 for a plain kick
   Gradient gradient = Gradient::exact;
   constexpr bool has(Gradient which) const { return xi != 0 && gradient == which; }
-  /// Whether this stage and `next`, right after it, can be joined into one. Baths cannot: each has
-  /// separate random numbers.
+  /// Whether this stage and the following stage `next` can be joined into one. Baths cannot be
+  /// joined, because each has separate random numbers.
   constexpr bool joins(const Stage& next) const {
     switch (flow) {
       case Flow::drift:
@@ -86,7 +86,7 @@ constexpr Stage O(double c) { return {Flow::bath, c, 0}; }
 /// with bench/micro/forces.cpp (docs/gradient.md).
 inline constexpr double derivative_cost = 2.0;
 
-/// Placeholder for the fraction with which the flow advances by one step in total.
+/// Placeholder for the fraction that makes the fractions of a flow sum to one step.
 inline constexpr double rest = std::numeric_limits<double>::quiet_NaN();
 
 /// A scheme. User-defined lines of the table are checked at compile time: the constructor is
@@ -95,8 +95,8 @@ class Scheme {
  public:
   static constexpr std::size_t max_stages = 64, max_name = 32;
 
-  /// @param half    the stages up to and including the middle one; the rest is their mirror image.
-  ///                One stage of each flow may have `rest` as its fraction
+  /// @param half    stages up to and including the middle stage; the other stages are their mirror
+  ///   image. One stage of each flow may have `rest` as its fraction
   /// @param source  key in docs/references.bib
   consteval Scheme(std::string_view name, int order, std::initializer_list<Stage> half,
                    std::string_view source)
@@ -107,15 +107,16 @@ class Scheme {
     if (!consistent()) throw "the drifts, the kicks or the baths of a scheme do not sum to one";
   }
 
-  /// A scheme of stages known at run time: see scheme_of().
-  /// @param name  of at most max_name characters; empty: none
+  /// A scheme whose stages are known only at run time: see scheme_of().
+  /// @param name  name with at most max_name characters; may be empty
   constexpr Scheme(std::span<const Stage> stages, int order, std::string_view name = "")
       : name_("custom"), source_(""), order_(order) {
     for (const Stage& stage : stages) stages_[count_++] = stage;
     for (const char c : name) own_name_[own_name_size_++] = c;
   }
 
-  /// Its name in the table, or its own name, which this object stores; "custom" without one.
+  /// The name of the scheme in the table, or its user-given name, which this object stores;
+  /// "custom" if it has no name.
   constexpr std::string_view name() const {
     return has_own_name() ? std::string_view(own_name_.data(), own_name_size_) : name_;
   }
@@ -125,12 +126,13 @@ class Scheme {
   constexpr int order() const { return order_; }  ///< declared order; 0 if unknown
   constexpr std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 
-  /// Force evaluations per step in a sequence of steps. A bath and a kick at the positions of the
-  /// previous kick cost nothing. A gradient kick by finite difference costs one more.
+  /// Number of force evaluations per step in a sequence of steps. A bath costs none, nor does a
+  /// kick at the positions of the previous kick. A gradient kick by finite difference costs one
+  /// more.
   constexpr int force_evaluations() const { return evaluations().forces; }
-  /// Evaluations of the derivative of the forces per step: one per exact gradient kick.
+  /// Number of derivative evaluations per step: one for each exact gradient kick.
   constexpr int derivatives() const { return evaluations().derivatives; }
-  /// Total cost of both, in force evaluations.
+  /// Total cost of force evaluations and derivatives per step, in force evaluations.
   constexpr double cost() const { return force_evaluations() + derivative_cost * derivatives(); }
 
   constexpr bool has(Flow flow) const {
@@ -143,19 +145,21 @@ class Scheme {
       if (stage.has(gradient)) return true;
     return false;
   }
-  /// Gradient kicks per step. The last kick of a step may be joined with the first of the next.
+  /// Number of gradient kicks per step. The last kick of a step may be joined with the first of the
+  /// next step.
   constexpr int gradient_kicks() const {
     int n = 0;
     for (std::size_t i = 0; i < count_; ++i) n += stages_[i].xi != 0 && !joins_next(i) ? 1 : 0;
     return n;
   }
 
-  /// Whether the first stage of a step (below: the last one), apart from baths, is a kick.
+  /// Whether a kick is the first stage of a step, not counting baths.
   constexpr bool starts_with_kick() const {
     for (std::size_t i = 0; i < count_; ++i)
       if (stages_[i].flow != Flow::bath) return stages_[i].flow == Flow::kick;
     return false;
   }
+  /// Whether a kick is the last stage of a step, not counting baths.
   constexpr bool ends_with_kick() const {
     for (std::size_t i = count_; i-- > 0;)
       if (stages_[i].flow != Flow::bath) return stages_[i].flow == Flow::kick;
@@ -168,8 +172,8 @@ class Scheme {
       if (stages_[i].flow == Flow::bath) return true;
     return false;
   }
-  /// Fraction of the plain kick that ends a step, if only drifts are between it and a bath. Without
-  /// this kick, the momenta are the momenta after the bath. Otherwise 0.
+  /// Fraction of the plain kick that ends a step, if only drifts separate the kick from a bath;
+  /// otherwise 0. Subtracting this kick recovers the momenta right after the bath.
   constexpr double kick_after_bath() const {
     if (count_ == 0 || stages_[count_ - 1].flow != Flow::kick || stages_[count_ - 1].xi != 0)
       return 0;
@@ -186,7 +190,8 @@ class Scheme {
     return true;
   }
 
-  /// The sum of all fractions of one flow: 1 for a consistent scheme, or 0 without baths.
+  /// The sum of all fractions of one flow. It is 1 for a consistent scheme, and 0 for baths in a
+  /// scheme without baths.
   constexpr double total(Flow flow) const {
     double sum = 0;
     for (const Stage& stage : stages())
@@ -194,8 +199,8 @@ class Scheme {
     return sum;
   }
 
-  /// Whether drifts and kicks advance by one step, and so do baths where there are any, to the
-  /// rounding of a sum of decimal coefficients.
+  /// Whether the fractions of drifts, of kicks and of baths (if there are any) each sum to one
+  /// step, within the round-off of decimal coefficients.
   constexpr bool consistent() const {
     const auto one = [](double x) { return x - 1 < 1e-14 && 1 - x < 1e-14; };
     return one(total(Flow::drift)) && one(total(Flow::kick)) &&
@@ -208,7 +213,7 @@ class Scheme {
   };
   constexpr Evaluations evaluations() const {
     Evaluations n;
-    bool known = ends_with_kick();  // from the end of the previous step
+    bool known = ends_with_kick();  // known from the end of the previous step
     for (std::size_t i = 0; i < count_; ++i) switch (stages_[i].flow) {
         case Flow::drift:
           known = false;
@@ -219,13 +224,13 @@ class Scheme {
           n.derivatives += stages_[i].has(Gradient::exact) && !joins_next(i) ? 1 : 0;
           known = true;
           break;
-        case Flow::bath:  // positions stay, and so do the forces
+        case Flow::bath:  // positions and forces stay the same
           break;
       }
     return n;
   }
 
-  /// Whether a stage and the one after it, perhaps of the next step, are applied as one.
+  /// Whether a stage and its successor, which may belong to the next step, are applied as one.
   constexpr bool joins_next(std::size_t i) const {
     return count_ > 1 && stages_[i].joins(stages_[(i + 1) % count_]);
   }

@@ -11,13 +11,13 @@
 
 namespace polhode {
 
-/// A name in the text of a scheme that tune() may vary, with its value.
+/// A parameter in the text of a scheme, with its value, that tune() may vary.
 struct FreeParameter {
   std::string name;
   double value = 0;
 };
 
-/// The scheme of that name in the table, or the one that the text describes.
+/// The scheme with a given name in the table, or the scheme that a text describes.
 ///
 /// A text lists all stages: A(a) for drifts and B(b) or B(b, xi) for kicks. "xi=" is allowed before
 /// the second argument, and B(b, xi, fd) computes the gradient by finite difference. Arguments are
@@ -25,17 +25,18 @@ struct FreeParameter {
 /// before the stages: "x = 1/sqrt(3); B(x) A(1/2) ...". With "free x = 0.2;" the name is a
 /// parameter that tune() varies. "mine: ..." at the beginning gives the scheme a name.
 ///
-/// Its order is 2 if it is a palindrome with an error of order h², otherwise unknown.
-/// @param values  for free parameters, instead of the values in the text
-/// @throws Error  if the name is unknown, with a suggestion; if the text cannot be parsed, with the
-///                position; if its drifts or kicks do not sum to one
+/// The order is 2 if the scheme is a palindrome with an error of order h², otherwise it is unknown.
+/// @param values  values of free parameters, which replace the values in the text
+/// @throws Error  if the name is unknown, the text cannot be parsed, or the drifts or kicks do not
+///   sum to one. The message suggests a name or gives the position
 Scheme scheme_of(std::string_view name_or_text, std::span<const FreeParameter> values = {});
 
-/// The free parameters of a text, in the order of their definitions; none for a name of the table.
-/// @throws Error  as scheme_of()
+/// The free parameters of a scheme text, in the order of their definitions. A name of the table has
+/// none.
+/// @throws Error  under the same conditions as scheme_of()
 std::vector<FreeParameter> free_parameters(std::string_view name_or_text);
 
-/// All stages as text, without the name; scheme_of() reproduces the same bits from it.
+/// All stages of a scheme as text, without its name. scheme_of() reproduces the same bits from it.
 std::string text_of(const Scheme& scheme);
 
 }  // namespace polhode

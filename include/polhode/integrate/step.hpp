@@ -10,15 +10,15 @@
 
 namespace polhode {
 
-/// Which stage of which step of a trajectory. The random numbers of a bath are a function of it, so
-/// that they do not depend on threads or on where a run was suspended.
+/// Identifies a stage of a step in a trajectory. The random numbers of a bath are a function of
+/// this number, so they do not depend on threads or on where a run was suspended.
 struct StageNumber {
   std::uint64_t step = 0;
   std::size_t stage = 0;
   friend constexpr bool operator==(const StageNumber&, const StageNumber&) = default;
 };
 
-/// What every scheme needs: drift(t) and kick(t), t in the unit of the step h.
+/// Flows that every scheme needs: drift(t) and kick(t), with t in the unit of the step h.
 template <class F>
 concept Flows = requires(F& flows, double t) {
   {flows.drift(t)};
@@ -31,7 +31,7 @@ concept OffersGradientKick = requires(F& flows, double t, Gradient gradient) {
   {flows.kick(t, t, gradient)};
 };
 
-/// Flows for schemes with a bath: bath(t, number) changes momenta alone.
+/// Flows for schemes with a bath: bath(t, number), which changes only momenta.
 template <class F>
 concept OffersBath = requires(F& flows, double t, StageNumber at) {
   {flows.bath(t, at)};
@@ -51,8 +51,8 @@ void check_flows(const Scheme& scheme) {
         "stages O out of the scheme");
 }
 
-/// Plays one stage.
-/// @param h  the whole step, whatever the fraction of the stage
+/// Performs one stage of a scheme.
+/// @param h  full step, whatever the fraction of the stage
 template <Flows F>
 void play(const Stage& stage, F& flows, double h, StageNumber at) {
   switch (stage.flow) {
@@ -74,7 +74,7 @@ void play(const Stage& stage, F& flows, double h, StageNumber at) {
 }
 
 /// Performs stages in their order.
-/// @param at  the number of the first one
+/// @param at  number of the first stage
 template <Flows F>
 void play(std::span<const Stage> stages, F& flows, double h, StageNumber at) {
   for (const Stage& stage : stages) {
@@ -85,7 +85,7 @@ void play(std::span<const Stage> stages, F& flows, double h, StageNumber at) {
 
 /// Performs one step e^{Lh} of a scheme [vanzon2008, Eq. 1]: flows.drift(t), flows.kick(t),
 /// flows.kick(t, ξh², gradient) and flows.bath(t, number) in the order of its stages.
-/// @param number  of this step in the trajectory, for the random numbers of a bath
+/// @param number  number of this step in the trajectory, which selects the random numbers of a bath
 /// @throws Error  if the scheme has a stage that the flows do not offer
 template <Flows F>
 void step(const Scheme& scheme, F& flows, double h, std::uint64_t number = 0) {

@@ -11,15 +11,16 @@
 namespace polhode {
 
 enum class BathPlace {
-  ends,   ///< half before the first stage, half after the last: velocity Verlet becomes OBABO
-  middle  ///< bath within the middle stage; velocity Verlet becomes BAOAB [leimkuhler2013]
+  ends,   ///< half of the bath before the first stage, half after the last: velocity Verlet becomes
+          ///< OBABO
+  middle  ///< bath within the middle stage: velocity Verlet becomes BAOAB [leimkuhler2013]
 };
 
-/// A scheme with a bath O of one step in total. A step of it is e^{Oh/2} e^{Lh} e^{Oh/2}, or has O
-/// between two halves of its middle stage.
-/// @param name  of the result, at most Scheme::max_name characters
-/// @throws Error  if the scheme has a bath already, if it is no palindrome and so has no middle, or
-///                if it would have too many stages
+/// Adds a bath O, which acts for one step in total, to a scheme. The result is e^{Oh/2} e^{Lh}
+/// e^{Oh/2}, or has O between two halves of the middle stage.
+/// @param name  name of the result, at most Scheme::max_name characters
+/// @throws Error  if the scheme already has a bath, if it is not a palindrome and so has no middle
+///   stage, or if it would have too many stages
 inline Scheme with_bath(const Scheme& scheme, BathPlace place, std::string_view name = "") {
   if (scheme.has(Flow::bath)) throw Error("the scheme has a bath O already; leave its place out");
   std::vector<Stage> stages(scheme.stages().begin(), scheme.stages().end());

@@ -10,17 +10,17 @@
 
 namespace polhode {
 
-/// sn, cn and dn of one argument.
+/// Jacobi's elliptic functions sn, cn and dn of one argument.
 struct JacobiFunctions {
   double sn, cn, dn;
 };
 
-/// k and k' = √(1 − k²), each to full relative accuracy.
+/// The modulus k and its complement k' = √(1 − k²), each to full relative accuracy.
 struct Modulus {
   double k, complement;
 };
 
-/// K(k) = π/(2 agm(1, k')); infinite for k' = 0.
+/// The quarter period K(k) = π/(2 agm(1, k')); infinite for k' = 0.
 inline double quarter_period(const Modulus& modulus) {
   if (modulus.complement == 0) return std::numeric_limits<double>::infinity();
   double a = 1, b = modulus.complement;
@@ -35,10 +35,10 @@ inline double quarter_period(const Modulus& modulus) {
 
 namespace elliptic {
 
-/// sn, cn, dn for |u| ≤ K/2 by descending Landen transformations (k → 0, DLMF 22.7.2 to 22.7.4). No
-/// terms cancel, so each function keeps its relative accuracy.
+/// The functions sn, cn and dn for |u| ≤ K/2 by descending Landen transformations (k → 0, DLMF
+/// 22.7.2 to 22.7.4). No terms cancel, so each function keeps its relative accuracy.
 inline JacobiFunctions descending(double u, const Modulus& modulus) {
-  if (!(modulus.k >= 1e-9)) return {std::sin(u), std::cos(u), 1.0};  // error k² u/4 < ε
+  if (!(modulus.k >= 1e-9)) return {std::sin(u), std::cos(u), 1.0};  // the error is k² u/4 < ε
   const double half = modulus.k / (1 + modulus.complement);
   const double k1 = half * half;  // (1 − k')/(1 + k')
   const Modulus smaller{k1, std::sqrt((1 - k1) * (1 + k1))};
@@ -47,11 +47,13 @@ inline JacobiFunctions descending(double u, const Modulus& modulus) {
   return {(1 + k1) * s / denominator, c * d / denominator, (1 - k1 * s * s) / denominator};
 }
 
-/// sn, cn, dn by ascending Landen transformations (k → 1, DLMF 22.7.6 to 22.7.8), for k > k'.
+/// The functions sn, cn and dn by ascending Landen transformations (k → 1, DLMF 22.7.6 to 22.7.8),
+/// for k > k'.
 inline JacobiFunctions ascending(double u, const Modulus& modulus) {
-  // For |u| ≤ K/2 the error of tanh and sech is below k'² cosh²u ≈ 4 k', hence the bound.
+  // For |u| ≤ K/2 the error of tanh and sech is below k'² cosh²u ≈ 4 k', which gives the bound.
   if (!(modulus.complement >= 1e-17)) {
-    const double e = std::exp(-std::abs(u)), sech = 2 * e / (1 + e * e);  // cosh would overflow
+    const double e = std::exp(-std::abs(u)),
+                 sech = 2 * e / (1 + e * e);  // avoids cosh, which would overflow
     return {std::tanh(u), sech, sech};
   }
   const double half = modulus.complement / (1 + modulus.k);
@@ -64,9 +66,9 @@ inline JacobiFunctions ascending(double u, const Modulus& modulus) {
 
 }  // namespace elliptic
 
-/// sn(u), cn(u), dn(u) for |u| ≤ K, where `K` is the quarter period. Relative errors are a few ε;
-/// beyond K/2 they are computed from the functions of K − |u|, so cn and dn near their minima are
-/// as accurate as K − |u|.
+/// The functions sn(u), cn(u) and dn(u) for |u| ≤ K, where `K` is the quarter period. Relative
+/// errors are a few ε. Beyond K/2 the functions are computed from the functions of K − |u|, so cn
+/// and dn near their minima are as accurate as K − |u|.
 inline JacobiFunctions jacobi_functions(double u, const Modulus& modulus, double K) {
   const auto near_zero =
       modulus.k > modulus.complement ? &elliptic::ascending : &elliptic::descending;
@@ -76,14 +78,14 @@ inline JacobiFunctions jacobi_functions(double u, const Modulus& modulus, double
   return {std::copysign(c / d, u), modulus.complement * (s / d), modulus.complement / d};
 }
 
-/// Carlson's R_F(x, y, z) = ½ ∫₀^∞ ds/√((s+x)(s+y)(s+z)), for arguments ≥ 0 of which at most one is
-/// 0; relative error of a few ε.
+/// Carlson's R_F(x, y, z) = ½ ∫₀^∞ ds/√((s+x)(s+y)(s+z)), for arguments ≥ 0, at most one of which
+/// is 0. The relative error is a few ε.
 /// @source DLMF 19.36(i)
 inline double first_kind_integral(double x, double y, double z) {
   for (;;) {
     const double mean = (x + y + z) / 3;
     const double dx = 1 - x / mean, dy = 1 - y / mean, dz = 1 - z / mean;
-    // Error of the series truncated before sixth order: 0.26 · 0.0025⁶ < ε/2.
+    // The error of the series truncated before sixth order is 0.26 · 0.0025⁶ < ε/2.
     if (!(std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) >= 0.0025)) {
       const double e2 = dx * dy - dz * dz, e3 = dx * dy * dz;
       return (1 - e2 / 10 + e3 / 14 + e2 * e2 / 24 - 3 * e2 * e3 / 44) / std::sqrt(mean);
@@ -96,11 +98,11 @@ inline double first_kind_integral(double x, double y, double z) {
   }
 }
 
-/// ∫₀ᵘ sn²/(1 + n sn²) du = sn³/3 · R_J(cn², dn², 1, 1 + n sn²), from the values f of sn, cn, dn at
-/// u. Valid for n ≥ 0 and sn ≥ 0 in the first quarter period. Equals Legendre's (F − Π)/n without
-/// the cancellation at small n.
-/// @source DLMF 19.25.14 and 19.36(i): Carlson's duplication; here δ = (p−x)(p−y)(p−z) is
-///         sn⁶ n (1+n)(n+k²), available without a subtraction.
+/// The integral ∫₀ᵘ sn²/(1 + n sn²) du = sn³/3 · R_J(cn², dn², 1, 1 + n sn²), from the values f of
+/// sn, cn and dn at u. It is valid for n ≥ 0 and sn ≥ 0 in the first quarter period. It equals
+/// Legendre's (F − Π)/n without the cancellation at small n.
+/// @source DLMF 19.25.14 and 19.36(i): Carlson's duplication. Here δ = (p−x)(p−y)(p−z) is sn⁶ n
+///   (1+n)(n+k²), which needs no subtraction.
 inline double third_kind_integral(const JacobiFunctions& f, double n, double k) {
   const double s2 = f.sn * f.sn;
   // The first duplication uses the roots cn and dn themselves, since their squares may underflow.
@@ -114,7 +116,8 @@ inline double third_kind_integral(const JacobiFunctions& f, double n, double k) 
     const double d = (root_p + root_x) * (root_p + root_y) * (root_p + root_z);
     const double e = delta / (d * d);
     const double root_e = std::sqrt(e);
-    // R_C(1, 1 + e) = atan(√e)/√e; its second-order series is exact below e = 1e-6.
+    // R_C(1, 1 + e) equals atan(√e)/√e. Its second-order series is exact to round-off below e =
+    // 1e-6.
     sum += power / d * (e < 1e-6 ? 1 - e * (1.0 / 3 - e * (1.0 / 5)) : std::atan(root_e) / root_e);
     power *= 0.25;
     delta *= 1.0 / 64;
@@ -124,7 +127,7 @@ inline double third_kind_integral(const JacobiFunctions& f, double n, double k) 
     p = 0.25 * (p + lambda);
     const double mean = (x + y + z + 2 * p) * 0.2;
     const double dx = 1 - x / mean, dy = 1 - y / mean, dz = 1 - z / mean;
-    // Error of the series truncated before sixth order: 3/10 · 0.0025⁶ < ε/2.
+    // The error of the series truncated before sixth order is 3/10 · 0.0025⁶ < ε/2.
     if (!(std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) >= 0.0025)) {
       const double dp = -0.5 * (dx + dy + dz);
       const double e2 = dx * dy + dx * dz + dy * dz - 3 * dp * dp;

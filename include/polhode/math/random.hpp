@@ -18,8 +18,8 @@ constexpr std::uint64_t full_product(std::uint32_t a, std::uint32_t b) {
 constexpr std::uint32_t upper_half(std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); }
 constexpr std::uint32_t lower_half(std::uint64_t x) { return static_cast<std::uint32_t>(x); }
 
-/// Ten rounds of Philox: a bijection of 128-bit counters for every 64-bit key.
-/// @tparam Word  of 32 bits, or a pack of them (WordPack)
+/// Ten rounds of the Philox generator, which maps 128-bit counters one-to-one for every 64-bit key.
+/// @tparam Word  word of 32 bits, or a pack of such words (WordPack)
 template <class Word = std::uint32_t>
 constexpr std::array<Word, 4> philox(std::array<Word, 4> counter,
                                      std::array<std::uint32_t, 2> key) {
@@ -27,15 +27,15 @@ constexpr std::array<Word, 4> philox(std::array<Word, 4> counter,
     const auto a = full_product(counter[0], 0xD2511F53), b = full_product(counter[2], 0xCD9E8D57);
     counter = {upper_half(b) ^ counter[1] ^ key[0], lower_half(b),
                upper_half(a) ^ counter[3] ^ key[1], lower_half(a)};
-    key = {key[0] + 0x9E3779B9, key[1] + 0xBB67AE85};  // golden ratio, √3 − 1
+    key = {key[0] + 0x9E3779B9, key[1] + 0xBB67AE85};  // constants from the golden ratio and √3 − 1
   }
   return counter;
 }
 
 /// Derives the seed of the `index`-th item of a series from a common seed, for example for initial
-/// configurations of a study. It is half of a Philox block with a counter that no Random uses, so
-/// two derived seeds are equal with probability 2⁻⁶⁴. With a sum, index 1 of seed 1 would equal
-/// index 0 of seed 2.
+/// configurations of a study. The derived seed is half of a Philox block with a counter that no
+/// Random uses, so two derived seeds are equal with probability 2⁻⁶⁴. With a simple sum, index 1 of
+/// seed 1 would equal index 0 of seed 2.
 constexpr std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t index) {
   const auto word = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
   const auto block =
@@ -48,7 +48,7 @@ class Random {
  public:
   explicit Random(std::uint64_t seed, std::uint64_t stream = 0) : seed_(seed), stream_(stream) {}
 
-  /// 64 random bits.
+  /// Returns 64 random bits.
   std::uint64_t bits() {
     const bool second = count_ % 2 == 1;
     if (!second) {
@@ -61,20 +61,21 @@ class Random {
     return std::uint64_t{block_[k]} << 32 | block_[k + 1];
   }
 
-  /// Uniform in the open interval (0, 1): the midpoints of 2⁵² equal parts.
+  /// A uniform number in the open interval (0, 1): the midpoint of one of 2⁵² equal parts.
   double uniform() { return (static_cast<double>(bits() >> 12) + 0.5) * 0x1p-52; }
 
-  /// An integer below n; its probabilities are uniform to within n/2⁶⁴.
+  /// A random integer below n; its probabilities are uniform to within n/2⁶⁴.
   std::uint64_t below(std::uint64_t n) { return bits() % n; }
 
-  /// Normal deviate of mean 0 and variance 1 (Box and Muller; the second of each pair is
-  /// discarded).
+  /// A normal deviate with mean 0 and variance 1, by the Box-Muller method; the second number of
+  /// each pair is discarded.
   double normal() {
     const double r = std::sqrt(-2 * std::log(uniform()));
     return r * std::cos(2 * units::pi * uniform());
   }
 
-  /// Uniformly distributed orientation: a normal 4-vector has no preferred direction.
+  /// A uniformly distributed orientation, obtained from a normal 4-vector, which has no preferred
+  /// direction.
   Quaternion<double> orientation() {
     const double w = normal(), x = normal(), y = normal(), z = normal();
     return normalized(Quaternion<double>{w, x, y, z});

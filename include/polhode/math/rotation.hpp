@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// The active rotation by |v| about v, as a unit quaternion; v = 0 gives the identity. Valid range:
-/// components of v [1] below 1e150 and, where they matter, above 1e-150.
+/// The active rotation by the angle |v| about v, as a unit quaternion; v = 0 gives the identity.
+/// Components of v must be below 1e150 and, where they matter, above 1e-150.
 inline Quaternion<double> rotation_quaternion(const Vec3<double>& v) {
   const double angle = std::hypot(v.x, v.y, v.z);
   if (angle == 0) return {};
@@ -18,7 +18,7 @@ inline Quaternion<double> rotation_quaternion(const Vec3<double>& v) {
   return {std::cos(0.5 * angle), s * v.x, s * v.y, s * v.z};
 }
 
-/// The unit quaternion q of an active rotation matrix A(q), w ≥ 0. Divides by the largest
+/// The unit quaternion q, with w ≥ 0, of an active rotation matrix A(q). It divides by the largest
 /// component, so that no component loses accuracy.
 inline Quaternion<double> quaternion_of(const Mat3<double>& a) {
   const double trace = a[0].x + a[1].y + a[2].z;

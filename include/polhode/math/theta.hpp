@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// Jacobi's θ function in the form that serves both θ₄ and θ₂, with PM = q²:
+/// A series that gives both of Jacobi's functions θ₄ and θ₂, with PM = q²:
 ///
 ///     S(P, M) = 1 + Σ_{n≥1} (−1)ⁿ q^{n²−n} (Pⁿ + Mⁿ),    D = (P ∂/∂P − M ∂/∂M) S,
 ///     θ₄(z) = S(q e^{−2iz}, q e^{2iz}),   θ₄'(z) = −2i D,
@@ -23,7 +23,7 @@ struct ThetaSeries {
 
 /// @param P, M  at most 1 in absolute value
 /// @param q     the nome, 0 to e^{−π}: the fifth terms, 5 q²⁰, are below 1e-26
-/// @return      S and D, absolute errors of a few ε
+/// @return      S and D, with absolute errors of a few ε
 /// @source      DLMF 20.2.2, 20.2.4; tests/unit/theta_test.cpp
 inline ThetaSeries theta_series(std::complex<double> P, std::complex<double> M, double q) {
   std::complex<double> power_P = 1, power_M = 1, S = 1, D = 0;
@@ -39,9 +39,9 @@ inline ThetaSeries theta_series(std::complex<double> P, std::complex<double> M, 
   return {S, D};
 }
 
-/// κ ∫₀ᵛ sn²/(1 + n sn²) du with κ² = n(1+n)(n+k²), κ > 0, as a term linear in v and the argument
-/// of a theta function of complex argument [vanzon2007a, Sec. 3; jacobi1849]: with sc(b, k') = √n/k
-/// and Jacobi's zeta function Z it is
+/// The integral κ ∫₀ᵛ sn²/(1 + n sn²) du with κ² = n(1+n)(n+k²), κ > 0, computed as a term linear
+/// in v minus the complex argument of a theta function [vanzon2007a, Sec. 3; jacobi1849]. With
+/// sc(b, k') = √n/k and Jacobi's zeta function Z it is
 ///
 ///     −i Z(ib, k) v − arg θ₄(π (v + ib)/2K),                         q = exp(−π K'/K),
 ///
@@ -49,14 +49,15 @@ inline ThetaSeries theta_series(std::complex<double> P, std::complex<double> M, 
 ///
 ///     [√(n(1+n)/(n+k²)) − Z(b, k') − y/K] v − [arg θ₂(y − iπv/2K') − y v/K],
 ///
-/// with y = π b/2K' and q = exp(−π K/K'). The form with the smaller nome is used, which never
-/// exceeds e^{−π}: four terms suffice for every k, including the separatrix (k = 1, q = 0). The
+/// with y = π b/2K' and q = exp(−π K/K'). The form with the smaller nome is used. This nome never
+/// exceeds e^{−π}, so four terms suffice for every k, including the separatrix (k = 1, q = 0). The
 /// subtracted term has the period 2K and needs v only modulo 2K, whereas the linear term needs the
 /// full v.
 class ThetaIntegral {
  public:
-  /// Whether the nome can be computed from k: k² must not underflow. For a top it does if two
-  /// moments are equal, or if L is within about 1e-140 of the axis that it circles.
+  /// Whether the nome can be computed from k, which requires that k² does not underflow. For a top,
+  /// k² underflows if two moments are equal, or if L is within about 1e-140 of the axis that it
+  /// circles.
   static bool applies(const Modulus& modulus) {
     return modulus.k * modulus.k >= std::numeric_limits<double>::min();
   }
@@ -88,11 +89,11 @@ class ThetaIntegral {
     }
   }
 
-  /// The coefficient of v: the mean of the integrand over a period, times κ.
+  /// The coefficient of v, which is the mean of the integrand over a period, times κ.
   double rate() const { return rate_; }
 
-  /// The term subtracted from rate() v, between −π/2 and π/2.
-  /// @param v  reduced modulo 2K to |v| ≤ K
+  /// The term that is subtracted from rate() v, between −π/2 and π/2.
+  /// @param v  argument reduced modulo 2K to |v| ≤ K
   double argument(double v) const {
     using std::numbers::pi;
     if (complementary_) {
@@ -109,7 +110,7 @@ class ThetaIntegral {
   double K_, other_K_;
   bool complementary_;
   double q_, rate_;
-  double y_ = 0;                   // π b/2K', and
+  double y_ = 0;                   // π b/2K' for the form with θ₂, and
   std::complex<double> turn_ = 1;  // e^{2iy}
   double P_ = 0, M_ = 0;           // q e^{±π b/K}
 };

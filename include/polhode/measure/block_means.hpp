@@ -8,11 +8,11 @@
 
 namespace polhode {
 
-/// Several quantities, summed in each of a number of blocks.
+/// Sums of several quantities in each of a number of blocks.
 class BlockMeans {
  public:
   struct Block {
-    double weight = 0;  ///< number of samples, or any other measure of size
+    double weight = 0;  ///< number of samples, or any other measure of the block size
     std::vector<double> sum;
   };
 
@@ -22,24 +22,27 @@ class BlockMeans {
   const std::vector<Block>& blocks() const { return blocks_; }
   bool empty() const { return blocks_.empty(); }
 
-  /// All blocks in one.
+  /// The sum over all blocks, as one block.
   Block sum() const;
-  /// Mean of all blocks; empty if there are none.
+  /// The mean of each quantity over all blocks; empty if there are none.
   std::vector<double> mean() const;
 
  private:
   std::vector<Block> blocks_;
 };
 
-/// Samples of a stream of unknown length, in blocks of time. When there are 40 blocks, neighbours
-/// are joined: a run of any length ends with 20 to 39 blocks, in constant memory.
+/// Collects samples of a stream of unknown length in blocks of time. When there are 40 blocks,
+/// neighbouring blocks are merged. A run of any length therefore ends with 20 to 39 blocks, in
+/// constant memory.
 struct TimeBlocks {
   std::vector<BlockMeans::Block> blocks;
   double samples_per_block = 1;
 
-  /// @param weight  samples that were summed already, or any other measure of size
+  /// Adds a sample.
+  /// @param weight  number of samples that are already summed in it, or any other measure of size
   void add(std::span<const double> sample, double weight = 1);
-  /// The blocks; a last block that is less than half full is joined to the block before it.
+  /// The blocks as means. If the last block is less than half full, it is merged into the block
+  /// before it.
   BlockMeans means() const;
 };
 

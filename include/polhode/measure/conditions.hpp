@@ -9,16 +9,17 @@
 
 namespace polhode {
 
-/// Averages that need no more than single frames.
+/// Averages over frames of density, temperature and volume, which need only single frames.
 class Conditions {
  public:
   explicit Conditions(const Topology& topology);
   void add(const State& state, bool has_velocities);
 
-  SeriesEstimate density() const;      ///< [u/nm³]
-  SeriesEstimate temperature() const;  ///< T of translation and rotation [K]; 0 without velocities
-  SeriesEstimate volume() const;       ///< [nm³]
-  /// Averages over blocks of time: density, temperature and volume.
+  SeriesEstimate density() const;      ///< Mean density [u/nm³] with its standard error.
+  SeriesEstimate temperature() const;  ///< Mean temperature of translation and rotation [K]; 0 if
+                                       ///< frames have no velocities.
+  SeriesEstimate volume() const;       ///< Mean volume [nm³] with its standard error.
+  /// Block averages of density, temperature and volume, in blocks of time.
   BlockMeans blocks() const { return blocks_.means(); }
 
  private:

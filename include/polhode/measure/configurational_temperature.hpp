@@ -14,33 +14,39 @@
 
 namespace polhode {
 
-/// One sample. For each kind of motion, k_B T is the ratio of the means of the two quantities.
+/// One sample for the configurational temperature. For each kind of motion, k_B T is the ratio of
+/// the means of the two quantities.
 struct ConfigurationalSample {
-  ByMotion<double> squared_force{};  ///< contributions to W [kJ/mol/ps²]
-  ByMotion<double> curvature{};      ///< tr M⁻¹∇∇V of each kind, unbiased estimate [1/ps²]
+  ByMotion<double> squared_force{};  ///< contribution of each kind of motion to W [kJ/mol/ps²]
+  ByMotion<double> curvature{};  ///< unbiased estimate of tr M⁻¹∇∇V for each kind of motion
+                                 ///< [1/ps²]
 };
 
-/// Costs one directional derivative of the forces, along a displacement of all bodies with random
-/// signs [hutchinson1990], for which cross terms average to zero.
-/// @param load    at the positions of the state
-/// @param random  independent for each sample and each run
+/// Takes a sample for the configurational temperature. It costs one directional derivative of the
+/// forces, along a displacement of all bodies with random signs [hutchinson1990]. The random signs
+/// make cross terms average to zero.
+/// @param load    load at the positions of the state
+/// @param random  random numbers, independent for each sample and each run
 ConfigurationalSample configurational_sample(const State& state, const Bodies& bodies,
                                              const Load& load, ForceField& forces, Random random);
 
 /// Sums over samples along a trajectory, in blocks of time.
 struct ConfigurationalStatistics {
   TimeBlocks blocks;
-  StepResponse response;  ///< response at samples with a known time-step error
+  StepResponse response;  ///< time-step response of the sums, from samples with a known time-step
+                          ///< error
 
   void add(const ConfigurationalSample& sample, const std::optional<StepError>& error = {});
-  /// T = ⟨squared_force⟩/(k_B ⟨curvature⟩) of each kind of motion [jepps2000] [K], with its
-  /// standard error; nothing without samples, nor for motions that feel no forces.
+  /// The configurational temperature ⟨squared_force⟩/(k_B ⟨curvature⟩) of each kind of motion
+  /// [jepps2000] [K], with its standard error. Empty without samples, and for motions on which no
+  /// forces act.
   ByMotion<std::optional<SeriesEstimate>> temperatures() const;
-  /// Their time-step bias [K], to leading order; empty for the same motions, and without samples
-  /// with a known time-step error.
+  /// The time-step bias of each configurational temperature [K], to leading order. Empty for
+  /// motions on which no forces act, and without samples that have a known time-step error.
   ByMotion<std::optional<SeriesEstimate>> step_bias(double degrees_of_freedom,
                                                     FixedMeans fixed) const;
-  /// Their values without errors [K], 0 for motions without forces; empty without samples.
+  /// The configurational temperatures without standard errors [K]. They are 0 for motions without
+  /// forces, and empty without samples.
   std::optional<ByMotion<double>> values() const;
 };
 

@@ -12,61 +12,65 @@
 
 namespace polhode {
 
-/// Whether the error can be estimated from the run.
+/// Whether the standard error can be estimated from the run, and if not, why.
 enum class Known {
   yes,
   too_few_samples,  ///< fewer than `min_samples`
   too_short,        ///< the series is correlated over too much of the run
-  not_defined,      ///< the run has no such quantity
-  grows             ///< the statistic has no limit: a random walk makes it grow with the run
+  not_defined,      ///< the run does not have this quantity
+  grows             ///< the statistic has no limit, because a random walk makes it grow with the
+                    ///< run length
 };
 
-/// Why an error is not known: "too few samples", "run too short" or "not defined"; empty if it is.
+/// The reason why a standard error is not known: "too few samples", "run too short" or "not
+/// defined"; empty if it is known.
 std::string reason(Known known);
 
-/// A statistic of a run with its standard error.
+/// A statistic of a run, with its standard error.
 struct SeriesEstimate {
   double value = 0;  ///< the statistic; not finite without samples
-  double error = 0;  ///< 0 unless it is known
+  double error = 0;  ///< standard error; 0 if it is not known
   Known known = Known::too_few_samples;
-  /// Number of modes that determined the error, whose relative uncertainty is 1/√(2 modes); 0 if
-  /// the error is 0 or not known.
+  /// Number of modes that determined the standard error; 0 if the error is 0 or not known. The
+  /// relative uncertainty of the error is 1/√(2 modes).
   double modes = 0;
 };
 
-/// An estimate in another unit, or of a multiple of the quantity.
+/// Multiplies an estimate and its error by a factor, for example to change the unit.
 SeriesEstimate scaled(SeriesEstimate estimate, double factor);
 
-/// Minimum number of blocks for an error; runs with few samples have one block per sample.
+/// The smallest number of blocks from which an error is estimated. Runs with few samples have one
+/// block per sample.
 inline constexpr std::size_t min_samples = 12;
 
-/// The deviation from its true value that a statistic with a known error exceeds in 0.27 % of runs,
-/// as a normal distribution exceeds three standard deviations. It uses Student's t, because the
-/// error is estimated from a few modes; without their number it is three errors.
+/// The deviation from the true value that a statistic exceeds in only 0.27 % of runs, which
+/// corresponds to three standard deviations of a normal distribution. It is computed from Student's
+/// t distribution, because the error is estimated from a few modes. If the number of modes is not
+/// known, it is three standard errors.
 double three_sigma(const SeriesEstimate& estimate);
 
-/// A statistic computed from the means of all quantities, with its standard error. The jackknife
-/// influences of the blocks are a series, whose slowest modes give the variance of its mean. The
-/// error of a statistic that is constant to rounding is 0. There is no error if the statistic is
-/// undefined without one of the blocks.
+/// Computes a statistic from the means of all quantities, with its standard error. The jackknife
+/// influences of the blocks form a series, and its slowest modes give the variance of the mean. A
+/// statistic that is constant to round-off has the error 0. The error is not known if the statistic
+/// is undefined without one of the blocks.
 SeriesEstimate series_estimate(const BlockMeans& blocks,
                                const std::function<double(std::span<const double>)>& statistic);
 
-/// A statistic of independent runs of one process, such as replicas, with its standard error. The
-/// modes of all runs together give the error. The deviation of each run's mean from the common mean
-/// is a mode as well.
+/// Computes a statistic of independent runs of one process, such as replicas, with its standard
+/// error. The modes of all runs together give the error. The deviation of each run's mean from the
+/// common mean is one of these modes.
 SeriesEstimate pooled_estimate(std::span<const BlockMeans> runs,
                                const std::function<double(std::span<const double>)>& statistic);
 
-/// The multiple of the error within which the true value lies with a probability, by Student's t
-/// with `modes` degrees of freedom.
+/// The multiple of the standard error within which the true value lies with a given probability,
+/// from Student's t distribution with `modes` degrees of freedom.
 double interval_factor(const SeriesEstimate& estimate, double probability);
 
 /// The integrated autocorrelation time τ = n ε²/2σ² of a stationary quantity [samples], from the
-/// error ε of its mean and the variance σ² of its samples. n samples are worth n/2τ independent
-/// samples. Its relative standard error is √(2/modes) (docs/statistics.md).
-/// @param mean      with its error
-/// @param variance  of the samples about their mean
+/// error ε of its mean and the variance σ² of its samples. n samples have the information of n/2τ
+/// independent samples. The relative standard error of τ is √(2/modes) (docs/statistics.md).
+/// @param mean      mean with its error
+/// @param variance  variance of the samples about their mean
 SeriesEstimate correlation_time(const SeriesEstimate& mean, double variance, double samples);
 
 /// The mean of each quantity with its standard error.

@@ -15,15 +15,15 @@
 
 namespace polhode {
 
-/// Means of the kinetic temperatures by kind of motion [K] with standard errors; 0 without degrees
-/// of freedom.
+/// Mean kinetic temperatures of each kind of motion [K] with standard errors; 0 without degrees of
+/// freedom.
 struct TemperatureEstimates {
   SeriesEstimate all, translation;
-  std::array<SeriesEstimate, 3> rotation;  ///< rotation about each principal axis
+  std::array<SeriesEstimate, 3> rotation;  ///< temperature of rotation about each principal axis
 };
 
-/// Sums over the samples of a trajectory, in blocks of time. Energies are summed as differences
-/// from the first sample's, so that squares of small fluctuations keep their digits.
+/// Sums over the samples of a trajectory, in blocks of time. Energies are summed relative to the
+/// first sample, so that squares of small fluctuations do not lose digits.
 struct EnergyStatistics {
   std::uint64_t samples = 0;
   Energies first{};
@@ -34,63 +34,68 @@ struct EnergyStatistics {
 
   void add(const Energies& now);
 
-  double total() const;                  ///< mean [kJ/mol]
-  double potential() const;              ///< mean [kJ/mol]
+  double total() const;                  ///< mean of the total energy [kJ/mol]
+  double potential() const;              ///< mean of the potential energy [kJ/mol]
   double total_fluctuation() const;      ///< rms deviation of the conserved energy [kJ/mol]
   double potential_fluctuation() const;  ///< rms deviation from the mean [kJ/mol]
-  /// R: rms fluctuation of the conserved energy, which is the total energy at constant energy,
-  /// divided by the rms fluctuation of the potential energy [vanzon2008]. Not a number if the
-  /// potential energy is constant.
+  /// The ratio R: the rms fluctuation of the conserved energy divided by the rms fluctuation of the
+  /// potential energy [vanzon2008]. At constant energy, the conserved energy is the total energy. R
+  /// is NaN if the potential energy is constant.
   double ratio() const;
-  Temperatures temperatures(const DegreesOfFreedom& degrees_of_freedom) const;  ///< means [K]
+  Temperatures temperatures(
+      const DegreesOfFreedom& degrees_of_freedom) const;  ///< mean temperatures [K]
 
-  /// R with its standard error, which includes the scatter of the slow modes of the conserved
+  /// The ratio R with its standard error, which includes the scatter of slow modes of the conserved
   /// energy.
   SeriesEstimate ratio_with_error() const;
-  SeriesEstimate total_with_error() const;                  ///< mean [kJ/mol]
-  SeriesEstimate potential_with_error() const;              ///< mean [kJ/mol]
-  SeriesEstimate total_fluctuation_with_error() const;      ///< rms with its error [kJ/mol]
-  SeriesEstimate potential_fluctuation_with_error() const;  ///< [kJ/mol]
+  SeriesEstimate total_with_error() const;              ///< mean of the total energy [kJ/mol]
+  SeriesEstimate potential_with_error() const;          ///< mean of the potential energy [kJ/mol]
+  SeriesEstimate total_fluctuation_with_error() const;  ///< rms deviation of the conserved energy
+                                                        ///< [kJ/mol]
+  SeriesEstimate potential_fluctuation_with_error() const;  ///< rms deviation of the potential
+                                                            ///< energy [kJ/mol]
   /// The integrated autocorrelation time of the potential energy [samples].
   SeriesEstimate correlation_time_of_potential() const;
   TemperatureEstimates temperatures_with_errors(const DegreesOfFreedom& degrees_of_freedom) const;
   /// The mean pressure [kJ/mol/nm³] with its standard error.
   SeriesEstimate pressure() const;
-  SeriesEstimate volume() const;                    ///< mean [nm³]
+  SeriesEstimate volume() const;                    ///< mean volume [nm³]
   SeriesEstimate inverse_volume() const;            ///< mean of 1/V [1/nm³]
-  SeriesEstimate relative_volume_variance() const;  ///< variance of V over its mean [nm³]
+  SeriesEstimate relative_volume_variance() const;  ///< variance of the volume divided by its mean
+                                                    ///< [nm³]
   Drift volume_drift() const;                       ///< slope of the volume [nm³/ps]
   /// The drift of the conserved energy [kJ/mol/ps].
-  /// @param walks  variance per time of the random walk of the energy [(kJ/mol)²/ps]
+  /// @param walks  possible variances per time of the random walk of the energy [(kJ/mol)²/ps]
   Drift drift(std::span<const WalkStrength> walks = {}) const;
   /// The drift of a conserved energy that performs a random walk of unknown strength [kJ/mol/ps].
-  /// @param known  variance per time of another walk [(kJ/mol)²/ps]
+  /// @param known  variance per time of a second random walk, which is known [(kJ/mol)²/ps]
   Drift drift_over_walk(double known) const;
   /// The slope of the potential energy [kJ/mol/ps], tested as a drift.
   Drift potential_drift() const;
 };
 
-/// R of consecutive parts of a trajectory, of equal length.
+/// Statistics of R over consecutive parts of a trajectory, all of equal length.
 struct StretchStatistics {
   std::uint64_t samples = 0;     ///< number of samples in the current part
-  std::array<double, 4> sums{};  ///< sums over them: total and potential energy, their squares
+  std::array<double, 4> sums{};  ///< sums of the total and potential energies and of their squares
+                                 ///< over these samples
   std::uint64_t stretches = 0;
-  double mean = 0, squares = 0;  ///< mean of R; sum of its squared deviations
+  double mean = 0, squares = 0;  ///< mean of R, and sum of its squared deviations
 
-  /// @param first   of the trajectory
-  /// @param length  of a part in samples
+  /// @param first   first sample of the trajectory
+  /// @param length  number of samples in a part
   void add(const Energies& now, const Energies& first, std::uint64_t length);
-  /// The mean with its standard error; nothing with fewer than two parts.
+  /// The mean of R with its standard error; empty with fewer than two parts.
   std::optional<Estimate> ratio() const;
 };
 
-/// Statistics of the samples of a trajectory; the samples are not stored.
+/// Statistics of the samples of a trajectory. The samples themselves are not stored.
 struct TrajectoryStatistics {
   EnergyStatistics energies;
   ShadowStatistics shadow;
   /// Statistics of the momenta on which a bath within the steps acts; empty without such a bath.
   EnergyStatistics at_bath;
-  StepBiasStatistics step_bias;  ///< empty where fixed_means() has nothing
+  StepBiasStatistics step_bias;  ///< empty if fixed_means() is empty
   ConfigurationalStatistics configurational;
   StretchStatistics stretches;
 };

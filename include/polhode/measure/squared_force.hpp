@@ -10,12 +10,13 @@
 
 namespace polhode {
 
-/// A quantity for translation, and for rotation about each principal axis, in this order.
+/// A quantity for each kind of motion: translation, then rotation about each principal axis.
 template <class T>
 using ByMotion = std::array<T, 4>;
 
-/// Σ |f|²/m, and Σ τ_k²/J_k about each principal axis k [kJ/mol/ps²]. Their sum is
-/// W = {V,{V,T}} = Σ |f|²/m + (S τ)·J⁻¹ (S τ).
+/// Squared forces of each kind of motion: Σ |f|²/m for translation, and Σ τ_k²/J_k for rotation
+/// about each principal axis k [kJ/mol/ps²]. Their sum is W = {V,{V,T}} = Σ |f|²/m + (S τ)·J⁻¹ (S
+/// τ).
 ByMotion<double> squared_force(const State& state, const Bodies& bodies, const Load& load);
 
 }  // namespace polhode

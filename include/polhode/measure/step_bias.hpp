@@ -10,28 +10,30 @@
 
 namespace polhode {
 
-/// Averages with a step minus averages without its error, to leading order, h² for schemes of
-/// second order. Kinetic temperatures are 0 without degrees of freedom.
+/// The time-step bias of averages: the average at the time step minus the average for a vanishing
+/// step, to leading order (h² for schemes of second order). The bias of a temperature is 0 without
+/// degrees of freedom.
 struct StepBias {
-  SeriesEstimate translation;          ///< temperature [K]
-  SeriesEstimate rotation;             ///< temperature about all axes [K]
-  std::array<SeriesEstimate, 3> axes;  ///< temperature about each principal axis [K]
+  SeriesEstimate translation;          ///< temperature of translation [K]
+  SeriesEstimate rotation;             ///< temperature of rotation about all axes [K]
+  std::array<SeriesEstimate, 3> axes;  ///< temperature of rotation about each principal axis [K]
   SeriesEstimate difference;           ///< T of rotation minus T of translation [K]
-  SeriesEstimate potential;            ///< energy [kJ/mol]
-  SeriesEstimate pressure;             ///< [kJ/mol/nm³]
-  SeriesEstimate volume;               ///< [nm³]
+  SeriesEstimate potential;            ///< potential energy [kJ/mol]
+  SeriesEstimate pressure;             ///< pressure [kJ/mol/nm³]
+  SeriesEstimate volume;               ///< volume [nm³]
   SeriesEstimate density;              ///< mass over volume [u/nm³]
-  SeriesEstimate compressibility;      ///< bias at a mean pressure [nm³ mol/kJ]; otherwise 0
+  SeriesEstimate compressibility;      ///< compressibility, if a barostat fixes the mean pressure
+                                       ///< [nm³ mol/kJ]; otherwise 0
 };
 
-/// Sums over samples of the energies of a trajectory.
+/// Sums over samples of the energies of a trajectory, from which the time-step bias follows.
 struct StepBiasStatistics {
   StepResponse response;
 
   void add(const StepError& at, const Energies& now);
-  /// The bias of each average with its standard error.
-  /// @param temperature  of the thermostat, for the compressibility [K]
-  /// @param mass         of all molecules, for the density [u]
+  /// The time-step bias of each average with its standard error.
+  /// @param temperature  temperature of the thermostat, for the compressibility [K]
+  /// @param mass         mass of all molecules, for the density [u]
   StepBias bias(const DegreesOfFreedom& degrees_of_freedom, FixedMeans fixed,
                 double temperature = 0, double mass = 0) const;
 };

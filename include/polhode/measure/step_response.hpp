@@ -16,35 +16,40 @@
 
 namespace polhode {
 
-/// Means that are equal in two trajectories with different steps whose averages are compared.
+/// The means that an ensemble fixes, which are therefore equal in trajectories with different time
+/// steps.
 enum class FixedMeans {
   energy,                       ///< the mean total energy, at constant energy
-  kinetic_energy,               ///< the mean kinetic energy, with rescaling thermostat
-  kinetic_energy_and_pressure,  ///< both means, with cell rescaling
-  /// The mean kinetic energy and the mean pressure with N kT/V instead of its kinetic part, with
-  /// Monte Carlo moves of the volume, which do not use momenta.
+  kinetic_energy,               ///< the mean kinetic energy, with a rescaling thermostat
+  kinetic_energy_and_pressure,  ///< the mean kinetic energy and the mean pressure, with stochastic
+                                ///< cell rescaling
+  /// The mean kinetic energy and a mean pressure with N kT/V in place of its kinetic part. Monte
+  /// Carlo volume moves fix this pressure, because they do not use momenta.
   kinetic_energy_and_pressure_of_positions
 };
 
-/// Empty if the shadow energy does not determine the distribution: with a Langevin thermostat, with
-/// separate rescaling of translation and rotation, or with a bath within the steps. Empty with a
-/// barostat that scales edges separately, which holds several pressures. Empty with hybrid Monte
-/// Carlo, which has no bias.
+/// The means that an ensemble fixes. The result is empty if the shadow energy does not determine
+/// the distribution. This is so with a Langevin thermostat, with separate rescaling of translation
+/// and rotation, or with a bath within the steps. It is also empty if a barostat scales edges
+/// separately, because it then controls several pressures. It is empty with hybrid Monte Carlo,
+/// which has no bias.
 std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings, const Scheme& scheme);
-/// Fixed means for any scheme without a bath within its steps.
+/// The means that an ensemble fixes for any scheme without a bath within its steps.
 std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings);
 
-/// A sample of the energies on which a bias depends, besides the averaged quantities.
+/// The energies, pressure and volume of a sample that determine the time-step bias of any averaged
+/// quantity.
 struct StepError {
-  double error = 0;     ///< H̃ − H, up to a constant [kJ/mol]
-  double total = 0;     ///< H [kJ/mol]
-  double kinetic = 0;   ///< [kJ/mol]
-  double pressure = 0;  ///< the one that a barostat holds [kJ/mol/nm³]
-  double volume = 0;    ///< [nm³]
+  double error = 0;     ///< difference H̃ − H of shadow energy and energy, up to a constant
+                        ///< [kJ/mol]
+  double total = 0;     ///< total energy H [kJ/mol]
+  double kinetic = 0;   ///< kinetic energy [kJ/mol]
+  double pressure = 0;  ///< pressure that a barostat controls [kJ/mol/nm³]
+  double volume = 0;    ///< volume [nm³]
 };
 
-/// The time-step error of a sample: at constant energy, a constant minus the energy.
-/// @param ideal  N kT of N bodies at the temperature of the thermostat [kJ/mol]
+/// The time-step error of a sample. At constant energy, it is a constant minus the energy.
+/// @param ideal  ideal-gas term N kT of N bodies at the temperature of the thermostat [kJ/mol]
 StepError step_error(const Energies& now, FixedMeans fixed, double ideal);
 
 /// Sums over samples of quantities and of their products with the time-step error, in blocks of
@@ -56,17 +61,18 @@ struct StepResponse {
   std::vector<double> first;
   TimeBlocks blocks;
 
-  /// @param quantities  the same number in each sample
+  /// Adds a sample.
+  /// @param quantities  values of the quantities, equally many in each sample
   void add(const StepError& at, std::span<const double> quantities);
   std::size_t samples() const;
   /// The bias of a function of averages, to leading order, with its standard error.
-  /// @param degrees_of_freedom  of the kinetic energy
+  /// @param degrees_of_freedom  number of degrees of freedom of the kinetic energy
   SeriesEstimate bias(double degrees_of_freedom, FixedMeans fixed, const Function& f) const;
-  /// These sums relative to another first sample.
+  /// Expresses the sums relative to another first sample.
   StepResponse relative_to(const std::vector<double>& other) const;
 };
 
-/// The bias from independent runs, whose sums are relative to the same first sample.
+/// The time-step bias from independent runs, whose sums are all relative to the same first sample.
 SeriesEstimate step_bias(std::span<const StepResponse> runs, double degrees_of_freedom,
                          FixedMeans fixed, const StepResponse::Function& f);
 

@@ -10,7 +10,7 @@
 namespace polhode {
 
 struct Box {
-  Vec3<double> edge;  ///< [nm]
+  Vec3<double> edge;  ///< box edges [nm]
 
   friend bool operator==(const Box&, const Box&) = default;
   double volume() const { return edge.x * edge.y * edge.z; }
@@ -21,7 +21,7 @@ struct Box {
     return {std::nearbyint(r.x / edge.x), std::nearbyint(r.y / edge.y),
             std::nearbyint(r.z / edge.z)};
   }
-  /// The image of a difference vector that is nearest to zero.
+  /// The periodic image of a difference vector that is nearest to zero.
   Vec3<double> minimum_image(const Vec3<double>& r) const { return r - scaled(images(r), edge); }
 };
 

@@ -12,25 +12,25 @@
 
 namespace polhode {
 
-double total_mass(const Bodies& bodies);  ///< Σ m [u]
+double total_mass(const Bodies& bodies);  ///< The total mass Σ m [u].
 
-/// Σ p [u nm/ps].
+/// The total momentum Σ p [u nm/ps].
 Vec3<double> total_momentum(const State& state);
 
-/// Centre of mass Σ m q/M [nm] of unwrapped positions.
+/// The centre of mass Σ m q/M [nm] of unwrapped positions.
 Vec3<double> centre_of_mass(const Vec3Column& q, const Bodies& bodies);
 
-/// Brings the centre of mass to rest: p ← p − m P/M, P = Σ p.
-/// @return  P/M, the velocity that is subtracted [nm/ps]
+/// Brings the centre of mass to rest: p ← p − m P/M with P = Σ p.
+/// @return  the subtracted velocity P/M [nm/ps]
 Vec3<double> remove_total_momentum(State& state, const Bodies& bodies);
 
-/// p ← p − m u: the bodies seen from a frame that moves at velocity u [nm/ps].
+/// Transforms momenta to a frame that moves at velocity u [nm/ps]: p ← p − m u.
 void subtract_velocity(State& state, const Bodies& bodies, const Vec3<double>& u,
                        Workers& workers = Workers::serial());
 
 /// Subtracts the net force F from the bodies in proportion to their masses: f ← f − m F/M. The
-/// result is minus the gradient of the energy at a fixed centre of mass; torques are unchanged.
-/// Bitwise identical for any number of threads.
+/// result is minus the gradient of the energy at a fixed centre of mass; torques do not change. The
+/// result is bitwise identical for any number of threads.
 void remove_net_force(Load& load, const Bodies& bodies, Workers& workers = Workers::serial());
 
 }  // namespace polhode

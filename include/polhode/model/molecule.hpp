@@ -10,21 +10,21 @@
 
 namespace polhode {
 
-/// One interaction or mass point of a rigid molecule.
+/// An interaction site or point mass of a rigid molecule.
 struct Site {
-  std::string name;     ///< name as in coordinate files: "OW", "HW1"
+  std::string name;     ///< name as in coordinate files, such as "OW" or "HW1"
   std::string element;  ///< chemical symbol; empty for massless sites
   Vec3<double> r;       ///< position in the body frame [nm]
-  double mass = 0;      ///< [u]
-  double charge = 0;    ///< [e]
+  double mass = 0;      ///< mass [u]
+  double charge = 0;    ///< charge [e]
   double sigma = 0;     ///< diameter of Lennard-Jones and Mie laws [nm]
-  double epsilon = 0;   ///< their well depth [kJ/mol]
+  double epsilon = 0;   ///< well depth of Lennard-Jones and Mie laws [kJ/mol]
   ShortRangeLaw law{};
 
   bool has_short_range() const { return !is_zero(epsilon, law); }
 };
 
-/// Type of rigid body, by its principal moments.
+/// Types of rigid bodies, classified by their principal moments of inertia.
 enum class Top { atom, linear, spherical, symmetric, asymmetric };
 
 const char* name(Top top);
@@ -34,19 +34,21 @@ struct Molecule {
   std::string description;
   std::string source;       ///< key in docs/references.bib
   std::vector<Site> sites;  ///< sites in the principal frame, with the origin at the centre of mass
-  double mass = 0;          ///< [u]
-  Vec3<double> J;  ///< principal moments [u nm²], J1 ≤ J2 ≤ J3; linear J1 = 0, atom all 0
+  double mass = 0;          ///< total mass [u]
+  Vec3<double> J;  ///< principal moments of inertia [u nm²], J1 ≤ J2 ≤ J3; J1 = 0 for a linear
+                   ///< molecule, all are 0 for an atom
   Top top = Top::atom;
 
-  double charge() const;  ///< [e]
-  double dipole() const;  ///< |Σ q r| about the centre of mass [e nm]
-  double extent() const;  ///< largest distance of an interacting site from the centre [nm]
+  double charge() const;  ///< Total charge [e].
+  double dipole() const;  ///< Dipole moment |Σ q r| about the centre of mass [e nm].
+  double extent() const;  ///< Largest distance of an interacting site from the centre of mass [nm].
 };
 
-/// Builds the molecule from a set of sites given in any frame: mass, centre, principal moments and
-/// axes are computed and the sites are transformed into the principal frame (right-handed).
+/// Builds a molecule from sites that are given in any frame. It computes mass, centre, principal
+/// moments and axes, and transforms the sites into the right-handed principal frame.
 ///
-/// @throws Error  if no site has mass, or a number of a site is not finite or out of its domain
+/// @throws Error  if no site has mass, or if a number of a site is not finite or is out of its
+///   domain
 Molecule rigid_molecule(std::string name, std::vector<Site> sites);
 
 }  // namespace polhode

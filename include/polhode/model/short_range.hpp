@@ -10,18 +10,18 @@
 
 namespace polhode {
 
-/// u = 4 ε ((σ/r)¹² − (σ/r)⁶), with the σ and ε of the site.
+/// The Lennard-Jones law u = 4 ε ((σ/r)¹² − (σ/r)⁶), with σ and ε of the site.
 struct LennardJonesLaw {
   bool operator==(const LennardJonesLaw&) const = default;
 };
 
-/// u = C ε ((σ/r)ⁿ − (σ/r)ᵐ), with the σ and ε of the site.
+/// The Mie law u = C ε ((σ/r)ⁿ − (σ/r)ᵐ), with σ and ε of the site.
 struct MieLaw {
   double n = 12, m = 6;  ///< repulsive and attractive exponent
   bool operator==(const MieLaw&) const = default;
 };
 
-/// u = A exp(−B r) − C/r⁶.
+/// The Buckingham law u = A exp(−B r) − C/r⁶.
 struct BuckinghamLaw {
   double A = 0;  ///< [kJ/mol]
   double B = 0;  ///< [1/nm]
@@ -29,15 +29,16 @@ struct BuckinghamLaw {
   bool operator==(const BuckinghamLaw&) const = default;
 };
 
-/// A law given by its energies at equally spaced r, interpolated by a cubic spline. Two derivatives
-/// are continuous. The third is bounded, but jumps at each of those distances.
+/// A law given by its energies at equally spaced r, interpolated by a cubic spline. Its first two
+/// derivatives are continuous. The third derivative is bounded, but jumps at each tabulated
+/// distance.
 class PotentialTable {
  public:
-  /// @param name   of its file
-  /// @param first  the first r [nm]
+  /// @param name   name of the table file
+  /// @param first  first distance r [nm]
   /// @param u      energies [kJ/mol], at least 4
-  /// @param f      forces −u' at the same r [kJ/mol/nm]. The first and last are the slopes of the
-  ///               spline at its ends, the others are compared with its own.
+  /// @param f      forces −u' at the same r [kJ/mol/nm]. The first and last forces are the slopes
+  ///   of the spline at its ends. All other forces are compared with the spline.
   /// @throws Error  if a force differs from the spline by more than 1 %
   PotentialTable(std::string name, double first, double spacing, const std::vector<double>& u,
                  const std::vector<double>& f);
@@ -47,7 +48,7 @@ class PotentialTable {
   double spacing() const { return spacing_; }
   std::size_t intervals() const { return exact_.size() / 4; }
   double last() const { return first_ + static_cast<double>(intervals()) * spacing_; }
-  /// Coefficients of 1, x, x², x³ of each interval, with x from 0 to 1 within the interval.
+  /// Coefficients of 1, x, x², x³ in each interval, with x from 0 to 1 within the interval.
   template <class T>
   const T* coefficients() const {
     if constexpr (sizeof(T) == 8)
@@ -64,7 +65,7 @@ class PotentialTable {
   std::vector<float> rounded_;
 };
 
-/// Two laws are equal if they refer to equal tables.
+/// A law that is given by a table. Two such laws are equal if they refer to equal tables.
 struct TabulatedLaw {
   std::shared_ptr<const PotentialTable> table;
   bool operator==(const TabulatedLaw& other) const { return *table == *other.table; }
@@ -72,19 +73,20 @@ struct TabulatedLaw {
 
 using ShortRangeLaw = std::variant<LennardJonesLaw, MieLaw, BuckinghamLaw, TabulatedLaw>;
 
-/// Whether the law of a site or pair vanishes.
+/// Whether the short-range law of a site or pair is zero everywhere.
 inline bool is_zero(double epsilon, const ShortRangeLaw& law) {
   return epsilon == 0 &&
          (std::holds_alternative<LennardJonesLaw>(law) || std::holds_alternative<MieLaw>(law));
 }
 
-/// "lennard-jones", "mie", "buckingham" or "tabulated".
+/// The name of a law: "lennard-jones", "mie", "buckingham" or "tabulated".
 const char* name(const ShortRangeLaw& law);
-/// "sigma 0.33 nm, epsilon 0.8 kJ/mol", with any other parameters of the law.
+/// The parameters of a law as text, such as "sigma 0.33 nm, epsilon 0.8 kJ/mol".
 std::string parameters(double sigma, double epsilon, const ShortRangeLaw& law);
 
+/// Checks the parameters of a short-range law.
 /// @throws Error  if a parameter is not finite or out of its domain, or the law has no repulsion at
-///                short range
+///   short range
 void check(double sigma, double epsilon, const ShortRangeLaw& law);
 
 }  // namespace polhode

@@ -8,12 +8,15 @@
 namespace polhode {
 
 struct State {
-  Vec3Column q;                  ///< centres of mass [nm], lab, unwrapped
-  Vec3Column p;                  ///< momenta [u nm/ps], lab
-  QuaternionColumn orientation;  ///< body → lab; its transposed matrix is S
-  Vec3Column ell;                ///< angular momenta about the centres [u nm²/ps], lab
-  Box box;          ///< [nm]; it may change at any time, so code that needs it reads it here
-  double time = 0;  ///< [ps]
+  Vec3Column q;                  ///< centres of mass [nm], lab frame, unwrapped
+  Vec3Column p;                  ///< momenta [u nm/ps], lab frame
+  QuaternionColumn orientation;  ///< rotation from the body frame to the lab frame; the transpose
+                                 ///< of its matrix is S
+  Vec3Column ell;                ///< angular momenta about the centres of mass [u nm²/ps], lab
+                                 ///< frame
+  Box box;          ///< periodic box [nm], which may change at any time; code that needs the box
+                    ///< must read it here
+  double time = 0;  ///< time of the state [ps]
 
   State() = default;
   State(std::size_t bodies, const Box& box)

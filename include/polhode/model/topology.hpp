@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// Molecule types with their counts; bodies of one type are contiguous, in this order.
+/// Molecule types with their counts. Bodies of one type are contiguous, and types keep this order.
 struct Topology {
   struct Part {
     Molecule molecule;
@@ -19,17 +19,17 @@ struct Topology {
   std::vector<Part> parts;
 
   std::size_t size() const;  ///< number of bodies
-  double mass() const;       ///< [u]
+  double mass() const;       ///< Total mass of all bodies [u].
 };
 
-/// Mass and principal moments of each body with their inverses. The inverse of a vanishing moment
-/// is 0, since the angular momentum along that axis is always zero.
+/// Mass and principal moments of inertia of each body, with their inverses. The inverse of a
+/// vanishing moment is 0, since the angular momentum along that axis is always zero.
 struct Bodies {
-  Column<double> m;               ///< [u]
-  Column<double> inverse_m;       ///< [1/u]
-  Vec3Column J;                   ///< [u nm²]
-  Vec3Column inverse_J;           ///< [1/(u nm²)]
-  std::vector<std::size_t> part;  ///< index into Topology::parts
+  Column<double> m;               ///< mass [u]
+  Column<double> inverse_m;       ///< inverse mass [1/u]
+  Vec3Column J;                   ///< principal moments [u nm²]
+  Vec3Column inverse_J;           ///< inverse principal moments [1/(u nm²)]
+  std::vector<std::size_t> part;  ///< index of the body's molecule type in Topology::parts
 
   explicit Bodies(const Topology& topology);
   std::size_t size() const { return part.size(); }

@@ -15,22 +15,24 @@
 namespace polhode {
 
 enum class RotorMethod {
-  series,             ///< used in molecular dynamics; the closed form beyond |ω t| = 0.3
-  closed,             ///< elliptic functions and Carlson's integral of the third kind
-  theta,              ///< elliptic functions, with the integral from theta functions
+  series,             ///< power series, used in molecular dynamics; the closed form beyond |ω t| =
+                      ///< 0.3
+  closed,             ///< closed form: elliptic functions and Carlson's integral of the third kind
+  theta,              ///< closed form: elliptic functions, with the integral from theta functions
   recursive,          ///< elliptic functions and two-point Hermite quadrature
-  no_squish,          ///< second order, for comparison
-  symmetric_product,  ///< second order, for comparison
+  no_squish,          ///< NO_SQUISH splitting of second order, for comparison
+  symmetric_product,  ///< symmetric product of second order, for comparison
 };
 
 template <>
 inline constexpr std::array<std::string_view, 6> enum_names<RotorMethod> = {
     "series", "closed", "theta", "recursive", "no-squish", "symmetric-product"};
 
-/// The series within its radius, the closed form beyond it. A single body gains nothing from
-/// sub-steps, and moments that no mass distribution has (J_z > J_x + J_y) violate the bound of the
-/// series.
-/// @param J, L, t  as for closed_rotation
+/// Computes the free rotation by the series within its radius, and by the closed form beyond it.
+/// The closed form is also used for moments that no mass distribution has (J_z > J_x + J_y),
+/// because they violate the error bound of the series. Sub-steps are not used, because they gain
+/// nothing for a single body.
+/// @param J, L, t  as for closed_rotation()
 inline FreeRotation series_or_closed_rotation(const Vec3<double>& J, const Vec3<double>& L,
                                               double t) {
   const ScaledTop top(J, L, t);
@@ -38,7 +40,7 @@ inline FreeRotation series_or_closed_rotation(const Vec3<double>& J, const Vec3<
   const Vec3<double> angle = top.t * scaled(i, top.L);
   const double radius = std::hypot(angle.x, angle.y, angle.z);
   const Vec3<double>& m = top.J;
-  const double slack = 1 + 1e-9;  // inputs are rounded
+  const double slack = 1 + 1e-9;  // tolerance for the round-off of inputs
   const bool physical =
       m.x <= (m.y + m.z) * slack && m.y <= (m.z + m.x) * slack && m.z <= (m.x + m.y) * slack;
   if (!physical || !(radius <= long_series.radius)) return closed_rotation(J, L, t);
@@ -46,9 +48,10 @@ inline FreeRotation series_or_closed_rotation(const Vec3<double>& J, const Vec3<
   return {r, top.in_units_of_caller(momentum_after(r, top.L))};
 }
 
-/// The rotation of a free rigid body: orientation(t) = orientation(0) * rotation, and its L(t).
+/// Computes the rotation of a free rigid body, orientation(t) = orientation(0) * rotation, and its
+/// angular momentum L(t).
 ///
-/// @param J  principal moments [u nm²], any order; one may be zero (linear body)
+/// @param J  principal moments [u nm²] in any order; one may be zero (linear body)
 /// @param L  body-frame angular momentum [u nm²/ps], zero along a vanishing moment
 /// @param t  time [ps], any sign
 inline FreeRotation free_rotation(const Vec3<double>& J, const Vec3<double>& L, double t,

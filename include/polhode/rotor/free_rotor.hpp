@@ -7,18 +7,18 @@
 
 namespace polhode {
 
-/// Two independent ways to compute the integral of the third kind.
+/// Ways to compute the elliptic integral of the third kind; the two are independent.
 enum class ThirdKind {
   carlson,  ///< R_J by duplication, plus a multiple of its value for a half period
-  theta,    ///< a linear term and theta functions; R_J where ThetaIntegral does not apply
+  theta,    ///< a linear term and theta functions; R_J if ThetaIntegral does not apply
 };
 
 /// The angle φ by which the body precesses about L, measured in frames that follow a body axis.
 ///
-/// The usual angle [vanzon2007a] follows the axis that L circles. Its integrand contains 1 + N sn²
-/// with N = (J_y−J_x)J_z/((J_z−J_y)J_x), which diverges as J_y → J_z, where L passes close to the
-/// axis. Following x instead gives the same integral with n = m/N. The smaller of the two numbers
-/// is at most 1 and is used, so near-symmetric tops are no special case. In both cases, with the
+/// The usual angle [vanzon2007a] follows the axis z that L circles. Its integrand contains 1 + N
+/// sn² with N = (J_y−J_x)J_z/((J_z−J_y)J_x). N diverges as J_y → J_z, when L passes close to the
+/// axis. Following the axis x instead gives the same integral with n = m/N. The smaller of n and N
+/// is used. It is at most 1, so near-symmetric tops are not a special case. In both cases, with the
 /// moment J_f of the axis to which L is closest (u = 0),
 ///
 ///     φ = |L| t/J_f ± κ ∫ sn²/(1 + n sn²) du from u₀ to u₀ + p t,   κ² = n(1+n)(n+m).
@@ -37,13 +37,13 @@ class PrecessionAngle {
     kappa_ = std::copysign(std::sqrt(n_ * (1 + n_) * (n_ + m)), about_z ? Jx - Jz : Jz - Jx);
   }
 
-  /// φ(t), not reduced to one turn.
-  /// @param v  result of elapsed(t) of the orbit
-  /// @param u  result of at(v)
+  /// The angle φ(t), not reduced to one turn.
+  /// @param v  result of Orbit::elapsed(t)
+  /// @param u  result of Orbit::at(v)
   double operator()(double t, const Orbit::Elapsed& v, const JacobiFunctions& u) const {
-    // Addition theorem of the third kind [byrd1971, 116.03]: the remainder between u₀ and u₀ + v
-    // depends on u₀ only through an angle that never crosses ±π, since its cosine is positive where
-    // its sine vanishes.
+    // This is the addition theorem of the third kind [byrd1971, 116.03]. The remainder between u₀
+    // and u₀ + v depends on u₀ only through an angle. This angle never crosses ±π, because its
+    // cosine is positive where its sine vanishes.
     const double sign = std::fmod(v.half_periods, 2.0) == 0 ? 1 : -1;
     const double s0 = orbit_.start().sn, sv = sign * v.reduced.sn;
     const double addition = std::atan2(std::abs(kappa_) * s0 * sv * u.sn,
@@ -52,13 +52,13 @@ class PrecessionAngle {
     return steady_ * t + std::copysign(1.0, kappa_) * (from_0 + addition);
   }
 
-  /// |κ| ∫₀ᵛ sn²/(1 + n sn²) du for v = p t, from the theta functions.
+  /// The integral |κ| ∫₀ᵛ sn²/(1 + n sn²) du for v = p t, from the theta functions.
   double by_theta(double t, const Orbit::Elapsed& v) const {
     const ThetaIntegral integral(n_, orbit_.modulus, orbit_.K);
     return integral.rate() * (orbit_.p * t) - integral.argument(v.v);
   }
 
-  /// The angle, from R_J.
+  /// The precession angle, computed from R_J.
   double by_carlson(const Orbit::Elapsed& v) const {
     const double k = orbit_.modulus.k;
     if (orbit_.modulus.complement == 0) {
@@ -74,7 +74,7 @@ class PrecessionAngle {
     return std::abs(kappa_) * integral;
   }
 
-  std::size_t axis;  ///< the body axis that the frames follow
+  std::size_t axis;  ///< body axis that the frames follow
 
  private:
   const Orbit& orbit_;
@@ -82,14 +82,14 @@ class PrecessionAngle {
   double n_, steady_, kappa_;
 };
 
-/// Free rotation of a top over a time t in closed form.
+/// Computes the free rotation of a top over a time t in closed form.
 ///
 /// @param J    principal moments [u nm²] in any order, at most one of them zero (a linear body)
 /// @param L    body-frame angular momentum [u nm²/ps], zero along a vanishing moment
 /// @param t    time [ps], any sign and magnitude
-/// @param way  how the integral of the third kind is computed
+/// @param way  method by which the integral of the third kind is computed
 /// @return   rotation with |q| = 1 to within 2 ε, and L(t). Errors are a few ε (1 + k), where k is
-///           the change of the result, in ε, if each input changes by one ε. It is about 4.6 |ω t|
+///   the change of the result, in ε, if each input changes by one ε. k is about 4.6 |ω t|
 ///           for a well-behaved top, and exponential in p t near the separatrix. The digits do not
 ///           depend on the scale of the units.
 /// @source   jacobi1849; vanzon2007a; tests/unit/rotor_truth_test.cpp

@@ -11,17 +11,18 @@
 
 namespace polhode {
 
-/// L_x = A_x cn u, L_y = A_y sn u, L_z = A_z dn u with u = u₀ + p t. L circles the axis z, the axis
-/// y has the middle moment, and x is the third axis. The amplitudes carry signs, so the axes need
-/// not be right-handed nor the moments ascending [jacobi1849; vanzon2007a, Sec. 3, with positive
-/// amplitudes].
+/// The orbit of the body-frame angular momentum: L_x = A_x cn u, L_y = A_y sn u, L_z = A_z dn u
+/// with u = u₀ + p t. L circles the axis z, the axis y has the middle moment, and x is the third
+/// axis. The amplitudes have signs, so the axes need not be right-handed, and the moments need not
+/// ascend [jacobi1849; vanzon2007a, Sec. 3, with positive amplitudes].
 ///
-/// Every invariant is a sum of terms of one sign, computed from the components; 2E J − L² is never
-/// formed. Square roots are stored instead of squares, because even a component of 1e-170 decides
-/// when a body flips over near its middle axis.
+/// Every invariant is computed from the components of L, as a sum of terms with the same sign. 2E J
+/// − L² is never computed as a difference. Square roots are stored instead of squares, because even
+/// a component of 1e-170 decides when a body flips over near its middle axis.
 class Orbit {
  public:
-  /// @param top  three positive moments, and L not parallel to ω = J⁻¹ L (use is_stationary())
+  /// @param top  top with three positive moments and with L not parallel to ω = J⁻¹ L (check this
+  ///   with is_stationary())
   explicit Orbit(const ScaledTop& top) : moment_(top.J), L_(std::hypot(top.L.x, top.L.y, top.L.z)) {
     const Vec3<double>& J = top.J;
     std::size_t low = 0, middle = 1, high = 2;
@@ -29,7 +30,7 @@ class Orbit {
     if (J[high] < J[middle]) std::swap(high, middle);
     if (J[middle] < J[low]) std::swap(low, middle);
 
-    // The sign of L² − 2E J_y = (α − β)(α + β) decides which of the two extreme axes is circled.
+    // The sign of L² − 2E J_y = (α − β)(α + β) decides which of the two extreme axes L circles.
     const double alpha = std::abs(top.L[high]) * std::sqrt((J[high] - J[middle]) / J[high]);
     const double beta = std::abs(top.L[low]) * std::sqrt((J[middle] - J[low]) / J[low]);
     x = alpha >= beta ? low : high;
@@ -45,17 +46,20 @@ class Orbit {
     Ax = std::sqrt(J[x] / zx) * root_Wz;
     Ay = std::sqrt(J[y] / zy) * root_Wz;
     Az = std::copysign(std::sqrt(J[z] / zx) * root_Wx, L[z]);
-    if ((J[z] > J[x]) != ((Az > 0) == cyclic)) Ax = -Ax;  // so that L_y' = A_y p cn dn
+    if ((J[z] > J[x]) != ((Az > 0) == cyclic))
+      Ax = -Ax;  // The sign of A_x makes L_y' equal to A_y
+                 // p cn dn.
     p = std::sqrt(zy / (J[x] * J[y] * J[z])) * root_Wx;
     modulus.k = std::min(1.0, std::sqrt(yx / zy) * (root_Wz / root_Wx));
-    // 1 − m = (J_z − J_x)(L² − 2E J_y)/(...): from the invariant itself, never from m
+    // 1 − m = (J_z − J_x)(L² − 2E J_y)/(...), computed from the invariant and never as 1 minus m
     modulus.complement = std::min(1.0, std::sqrt(zx / zy) * (std::sqrt(std::abs(alpha - beta)) *
                                                              std::sqrt(alpha + beta) / root_Wx));
     K = quarter_period(modulus);
     start_ = {L[y] / Ay, L[x] / Ax, L[z] / Az};
   }
 
-  /// Whether L is constant: L × J⁻¹L = 0 (spherical tops, rotation about an axis, L = 0).
+  /// Whether L is constant, L × J⁻¹L = 0. This is so for spherical tops, for rotation about a
+  /// principal axis, and for L = 0.
   static bool is_stationary(const ScaledTop& top) {
     const auto parallel = [&](std::size_t i, std::size_t j) {
       return top.L[i] * top.L[j] * (top.J[i] - top.J[j]) == 0;
@@ -63,11 +67,11 @@ class Orbit {
     return parallel(0, 1) && parallel(1, 2) && parallel(2, 0);
   }
 
-  /// sn, cn, dn of p t, with t reduced by `half_periods` times 2K/p.
+  /// The functions sn, cn and dn of p t, where t is reduced by `half_periods` times 2K/p.
   struct Elapsed {
-    JacobiFunctions reduced;  ///< functions at |v| ≤ K
+    JacobiFunctions reduced;  ///< functions of the reduced argument, |v| ≤ K
     double half_periods;
-    double v;  ///< the reduced argument
+    double v;  ///< reduced argument
   };
   Elapsed elapsed(double t) const {
     const double v = p * t;
@@ -76,13 +80,13 @@ class Orbit {
     return {jacobi_functions(rest, modulus, K), count, rest};
   }
 
-  /// sn, cn, dn of u = u₀ + p t by the addition theorem. No inverse function is needed, because sn,
-  /// cn, dn of u₀ are ratios of components of L.
+  /// The functions sn, cn and dn of u = u₀ + p t by the addition theorem. No inverse function is
+  /// needed, because sn, cn and dn of u₀ are ratios of components of L.
   JacobiFunctions at(const Elapsed& v) const {
     const auto [s0, c0, d0] = start_;
     const auto [s, c, d] = v.reduced;
-    // 1 − m s0² s² = c0² + s0² d²; both terms may be as small as 1e-340, so divide by the larger
-    // root.
+    // The denominator is 1 − m s0² s² = c0² + s0² d². Both terms may be as small as 1e-340, so
+    // divide by the larger root.
     const double scale = 1 / std::max(std::abs(c0), std::abs(s0) * d);
     const double C0 = c0 * scale, D0 = d0 * scale, C = c * scale, D = d * scale;
     const double denominator = C0 * C0 + s0 * s0 * D * D;
@@ -105,11 +109,11 @@ class Orbit {
   double moment(std::size_t axis) const { return moment_[axis]; }
   double norm_L() const { return L_; }
 
-  std::size_t x, y, z;  ///< the body axes in these roles
-  double Ax, Ay, Az;    ///< amplitudes of L [units of L]
+  std::size_t x, y, z;  ///< indices of the body axes that have the roles x, y and z
+  double Ax, Ay, Az;    ///< amplitudes of the components of L [units of L]
   double p;             ///< rate of u [1/time]
-  Modulus modulus;      ///< k and k'
-  double K;             ///< quarter period in u; infinite on the separatrix
+  Modulus modulus;      ///< modulus k and its complement k'
+  double K;             ///< quarter period in u; infinite at the separatrix
 
  private:
   Vec3<double> moment_;
@@ -117,12 +121,13 @@ class Orbit {
   JacobiFunctions start_;
 };
 
-/// The frame (c₁, c₂, c₃) with c₃ = L/|L| and c₁ along L × e, for a body axis e; by columns.
+/// The frame (c₁, c₂, c₃), stored by columns, with c₃ = L/|L| and c₁ along L × e for a body axis e.
 struct PrecessionFrame {
   Vec3<double> c1, c2, c3;
 
-  /// @param L     not parallel to `axis`; components may be small, with full relative accuracy
-  /// @param norm  |L|
+  /// @param L     angular momentum, not parallel to `axis`; components may be small if they have
+  ///   full relative accuracy
+  /// @param norm  norm |L|
   PrecessionFrame(const Vec3<double>& L, std::size_t axis) {
     const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
     const double across = std::hypot(L[i], L[j]);
@@ -134,8 +139,8 @@ struct PrecessionFrame {
   }
 };
 
-/// The rotation that carries `before` to `after` while both precess by phi about L: P = M(after)
-/// R_z(phi) M(before)ᵀ with the passive R_z [vanzon2007a, Sec. 3].
+/// The rotation that takes the frame `before` to the frame `after` with a precession by phi about
+/// L: P = M(after) R_z(phi) M(before)ᵀ with the passive rotation R_z [vanzon2007a, Sec. 3].
 inline Quaternion<double> precession(const PrecessionFrame& before, const PrecessionFrame& after,
                                      double phi) {
   const double c = std::cos(phi), s = std::sin(phi);

@@ -10,20 +10,21 @@
 
 namespace polhode {
 
-/// State of a free body after a time t.
+/// The rotation and angular momentum of a free body after a time t.
 struct FreeRotation {
   /// orientation(t) = orientation(0) * rotation; its matrix_S() is the P(t) of the papers.
   Quaternion<double> rotation;
-  /// Body-frame angular momentum at t, P(t) L(0).
+  /// Body-frame angular momentum P(t) L(0) at time t.
   Vec3<double> L;
 };
 
-/// A top in its own units, all powers of two: the largest moment and the largest component of L are
-/// between 1/2 and 1. Nothing is rounded, and all thresholds below are relative.
+/// A top in scaled units, in which the largest moment and the largest component of L are between
+/// 1/2 and 1. The units are powers of two, so scaling causes no round-off. Thresholds are relative
+/// to these units.
 struct ScaledTop {
   Vec3<double> J, L;
   double t;
-  int L_exponent;  ///< L was divided by 2^L_exponent
+  int L_exponent;  ///< exponent of the unit of L: L was divided by 2^L_exponent
 
   ScaledTop(const Vec3<double>& moments, const Vec3<double>& momentum, double time) {
     const auto exponent = [](const Vec3<double>& v) {
@@ -41,7 +42,7 @@ struct ScaledTop {
     t = std::ldexp(time, L_exponent - J_exponent);
   }
 
-  /// J⁻¹ with the convention for linear bodies: 0 if the moment is 0.
+  /// The inverse moments J⁻¹, with the convention for linear bodies that the inverse of 0 is 0.
   Vec3<double> inverse_J() const {
     const auto inverse = [](double moment) { return moment == 0 ? 0.0 : 1 / moment; };
     return {inverse(J.x), inverse(J.y), inverse(J.z)};

@@ -14,9 +14,10 @@ namespace polhode {
 
 namespace series {
 
-/// S(τ) = τ Σ s_n with S'² = (1 − P S²)(1 − Q S²): Jacobi's sn(√Q τ)/√Q. The term s_n is
-/// (−τ²)ⁿ/(2n+1)! times Σ_j a_nj e₁ⁿ⁻²ʲ e₂ʲ with e₁ = P + Q, e₂ = P Q; a row below holds a_nj, from
-/// the recursion of S'' = −e₁ S + 2 e₂ S³ in exact arithmetic.
+/// Coefficients of the function S(τ) = τ Σ s_n with S'² = (1 − P S²)(1 − Q S²), which is Jacobi's
+/// sn(√Q τ)/√Q. The term s_n is (−τ²)ⁿ/(2n+1)! times Σ_j a_nj e₁ⁿ⁻²ʲ e₂ʲ with e₁ = P + Q and e₂ = P
+/// Q. Each row contains the a_nj of one n, from the recursion of S'' = −e₁ S + 2 e₂ S³ in exact
+/// arithmetic.
 inline constexpr std::size_t max_sine_order = 10;
 // clang-format off
 constexpr std::array<std::array<double, 6>, max_sine_order + 1> sine_numerators = {{
@@ -34,7 +35,7 @@ constexpr std::array<std::array<double, 6>, max_sine_order + 1> sine_numerators 
 }};
 // clang-format on
 
-/// (−1)ⁿ a_nj/(2n+1)! times 1 for S, times 2n+1 for S'.
+/// The coefficient (−1)ⁿ a_nj/(2n+1)!, multiplied by 1 for S and by 2n+1 for S'.
 constexpr double sine_coefficient(std::size_t n, std::size_t j, bool derivative) {
   double c = sine_numerators[n][j];
   for (std::size_t k = 2; k <= 2 * n + 1; ++k) c /= static_cast<double>(k);
@@ -42,7 +43,7 @@ constexpr double sine_coefficient(std::size_t n, std::size_t j, bool derivative)
   return n % 2 == 0 ? c : -c;
 }
 
-/// Horner's rule in e₁ for the terms n to `order` that contain e₂ʲ.
+/// Evaluates the terms n to `order` that contain e₂ʲ, by Horner's rule in e₁.
 template <std::size_t order, bool derivative, std::size_t j, std::size_t n, class Real>
 Real sine_row(Real e1) {
   constexpr double number = sine_coefficient(n, j, derivative);
@@ -53,7 +54,7 @@ Real sine_row(Real e1) {
     return sine_row<order, derivative, j, n + 1>(e1) * e1 + c;
 }
 
-/// S/τ, or S'(τ), to the given order, with e₁ and e₂ in units of 1/τ² and 1/τ⁴.
+/// The series S/τ, or S'(τ), to the given order, with e₁ and e₂ in units of 1/τ² and 1/τ⁴.
 template <std::size_t order, bool derivative, std::size_t j = 0, class Real>
 Real sine(Real e1, Real e2) {
   const Real row = sine_row<order, derivative, j, 2 * j>(e1);
@@ -63,8 +64,9 @@ Real sine(Real e1, Real e2) {
     return sine<order, derivative, j + 1>(e1, e2) * e2 + row;
 }
 
-/// i_x i_z + i_x i_y - i_y i_z = i_x^2 i_y i_z (J_y + J_z - J_x). One very large inverse moment is
-/// multiplied by the difference of the other two, so a needle loses no digits.
+/// The combination i_x i_z + i_x i_y - i_y i_z = i_x^2 i_y i_z (J_y + J_z - J_x) of inverse
+/// moments. One very large inverse moment is multiplied by the difference of the other two, so a
+/// needle loses no digits.
 template <class Real>
 Real triangle(Real x, Real y, Real z) {
   const Mask<Real> ascending = y < z;
@@ -72,7 +74,7 @@ Real triangle(Real x, Real y, Real z) {
   return large * (x - small) + x * small;
 }
 
-/// Calls f(0), f(1), ... f(count - 1) with compile-time constants as arguments.
+/// Calls f(0), f(1), ..., f(count - 1) with compile-time constants as arguments.
 template <std::size_t count, class Function>
 constexpr void unroll(const Function& f) {
   [&]<std::size_t... k>(std::index_sequence<k...>) {
@@ -81,16 +83,17 @@ constexpr void unroll(const Function& f) {
   (std::make_index_sequence<count>{});
 }
 
-/// The equation of the angle G = X F, multiplied by X:
-/// (1 - c1 + c2 - c3) (G + 2 X G') = K3 + K2 G + K1 G^2.
-/// It contains the powers of X: X^n in c_n and X^(n+1) in element n of each K.
+/// Coefficients of the equation of the angle G = X F, multiplied by X: (1 - c1 + c2 - c3) (G + 2 X
+/// G') = K3 + K2 G + K1 G^2. The powers of X are part of the coefficients: c_n contains X^n, and
+/// element n of each K contains X^(n+1).
 template <class Real>
 struct AngleEquation {
   std::array<Real, 3> K1, K2, K3;
   Real c1, c2, c3;
 };
 
-/// e plus the products K1_j d_a d_b with a + b = n - 2 - j, except those with d_(n-2).
+/// The sum of e and the products K1_j d_a d_b with a + b = n - 2 - j, except the products with
+/// d_(n-2).
 template <std::size_t n, class Real, std::size_t terms>
 POLHODE_INLINE inline Real plus_products(Real e, const std::array<Real, 3>& K1,
                                          const std::array<Real, terms>& d) {
@@ -111,9 +114,9 @@ POLHODE_INLINE inline Real plus_products(Real e, const std::array<Real, 3>& K1,
   return e;
 }
 
-/// The angle G as the sum of `terms` terms d_n of order X^(n+1):
-/// (2n+3) d_n = ((2n+1) c1 + K2_0) d_(n-1) + ... The newest terms enter last and the division by
-/// 2n+3 is absorbed into their coefficients: the dependency chain per term is two operations long.
+/// The angle G as the sum of `terms` terms d_n of order X^(n+1): (2n+3) d_n = ((2n+1) c1 + K2_0)
+/// d_(n-1) + ... The newest terms enter last, and the division by 2n+3 is absorbed into their
+/// coefficients. The dependency chain per term is therefore two operations long.
 template <std::size_t terms, class Real>
 POLHODE_INLINE inline Real angle_sum(const AngleEquation<Real>& of) {
   std::array<Real, terms> d;
@@ -127,7 +130,7 @@ POLHODE_INLINE inline Real angle_sum(const AngleEquation<Real>& of) {
     e = plus_products<n>(e, of.K1, d);
     if constexpr (n >= 3) e = e + (of.c3 * number(2 * n - 3) + of.K2[2]) * d[n - 3];
     if constexpr (n >= 2) {
-      const Real twice_d0 = n == 2 ? d[0] : d[0] + d[0];  // d_0 d_0 occurs once
+      const Real twice_d0 = n == 2 ? d[0] : d[0] + d[0];  // the product d_0 d_0 occurs once
       e = e + (of.K2[1] - of.c2 * number(2 * n - 1) + of.K1[0] * twice_d0) * d[n - 2];
     }
     d[n] = e * divided;
@@ -140,18 +143,19 @@ POLHODE_INLINE inline Real angle_sum(const AngleEquation<Real>& of) {
 
 }  // namespace series
 
-/// Number of terms, and the largest |omega t| for which they suffice.
+/// The number of terms of the series, and the largest |omega t| for which they suffice.
 ///
 /// Let b = |omega t|/2. Mass distributions (J_z <= J_x + J_y, cyclic) have |lambda_k| <= omega_k^2,
 /// hence |P|, |Q| <= omega^2, and S is majorised by tan(b) term by term. The truncation error of
-/// S/tau after term n is below 2 (2b/pi)^(2n+2), 9e-19 and 1e-17 here. The terms d_n of the angle
-/// are polynomials of the shape and of the direction of L, a compact set. A scan over 10^6 bodies
-/// down to J_min/J_max = 1e-6, in extended precision against a Taylor series, gave their truncation
-/// errors: 1.7e-17 and 2.8e-17. Flat needles about the middle axis are the worst.
+/// S/tau after term n is below 2 (2b/pi)^(2n+2), which is 9e-19 for the short and 1e-17 for the
+/// long series. The terms d_n of the angle are polynomials of the body's shape and of the direction
+/// of L, which form a compact set. Their truncation errors, 1.7e-17 and 2.8e-17, are from a scan
+/// over 10^6 bodies down to J_min/J_max = 1e-6. The scan compared them with a Taylor series in
+/// extended precision. Flat needles that rotate about the middle axis have the largest error.
 /// tests/unit/rotor_series_test.cpp repeats part of the scan.
 struct SeriesOrder {
-  std::size_t sine, angle;  ///< highest term of S; number of terms of the angle
-  double radius;            ///< |omega t| [1]
+  std::size_t sine, angle;  ///< index of the highest term of S, and number of terms of the angle
+  double radius;            ///< largest |omega t| [1]
 };
 inline constexpr SeriesOrder short_series{6, 6, 0.15};  ///< truncation error below 3e-17
 inline constexpr SeriesOrder long_series{8, 9, 0.3};    ///< truncation error below 3e-17
@@ -162,7 +166,7 @@ inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< truncation error be
 /// Let tau = t/2, M the angular momentum at tau, and C^2 = 1 - Q S^2, D^2 = 1 - P S^2, E = C D =
 /// S'. The addition theorem gives L(t) - L(0) = T s x J^-1 s with s = L(0) + L(t) and a scalar T. A
 /// rotation that carries L(t) to L(0) then has a vector part (T J^-1 + delta) s relative to its
-/// scalar part, with one scalar delta. It is the discrete top of Moser and Veselov with moments
+/// scalar part, with one scalar delta. This is the discrete top of Moser and Veselov, with moments
 /// corrected by delta [mclachlan2005]. Hence
 ///
 ///     r ~ (1, (M_x/D)(S i_x + S d), M_y (S i_y + S d), (M_z/C)(S i_z + S d)),   i = J^-1,
@@ -171,8 +175,9 @@ inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< truncation error be
 ///
 ///     (1 - P X)(1 - Q X)(1 - y X)(3 F + 2 X F') = K3 + X K2 F + X^2 K1 F^2.
 ///
-/// The recursion below gives its power series. There is no division by a difference of moments, by
-/// |L| or by a component: spherical, symmetric, linear and resting bodies are not special cases.
+/// The recursion below gives the power series of F. There is no division by a difference of
+/// moments, by |L| or by a component of L. Spherical, symmetric, linear and resting bodies are
+/// therefore not special cases.
 ///
 /// @param inverse_J  inverse principal moments [1/(u nm^2)]; 0 for the vanishing moment of a linear
 ///                   body. The moments obey the triangle inequality.
@@ -186,8 +191,9 @@ inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< truncation error be
 ///                   derivation: docs/theory-rotor.md
 template <SeriesOrder order, class Real>
 Quaternion<Real> unnormalized_rotation(const Vec3<Real>& inverse_J, const Vec3<Real>& L, Real t) {
-  const Vec3<Real> i = inverse_J * (Real(0.5f) * t);    // time in units of t/2 from here on
-  const Vec3<Real> A{i.z - i.y, i.x - i.z, i.y - i.x};  // L_x' = A_x L_y L_z, cyclic
+  const Vec3<Real> i = inverse_J * (Real(0.5f) * t);    // from here on, the unit of time is t/2
+  const Vec3<Real> A{i.z - i.y, i.x - i.z, i.y - i.x};  // L_x' = A_x L_y L_z, and cyclic
+                                                        // permutations
   const Vec3<Real> L2{L.x * L.x, L.y * L.y, L.z * L.z};
 
   // lambda_y, P = lambda_y - lambda_x and Q = lambda_y - lambda_z, with lambda_x = A_y A_z L_x^2,
@@ -202,18 +208,19 @@ Quaternion<Real> unnormalized_rotation(const Vec3<Real>& inverse_J, const Vec3<R
 
   // By the addition theorem M_k^2 = L_k^2 + A_k eta.
   const Real denominator = Real(1) - lambda * X;
-  const Vec3<Real> rate{A.x * L.y * L.z, A.y * L.z * L.x, A.z * L.x * L.y};  // L'(0)
+  const Vec3<Real> rate{A.x * L.y * L.z, A.y * L.z * L.x, A.z * L.x * L.y};  // derivative L'(0)
   const Real h = rate.y * L.z * L.x;
   const Real g = L2.y * (A.z * L2.x + A.x * L2.z);
   const Real eta = (Real(2) * L.x * L.y * L.z * SE + X * ((h + g) + lambda * X * (h - g))) /
                    (denominator * denominator);
   const Vec3<Real> M2{L2.x + A.x * eta, L2.y + A.y * eta, L2.z + A.z * eta};
 
-  // The equation of the angle.
+  // The coefficients of the equation of the angle follow.
   const Vec3<Real> c{series::triangle(i.x, i.y, i.z), series::triangle(i.y, i.z, i.x),
                      series::triangle(i.z, i.x, i.y)};
   const Real PX = P * X, QX = Q * X, yX = Axz * M2.y * X, PQX = PX * QX, sum = PX + QX;
-  const auto coefficients = [&](Real x, Real y, Real z) {  // of x C^2 + y C^2 D^2 + z D^2
+  const auto coefficients = [&](Real x, Real y, Real z) {  // coefficients of x C^2 + y C^2 D^2 + z
+                                                           // D^2
     return std::array<Real, 3>{x + y + z, -(QX * (x + y) + PX * (y + z)), PQX * y};
   };
   const Vec3<Real> m{X * i.x * M2.x, X * i.y * M2.y, X * i.z * M2.z};
@@ -230,21 +237,22 @@ Quaternion<Real> unnormalized_rotation(const Vec3<Real>& inverse_J, const Vec3<R
           S * (L.z * D2 + rate.z * SE) * (i.z + angle)};
 }
 
-/// L in the body frame after the rotation r: L - 2 w n x L + 2 n x (n x L). Unlike a product with
-/// the matrix of r, this conserves |L| to a rounding of the small change. The rounding error of |r|
-/// is the same in every step of a steady rotation, and would accumulate.
+/// Computes L in the body frame after the rotation r as L - 2 w n x L + 2 n x (n x L). Unlike a
+/// product with the matrix of r, this formula conserves |L| up to the round-off of a small change.
+/// In a steady rotation the round-off error of |r| is the same in every step. With the matrix it
+/// would accumulate.
 template <class Real>
 Vec3<Real> momentum_after(const Quaternion<Real>& r, const Vec3<Real>& L) {
   const Vec3<Real> n = r.vector(), c = cross(n, L);
   return L + Real(2) * (cross(n, c) - r.w * c);
 }
 
-/// Free rotation over a step of any size, for numbers and packs. It is one series within its
-/// radius, and beyond it as many equal sub-steps as the fastest lane needs, for all lanes.
+/// Computes the free rotation over a step of any size, for numbers and packs. Within its radius,
+/// one series is used. Beyond it, all lanes take as many equal sub-steps as the fastest lane needs.
 ///
-/// @param inverse_J, L, t  as above, |omega t| up to about 20 (beyond that, the closed form is
-///                         cheaper)
-/// @return                 as above
+/// @param inverse_J, L, t  as for the single series, with |omega t| up to about 20 (beyond that,
+///   the closed form is cheaper)
+/// @return                 as for the single series
 /// @source                 tests/unit/rotor_series_test.cpp, tests/unit/drift_test.cpp
 template <class Real>
 Quaternion<Real> series_rotation(const Vec3<Real>& inverse_J, Vec3<Real> L, Real t) {

@@ -9,14 +9,15 @@
 
 namespace polhode {
 
-/// sin x and cos x, or sin(x)/x and cos x.
+/// Returns sin x and cos x, or sin(x)/x and cos x.
 template <class Real>
 struct SineCosine {
   Real sine, cosine;
 };
 
-/// sin(x)/x and cos x from y = x² by their Taylor series, innermost terms first. The first terms
-/// left out are y^m/(2m + 1)! with m = sine_terms + 1, and y^m/(2m)! with m = cosine_terms + 1.
+/// Computes sin(x)/x and cos x from y = x² by their Taylor series, innermost terms first. The first
+/// omitted terms are y^m/(2m + 1)! with m = sine_terms + 1, and y^m/(2m)! with m = cosine_terms +
+/// 1.
 template <std::size_t sine_terms, std::size_t cosine_terms, class Real>
 SineCosine<Real> taylor_sine_cosine(Real y) {
   const Real one(1);

@@ -13,24 +13,25 @@
 
 namespace polhode {
 
-/// How far a job has come.
+/// The progress of a job.
 struct Progress {
-  std::string job;               ///< "equilibrating"
+  std::string job;               ///< name of the job's current stage, such as "equilibrating"
   std::optional<double> done{};  ///< fraction of the work, 0 to 1; empty if its amount is unknown
-  std::string detail{};          ///< what is being done, such as a scheme's name; may be empty
+  std::string detail{};          ///< current item, such as the name of a scheme; may be empty
 };
 
 /// All callbacks are optional. An exception that one of them throws ends the job and reaches its
 /// caller.
 struct Callbacks {
-  /// Called often, by any thread, but by one at a time.
+  /// Called often and from any thread, but never by two threads at once.
   std::function<void(const Progress&)> progress{};
-  /// Called often, by any thread, by several at a time: true ends the job soon, with the results so
-  /// far.
+  /// Called often, from any thread, and possibly by several threads at once. If it returns true,
+  /// the job ends soon with the results so far.
   std::function<bool()> stop{};
-  /// A line of text, without line end: a note on the input, or what the job does next.
+  /// Receives a line of text without a line end: a note on the input, or a description of the job's
+  /// next stage.
   std::function<void(const std::string& text)> message{};
-  /// Called at every sample of the energies of a simulation, with the number of steps done.
+  /// Called at every energy sample of a simulation, with the number of steps done.
   std::function<void(std::size_t steps, const State& state, const Energies& energies)> sample{};
 
   void report(const Progress& now) const {

@@ -15,44 +15,45 @@
 
 namespace polhode {
 
-/// What a job does where its outputs exist already.
+/// What a job does if its output files exist already.
 enum class ExistingFiles {
-  refuse,   ///< they are an error
-  replace,  ///< they are overwritten
-  resume    ///< the job continues from them
+  refuse,   ///< existing files are an error
+  replace,  ///< existing files are overwritten
+  resume    ///< the job continues from the existing files
 };
 
-/// How a job is named in its outputs, and what it may do to existing ones.
+/// Options for the output files of a job: the command that they record, and the treatment of
+/// existing files.
 struct OutputOptions {
   ExistingFiles existing = ExistingFiles::refuse;
-  std::string command = "polhode";  ///< command that writes the files, for their headers
+  std::string command = "polhode";  ///< command that writes the files, recorded in their headers
 };
 
-/// The provenance of the files of this process.
-/// @param config  text that determines them
+/// The provenance of the files that this process writes.
+/// @param config  text of the settings that determine the files
 Provenance provenance(const std::string& command, const std::string& config, std::uint64_t seed);
 
-/// Checks the names of output files, and that their folders can be written to, before anything is
-/// computed.
-/// @throws Error  if one of them cannot be written, or exists and is not to be replaced
+/// Checks, before anything is computed, the names of output files and whether their folders can be
+/// written to.
+/// @throws Error  if a file cannot be written, or exists and must not be replaced
 void check_outputs(const std::vector<std::string>& files, ExistingFiles existing);
 
 /// Checks a prefix of output files, and the lengths of their names.
-/// @throws Error  if it is empty or ends in '/', which would begin the names of the files with '-',
-///                or if a name is too long
+/// @throws Error  if the prefix is empty or ends in '/', so that file names would begin with '-',
+///   or if a name is too long
 void check_prefix(const std::string& prefix, const std::vector<std::string>& files = {});
 
-/// A lock for the outputs of a job, with a note where the file system has no locks.
+/// Locks the outputs of a job. If the file system has no locks, it gives a note instead.
 class OutputLock {
  public:
-  /// @throws Error  as FileLock()
+  /// @throws Error  under the same conditions as FileLock()
   OutputLock(const std::string& path, const Callbacks& callbacks);
 
  private:
   FileLock lock_;
 };
 
-/// Passes lines of text that a function writes on to the message callback.
+/// Passes each line of text that a function writes to the message callback.
 void pass_messages(const Callbacks& callbacks, const std::function<void(std::ostream&)>& write);
 
 }  // namespace polhode

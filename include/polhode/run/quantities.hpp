@@ -20,7 +20,7 @@ namespace polhode {
 
 struct Quantity;
 using Quantities = std::vector<Quantity>;
-/// One estimate for each principal axis.
+/// Estimates for the three principal axes.
 using AxisEstimates = std::array<SeriesEstimate, 3>;
 
 using AnyValue =
@@ -29,11 +29,12 @@ using AnyValue =
                  std::vector<std::string>, Estimate, SeriesEstimate, AxisEstimates,
                  std::vector<std::optional<SeriesEstimate>>, Quantities, std::vector<Quantities>>;
 
-/// What a quantity is: a number, a text, an estimate, a group of quantities, or a list of them. A
-/// quantity with a label is a row, a title with rows, or a title with a table whose columns are the
-/// quantities with labels.
+/// The value of a quantity: a number, a text, an estimate, a group of quantities, or a list of
+/// groups. In printed text, a labelled quantity becomes a row. A labelled group becomes a title
+/// with rows, and a labelled list a title with a table. The table has a column for each labelled
+/// quantity.
 struct Value : AnyValue {
-  Value();  ///< null
+  Value();  ///< Makes the null value.
   Value(bool yes);
   Value(std::int64_t count);
   Value(std::integral auto count) : Value(static_cast<std::int64_t>(count)) {}

@@ -13,34 +13,36 @@
 
 namespace polhode {
 
-/// Cutoff treatment. The switches are smooth: the energy error of a scheme of order p contains the
-/// p-th derivative of the energy, which is bounded from smoothness p − 1 on (docs/statistics.md).
+/// Cutoff treatment. Smooth switches are needed because the energy error of a scheme of order p
+/// contains the p-th derivative of the energy. This derivative is bounded if the smoothness is at
+/// least p − 1 (docs/statistics.md).
 enum class Truncation {
-  molecule_switch,  ///< w(R) times all site pairs of two molecules, R between centres of mass
-  site_switch,      ///< w(r) times each site pair, r between the sites
-  site_shift,       ///< each site pair with its energy and force shifted to 0 at the cutoff
+  molecule_switch,  ///< all site pairs of two molecules are multiplied by w(R), with R between
+                    ///< centres of mass
+  site_switch,      ///< each site pair is multiplied by w(r), with r between the sites
+  site_shift,       ///< energy and force of each site pair are shifted to 0 at the cutoff
                     ///< [toxvaerd2011]
 };
 
-/// Electrostatics.
+/// Methods for the electrostatic interactions.
 enum class Electrostatics {
   coulomb,               ///< plain Coulomb law
   reaction_field,        ///< Coulomb's law with a dielectric continuum beyond the cutoff
-  pme,                   ///< smooth particle mesh: pairs within the cutoff, the long-range rest on
-                         ///< a mesh
-  damped_shifted_force,  ///< damped Coulomb law, shifted to 0 at the cutoff
+  pme,                   ///< smooth particle mesh: pairs within the cutoff, the long-range
+                         ///< remainder on a mesh
+  damped_shifted_force,  ///< Coulomb law, damped and shifted to 0 at the cutoff
 };
 
-/// Precision of the pairs. Positions, orientations, momenta and all sums of forces, torques and
-/// energies are double in either case.
+/// Precision of the pair forces. Positions, orientations, momenta and all sums of forces, torques
+/// and energies are double in either case.
 enum class Precision {
-  double_precision,  ///< pairs in double
-  mixed,             ///< pairs in float: sites relative to centres, centres in fixed point
+  double_precision,  ///< pair forces in double precision
+  mixed,             ///< pair forces in float: sites relative to centres, centres in fixed point
 };
 
 struct ForceSettings {
   Truncation truncation = Truncation::molecule_switch;
-  double cutoff = 1.0;        ///< [nm]
+  double cutoff = 1.0;        ///< cutoff of the pair interactions [nm]
   double switch_from = 0.85;  ///< start of the switching range [nm]
   int smoothness = 2;         ///< differentiability of the switch: C¹, C², C³
   Electrostatics electrostatics = Electrostatics::coulomb;
@@ -49,28 +51,29 @@ struct ForceSettings {
   double skin = 0.05;        ///< skin of the neighbour list [nm]
   Precision precision = Precision::double_precision;
   Mixing mixing{};  ///< Lennard-Jones parameters of unlike sites
-  /// Rms error of the electrostatic forces of PME relative to their rms.
+  /// Requested rms error of the electrostatic forces of PME, relative to their rms.
   double pme_accuracy = 1e-4;
-  /// For PME, distance up to which pairs of charges are summed [nm]; if not set, this cutoff and
-  /// the mesh are chosen together. `cutoff` is for the short-range laws.
+  /// Distance up to which PME sums pairs of charges [nm]. If not set, this cutoff and the mesh are
+  /// chosen together. `cutoff` applies to the short-range laws only.
   std::optional<double> coulomb_cutoff{};
   double damping = 2;  ///< α of the damped shifted force [1/nm]
   /// α of Ewald's Gaussian split [1/nm], for PME with the mesh of another program. The force field
   /// then has no mesh, and sums pairs up to the cutoff.
   std::optional<double> ewald_alpha{};
-  /// The mesh of PME; if not set, the cheapest mesh of that accuracy is chosen for each box.
+  /// The mesh of PME; if not set, the cheapest mesh that meets `pme_accuracy` is chosen for each
+  /// box.
   std::optional<MeshSettings> mesh{};
-  /// The box for which the mesh was chosen; not set for a mesh that was given, which is kept in
-  /// every box.
+  /// The box for which the mesh was chosen. Not set if the user gave the mesh, which then stays the
+  /// same in every box.
   std::optional<Box> mesh_chosen_for{};
   /// Whether to add the Lennard-Jones energy and pressure beyond the truncation, assuming a uniform
   /// density of sites.
   bool dispersion_correction = false;
-  /// External forces, added to all others; null: none.
+  /// External forces, which are added to all other forces; null if there are none.
   std::shared_ptr<const ExternalForces> external{};
 };
 
-/// Two charges farther apart do not interact as a pair [nm].
+/// The cutoff of the pair interaction of two charges [nm].
 inline double cutoff_of_charges(const ForceSettings& settings) {
   return settings.mesh ? settings.mesh->cutoff : settings.coulomb_cutoff.value_or(settings.cutoff);
 }

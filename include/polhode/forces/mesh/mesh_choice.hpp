@@ -15,27 +15,28 @@
 namespace polhode {
 
 /// Expected rms error of the force on a charge due to the mesh [kJ/mol/nm], for bodies with random
-/// positions and orientations. It is the error of ballenegger2012 for independent charges, with the
-/// form factor of each body instead of the sum of its squared charges. The charges of a neutral
-/// body largely cancel at long range.
+/// positions and orientations. It is the error estimate of ballenegger2012 for independent charges,
+/// with the form factor of each body in place of the sum of its squared charges. This matters
+/// because the charges of a neutral body largely cancel at long range.
 double expected_mesh_error(const Topology& topology, const Box& box, const MeshSettings& settings);
 
-/// Rough estimate of the rms electrostatic force on a charge in a dense liquid [kJ/mol/nm]: the
-/// force of the mean square charge at the mean distance between charges.
+/// A rough estimate of the rms electrostatic force on a charge in a dense liquid [kJ/mol/nm]: the
+/// force between two rms charges at the mean distance between charges.
 double typical_force(const Topology& topology, const Box& box);
 
 /// Chooses the fastest mesh whose rms force error is at most a given fraction of the rms
-/// electrostatic force on a charge. The choice has grid, order, exponent, and the cutoff of the
-/// charges unless the settings fix it. A shorter cutoff has fewer pairs and a finer mesh. The
-/// choice depends only on the settings and the current box, and so does the energy, as constant
-/// pressure requires.
+/// electrostatic force on a charge. It chooses the grid, order and exponent, and also the cutoff of
+/// the charges unless the settings fix it. A shorter cutoff means fewer pairs and a finer mesh. The
+/// choice depends only on the settings and the current box. The energy is therefore a function of
+/// the state, as constant pressure requires.
 class MeshChoice {
  public:
-  /// @param settings  with the accuracy and the cutoffs
+  /// @param settings  force settings with the accuracy and the cutoffs
   /// @throws Error  if the accuracy is not from 1e-7 to 0.1, or there are no charges
   MeshChoice(const Topology& topology, const ForceSettings& settings);
 
-  /// The mesh for a box. Fast after the first call, because computed errors are stored.
+  /// Chooses the mesh for a box. Calls after the first are fast, because computed errors are
+  /// stored.
   /// @throws Error  if the box holds so few charges that the mesh would have too many points
   MeshSettings operator()(const Box& box);
 
@@ -55,15 +56,16 @@ class MeshChoice {
 
   Topology topology_;
   ForceSettings settings_;
-  // The error in a box of 1 nm³, by cutoff, spacing, order and exponent. It falls as V^(-1/2).
+  // Errors in a box of 1 nm³ by cutoff, spacing, order and exponent. The error scales with the
+  // volume as V^(-1/2).
   std::map<std::tuple<double, int, int, int>, double> errors_;
 };
 
-/// The mesh for one box.
-/// @throws Error  as MeshChoice
+/// Chooses the mesh for one box.
+/// @throws Error  under the same conditions as MeshChoice
 MeshSettings mesh_for(const ForceSettings& settings, const Box& box, const Topology& topology);
 
-/// The mesh for one box and a given cutoff of the charges.
+/// Chooses the mesh for one box and a given cutoff of the charges.
 MeshSettings mesh_for(double relative_error, double cutoff, const Box& box,
                       const Topology& topology);
 

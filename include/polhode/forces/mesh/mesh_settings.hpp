@@ -12,8 +12,8 @@ struct MeshSettings {
 
   std::array<std::size_t, 3> points{16, 16, 16};  ///< grid points along each edge
   int order = 5;                                  ///< order of the B-splines
-  int exponent = 6;                               ///< m of the split
-  double cutoff = 1.0;                            ///< a of the split [nm]
+  int exponent = 6;                               ///< exponent m of the Coulomb split
+  double cutoff = 1.0;                            ///< cutoff a of the Coulomb split [nm]
 
   friend bool operator==(const MeshSettings&, const MeshSettings&) = default;
 };

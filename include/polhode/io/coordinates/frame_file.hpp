@@ -18,48 +18,49 @@
 
 namespace polhode {
 
-/// Reads the frames of a file in order.
+/// Reads the frames of a coordinate file in order.
 class FrameReader {
  public:
   virtual ~FrameReader() = default;
   /// Reads the next frame into `frame`, replacing its contents and reusing its memory.
   /// @return  false at the end of the file
-  /// @throws Error  with the file and line or offset: what was found, and what was expected
+  /// @throws Error  with file, line or offset, the text found and the text expected
   virtual bool next(Frame& frame) = 0;
-  /// Fraction of the file that has been read, 0 to 1.
+  /// Fraction of the file that has been read, from 0 to 1.
   virtual double fraction_read() { return 0; }
 };
 
 /// Opens a file; the format is chosen by the file extension.
 /// @param names  kinds and residues of atoms for formats without names (XTC, TRR, DCD), in the
-///               order of the file; if null, all of them are of one unnamed kind
+///   order of the file; if null, all atoms are of one unnamed kind
 /// @throws Error  if the file cannot be read or its extension belongs to no format
 std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names = nullptr);
 
-/// Opens a dump file of LAMMPS with particles, each of which is a molecule of the topology, in the
-/// order of ids. The frames have all sites.
-/// @throws Error  as open_frames(), or if it is a file of another format
+/// Opens a LAMMPS dump file in which each particle is a molecule of the topology, in the order of
+/// ids. The frames have all sites.
+/// @throws Error  under the same conditions as open_frames(), or if the file has another format
 std::unique_ptr<FrameReader> open_particle_frames(const std::string& path,
                                                   const Topology& topology);
 
-/// Reads frames from a stream, which must outlive the reader, as open_frames() does from a file.
-/// @param format  its extension, such as "gro"
-/// @param file    its name in errors
+/// Reads frames from a stream, as open_frames() does from a file. The stream must outlive the
+/// reader.
+/// @param format  file extension of the format, such as "gro"
+/// @param file    name of the stream in error messages
 std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view format,
                                          const std::string& file, const Frame* names = nullptr);
 
-/// Position in a file after a number of whole frames.
+/// Position in a coordinate file after a number of whole frames.
 struct FileMark {
   std::uint64_t frames = 0;
-  std::uint64_t bytes = 0;  ///< length of the file; 0 where the format does not count in bytes
-  /// CRC-64 of the file up to there, without the bytes that change with each frame.
+  std::uint64_t bytes = 0;  ///< length of the file; 0 if the format is not measured in bytes
+  /// CRC-64 of the file up to this position, without the bytes that change with each frame.
   std::uint64_t checksum = 0;
 };
 
-/// A named number per frame, for formats that store such numbers besides the atoms.
+/// A named number stored with each frame, in formats that can store numbers besides atoms.
 struct FrameNumber {
   std::string_view name;  ///< "potential_energy"
-  std::string_view unit;  ///< unit in the notation of H5MD, "kJ mol-1"
+  std::string_view unit;  ///< unit in H5MD notation, such as "kJ mol-1"
   double value;
 };
 
@@ -67,58 +68,58 @@ struct FrameNumber {
 class FrameWriter {
  public:
   virtual ~FrameWriter() = default;
-  /// Appends the frame of a state; formats that store bodies write them as well.
+  /// Appends the frame of a state. Formats that can store rigid bodies also store the bodies.
   /// @throws RunError  if the file cannot be written completely
   virtual void write(const State& state) = 0;
-  /// Writes a frame with observables, which must be the same for every frame; formats that cannot
-  /// store them ignore them.
+  /// Writes a frame with observables. Every frame must have the same observables; formats that
+  /// cannot store numbers ignore them.
   virtual void write(const State& state, std::span<const FrameNumber> /*observables*/) {
     write(state);
   }
   /// Appends a frame that was read from another file.
   virtual void write(const Frame& frame) = 0;
-  /// Syncs all frames to disk, and returns the position in the file.
+  /// Syncs all frames to disk and returns the position in the file.
   virtual FileMark mark() = 0;
 };
 
-/// Selects the data of a state to write.
+/// Selects which data of a state are written.
 struct FrameChoice {
   MasslessSites massless = MasslessSites::keep;
-  bool velocities = true;  ///< writes velocities if the format has them
+  bool velocities = true;  ///< whether to write velocities if the format has them
 };
 
 /// Creates a file, replacing an existing one.
-/// @throws Error  if the file cannot be written or its extension is not one of `writable_formats()`
+/// @throws Error  if the file cannot be written or its extension is not in `writable_formats()`
 std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topology& topology,
                                            const FrameChoice& choice = {});
 
-/// Refuses a file whose contents up to a mark have changed since then; all of it is read.
-/// @throws Error  if they have changed
+/// Rejects a file whose contents before a mark have changed. Reads the file up to the mark.
+/// @throws Error  if the contents have changed
 void check_frames(const std::string& path, const FileMark& mark);
 
-/// Resumes a file after the frames of a mark; what was written later is removed.
+/// Resumes a file after the frames of a mark; anything written later is removed.
 /// @throws Error  if the file is shorter than the mark
 std::unique_ptr<FrameWriter> resume_frames(const std::string& path, const Topology& topology,
                                            const FileMark& mark, const FrameChoice& choice = {});
 
 /// Checks, before a run starts, that its frames can be written to a file.
-/// @throws Error  if its format cannot hold that number of atoms, or the coordinates of that box
+/// @throws Error  if the format cannot hold that many atoms, or coordinates in a box of that size
 void check_fit(const std::string& path, const State& state, const Topology& topology,
                const FrameChoice& choice = {});
 
-/// What the format with a given file extension can store.
+/// The data that a file format can store.
 /// @throws Error  if the extension belongs to no format
 struct FormatTraits {
-  bool names;       ///< stores names of atoms
-  bool velocities;  ///< stores velocities of atoms
+  bool names;       ///< whether the format stores names of atoms
+  bool velocities;  ///< whether the format stores velocities of atoms
 };
 FormatTraits format_traits(const std::string& path);
 
 /// Extensions of the formats that can be written, without the dot, such as "gro".
 std::vector<std::string_view> writable_formats();
 
-/// An initial configuration: the built-in "w512", or the first frame of a file in any format that
-/// has atom names.
+/// Reads an initial configuration: the built-in "w512", or the first frame of a file in any format
+/// with atom names.
 Frame read_start(const std::string& name_or_path);
 
 }  // namespace polhode

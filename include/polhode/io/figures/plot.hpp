@@ -15,39 +15,41 @@
 
 namespace polhode {
 
-/// The choices of a figure, as in run files.
+/// The possible values of the figure format, as in run files.
 inline constexpr std::array<std::string_view, 3> plot_formats = {"svg", "png", "none"};
 
-/// Runs gnuplot on a script in the script's folder, without a shell, the user's settings or input.
-/// False, with a warning that gives reason and remedy, if gnuplot is not installed, refuses the
-/// script, or takes longer than the limit (whole seconds) and is terminated.
+/// Runs gnuplot on a script in the script's folder, without a shell, user settings or input.
+/// Returns false and prints a warning with reason and remedy if gnuplot is not installed or fails.
+/// gnuplot is terminated if it takes longer than the limit (in whole seconds).
 bool run_gnuplot(const std::string& script, std::ostream& warnings,
                  std::chrono::seconds limit = std::chrono::seconds(60));
 
-/// The energies of a run against time.
+/// The data of a figure of energies against time.
 struct EnergyFigure {
-  std::string csv;  ///< with the columns "time [ps]", "potential [kJ/mol]" and `energy`
+  std::string csv;  ///< file with the columns "time [ps]", "potential [kJ/mol]" and `energy`
   std::string title;
   std::string energy = "conserved";  ///< the energy of the upper panel: "conserved" or "total"
-  std::string ratio{};               ///< R as the summary has it, "0.056 ± 0.003 %"; empty: none
+  std::string ratio{};               ///< R as printed in the summary, such as "0.056 ± 0.003 %";
+                                     ///< may be empty
 };
 
-/// The deviation of the total or conserved energy from its mean, and the potential energy, in two
-/// panels, with the title and R above. Image and script are written next to the CSV file, with its
-/// name and other extensions.
+/// Plots the deviation of the total or conserved energy from its mean and the potential energy, in
+/// two panels with title and R above. Image and script are written next to the CSV file, under its
+/// name with other extensions.
 /// @param format  "svg" or "png"
 bool energy_plot(const EnergyFigure& figure, const std::string& format, std::ostream& warnings);
 
-/// Columns of a CSV file plotted as lines against its first column, in panels.
+/// The data of a figure that plots columns of a CSV file as lines against its first column, in
+/// panels.
 struct CurvesFigure {
   std::string csv;
   std::string title, x_label, y_label;
-  double left = 0, right = 1;  ///< ends of the common horizontal axis
-  std::size_t across = 0;      ///< panels in a row; 0: as many as are readable
+  double left = 0, right = 1;  ///< limits of the common horizontal axis
+  std::size_t across = 0;      ///< panels in a row; 0 chooses as many as are readable
   struct Curve {
-    std::string name;       ///< name in the legend; empty: not in the legend
-    std::size_t column;     ///< column of the file, from 1
-    std::size_t error = 0;  ///< column of its standard errors, drawn as a band; 0: none
+    std::string name;       ///< name in the legend; curves without a name are not in the legend
+    std::size_t column;     ///< number of the column in the file, from 1
+    std::size_t error = 0;  ///< column of the standard errors, drawn as a band; 0 for no band
   };
   /// A straight line between two points, such as a fit.
   struct Line {
@@ -58,88 +60,92 @@ struct CurvesFigure {
     std::string title;
     std::vector<Curve> curves;
     std::vector<Line> lines{};
-    double low = 0, high = 1;  ///< ends of the vertical axis
+    double low = 0, high = 1;  ///< limits of the vertical axis
   };
   std::vector<Panel> panels{};
 };
 
-/// Draws the figure; script and image are written next to the CSV file, with its name and other
-/// extensions.
+/// Draws a figure of curves. Script and image are written next to the CSV file, under its name with
+/// other extensions.
 /// @param format  "svg" or "png"
 bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings);
 
-/// The rows of a scheme in a CSV file, counted from 0.
+/// The rows of one scheme in a CSV file, counted from 0.
 struct SchemeRows {
   std::string scheme;
   std::size_t first, last;
 };
 
-/// R of schemes against their cost, in the columns "cost [1/ps]", "R [1]" and "R_error [1]". In two
-/// more columns, "usable [1]" is 1 before the end of a curve, and "rounded [1]" where rounding
-/// dominates R.
+/// The data of a figure of R against the cost of schemes, in the columns "cost [1/ps]", "R [1]" and
+/// "R_error [1]". Two more columns contain flags: "usable [1]" is 1 before the end of a curve, and
+/// "rounded [1]" is 1 where round-off dominates R.
 struct EfficiencyFigure {
   std::string csv;
-  std::vector<SchemeRows> schemes;  ///< each with a usable step at least
-  std::string caption{};            ///< below the axes: the conditions of the comparison
-  double max_ratio = 0.035;         ///< R of the linear axis
+  std::vector<SchemeRows> schemes;  ///< schemes, each with at least one usable step
+  std::string caption{};            ///< text below the axes: the conditions of the comparison
+  double max_ratio = 0.035;         ///< largest R on the linear axis
 };
 
-/// R against cost for each scheme [vanzon2008, Fig. 1], on linear axes, and all points on
-/// logarithmic ones. The longest usable step has an open symbol if the curve ends there; points at
-/// the rounding floor are crossed out. Script and image are written next to the CSV file, as by
+/// Plots R against cost for each scheme [vanzon2008, Fig. 1] on linear axes, and all points on
+/// logarithmic axes. The longest usable step has an open symbol if the curve ends there. Points at
+/// the round-off limit are crossed out. Script and image are written next to the CSV file, as by
 /// energy_plot().
 bool efficiency_plot(const EfficiencyFigure& figure, const std::string& format,
                      std::ostream& warnings);
 
-/// R of schemes against computing time: the columns "step [fs]", "R [1]", "R_error [1]" and
-/// "usable [1]".
+/// The data of a figure of R against computing time, in the columns "step [fs]", "R [1]", "R_error
+/// [1]" and "usable [1]".
 struct AdviceFigure {
   struct Curve {
     SchemeRows rows;
-    double step, seconds;  ///< a step [fs], and the computing time of a ps with it
-    /// Of the fitted model: R at that step [1], 0 without a model, and d log R/d log h there and
-    /// for short steps.
+    double step, seconds;  ///< step [fs], and the computing time per ps with this step [s]
+    /// Values of the fitted model: R at that step [1] (0 without a model), and d log R/d log h at
+    /// that step and for short steps.
     double ratio = 0, exponent = 0, short_exponent = 0;
   };
   struct Answer {
-    std::size_t curve, row;  ///< counted from 0
+    std::size_t curve, row;  ///< curve and row, counted from 0
   };
   std::string csv;
-  std::vector<Curve> curves;          ///< each with a usable step at least
-  std::optional<double> bound{};      ///< the requested bound on R
-  std::optional<Answer> confirmed{};  ///< the confirmed answer
+  std::vector<Curve> curves;          ///< curves, each with at least one usable step
+  std::optional<double> bound{};      ///< requested bound on R
+  std::optional<Answer> confirmed{};  ///< confirmed step
 };
 
-/// R against computing time, on logarithmic axes, with the models that the adviser fitted to its
-/// runs, the bound, and the answer. Script and image are written next to the CSV file.
+/// Plots R against computing time on logarithmic axes, with the models fitted by the adviser, the
+/// bound, and the chosen step. Script and image are written next to the CSV file.
 bool advice_plot(const AdviceFigure& figure, const std::string& format, std::ostream& warnings);
 
-/// Columns of a CSV file against "cost [1/ps]", in panels, where "stable [1]" is 1.
+/// The data of a figure that plots columns of a CSV file against "cost [1/ps]", in panels. Only
+/// rows with "stable [1]" equal to 1 are plotted.
 struct CanonicalFigure {
   struct Panel {
-    std::string title, column, error;  ///< columns with their units, as in the file
-    double strict = 0, loose = 0;  ///< bounds on the magnitude, shaded; 0: none, a logarithmic axis
+    std::string title, column, error;  ///< title, and names of the columns with their units, as in
+                                       ///< the file
+    double strict = 0, loose = 0;      ///< bounds on the magnitude, drawn as shaded areas; 0 for a
+                                       ///< logarithmic axis without bounds
   };
   std::string csv;
   std::vector<SchemeRows> schemes;
   std::vector<Panel> panels;
-  std::string caption{};  ///< below the axes: the conditions of the comparison
+  std::string caption{};  ///< text below the axes: the conditions of the comparison
 };
 
-/// Bias of canonical averages against cost, small multiples. Script and image are written next to
-/// the CSV file.
+/// Plots the bias of canonical averages against cost, with one panel for each quantity. Script and
+/// image are written next to the CSV file.
 bool canonical_plot(const CanonicalFigure& figure, const std::string& format,
                     std::ostream& warnings);
 
-/// A free top, and a file with blocks of ω in three columns, separated by two blank lines: inertia
-/// ellipsoid, polhodes of the same energy, the top's polhode, ω.
+/// The data of a figure of a free top. The file has blocks of ω in three columns, separated by two
+/// blank lines: inertia ellipsoid, polhodes of the same energy, polhode of the top, current ω.
 struct PolhodeFigure {
   std::string data;
-  Vec3<double> J, L;  ///< principal moments and body-frame angular momentum, any consistent units
+  Vec3<double> J, L;  ///< principal moments and body-frame angular momentum, in any consistent
+                      ///< units
 };
 
-/// The polhode on the inertia ellipsoid and, next to it, L on the ellipsoid of the same energy.
-/// Script and images, SVG and PNG, are written next to the data.
+/// Plots the polhode on the inertia ellipsoid and, next to it, the path of L on its energy
+/// ellipsoid. Script and images, SVG and PNG, are written next to the data.
 bool polhode_plot(const PolhodeFigure& figure, std::ostream& warnings);
 
 }  // namespace polhode

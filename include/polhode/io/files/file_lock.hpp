@@ -7,19 +7,20 @@
 
 namespace polhode {
 
-/// Locks a file for this process by flock(2). The system releases the lock when the process ends,
-/// for whatever reason, and NFS passes it on to other computers. The file names the process and is
-/// removed with the lock. A file that a killed process left behind locks nothing.
+/// Locks a file for this process with flock(2). The system releases the lock when the process ends,
+/// for whatever reason. NFS makes the lock visible to other computers. The file contains the name
+/// of the process and is removed with the lock. A file that a killed process left behind does not
+/// lock anything.
 class FileLock {
  public:
-  /// @throws Error  if another process holds the lock, with process, host and time; if the file
-  ///                contains anything but the text of a lock, or cannot be written
+  /// @throws Error  if another process holds the lock, if the file contains anything but the text
+  ///   of a lock, or if it cannot be written. The message gives process, host and time of the lock
   explicit FileLock(std::string path);
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
-  /// False if the file system does not support locks.
+  /// Whether the lock is held; false if the file system does not support locks.
   bool is_held() const { return held_; }
 
  private:
@@ -31,8 +32,8 @@ class FileLock {
   bool held_ = false;
 };
 
-/// A growing file that no other process may append to or truncate. The lock of its run is not
-/// enough: another run may reach the file by a symbolic or a hard link.
+/// A growing file that no other process may append to or truncate. The lock of the run is not
+/// enough, because another run may write to the same file through a symbolic or hard link.
 class HeldFile {
  public:
   HeldFile() = default;
@@ -40,9 +41,9 @@ class HeldFile {
   HeldFile(const HeldFile&) = delete;
   HeldFile& operator=(const HeldFile&) = delete;
 
-  /// Holds an existing file until this object's end; does nothing if the file cannot be opened for
-  /// writing, or if the file system does not support locks.
-  /// @throws Error  if another process holds it
+  /// Locks an existing file for the lifetime of this object. Does nothing if the file cannot be
+  /// opened for writing, or if the file system does not support locks.
+  /// @throws Error  if another process holds the file
   void hold(const std::string& path);
 
  private:

@@ -17,22 +17,23 @@
 
 namespace polhode {
 
-/// How an output was made; the same lines begin every file.
+/// The origin of an output file: the program, command and settings that made it. Every file begins
+/// with these lines.
 struct Provenance {
   std::string version;          ///< version of the program
-  std::string command;          ///< command as typed
+  std::string command;          ///< command as the user typed it
   std::string config;           ///< text of the run file
   std::string instruction_set;  ///< instruction set
   std::uint64_t seed = 0;
 };
 
-/// Stable 64-bit hash of a text, 16 hexadecimal digits (FNV-1a).
+/// A stable 64-bit hash of a text as 16 hexadecimal digits (FNV-1a).
 std::string text_hash(std::string_view text);
 
-/// One field: a name, or a number with enough digits to reproduce the double exactly.
+/// One field of a table: a name, or a number with enough digits to reproduce the double exactly.
 struct Cell {
   std::string text;
-  Cell(double number);  // implicit, since rows mix both
+  Cell(double number);  // implicit, because rows mix names and numbers
   Cell(std::string name) : text(std::move(name)) {}
   Cell(const char* name) : text(name) {}
 };
@@ -40,39 +41,41 @@ struct Cell {
 struct Table {
   struct Column {
     std::string name;
-    std::string unit;  ///< "1" for dimensionless numbers; empty for names
+    std::string unit;  ///< "1" for dimensionless numbers; empty for columns of names
   };
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
 };
 
-/// CSV: a line "time [ps],potential [kJ/mol]", "# " lines of provenance, then the rows. NaN is
-/// written as an empty field. The names come first, because numpy reads them from the first line,
-/// even from a comment.
+/// Writes a table as CSV: a line of column names such as "time [ps],potential [kJ/mol]", "# " lines
+/// of provenance, then the rows. NaN is written as an empty field. The names are on the first line,
+/// because numpy reads them from there, even if it is a comment.
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance);
 
-/// Position at the end of a growing table.
+/// Position at the end of a growing table, used to resume it.
 struct TableMark {
   std::uint64_t bytes = 0;     ///< length of the file
-  std::uint64_t checksum = 0;  ///< CRC-64 of them
+  std::uint64_t checksum = 0;  ///< CRC-64 of the file up to this position
 };
 
 /// A CSV file that grows row by row.
 class GrowingTable {
  public:
-  /// Creates the file, replacing an existing one; a link is replaced, not its target.
-  /// @throws Error  if it cannot be written
+  /// Creates the file and replaces an existing one. A symbolic link is replaced, but not its
+  /// target.
+  /// @throws Error  if the file cannot be written
   GrowingTable(const std::string& path, const std::vector<Table::Column>& columns,
                const Provenance& provenance);
-  /// Resumes a file after a mark; what follows it is removed.
-  /// @throws Error  if the file is shorter, cannot be written, or is being written by another
-  ///                process
+  /// Resumes a file after a mark; anything after the mark is removed.
+  /// @throws Error  if the file is shorter than the mark, cannot be written, or is being written by
+  ///   another process
   GrowingTable(const std::string& path, const TableMark& mark);
 
+  /// Appends a row.
   /// @throws RunError  if the row cannot be written completely
   void add(std::span<const double> row);
   /// Syncs all rows to disk and returns the end of the file.
-  /// @throws RunError  as add()
+  /// @throws RunError  if the rows cannot be written completely
   TableMark mark();
 
  private:
@@ -87,10 +90,10 @@ class GrowingTable {
 /// were written.
 class TableReader {
  public:
-  /// @param columns  of which the last may be missing
-  /// @throws Error  if the file cannot be read, or has other columns
+  /// @param columns  expected columns; the last one may be missing in the file
+  /// @throws Error  if the file cannot be read, or has different columns
   TableReader(const std::string& path, const std::vector<Table::Column>& columns);
-  /// Reads the next row; false at the end of the file.
+  /// Reads the next row. Returns false at the end of the file.
   /// @throws Error  if a row is not complete
   bool next(std::vector<double>& row);
 
@@ -102,20 +105,21 @@ class TableReader {
 
 /// Calls visit(row) for the rows of numbers within the first bytes of a table. Numbers are read
 /// back exactly as they were written.
-/// @throws Error  if the file is shorter, has other columns, or contains an incomplete row
+/// @throws Error  if the file is shorter, has different columns, or contains an incomplete row
 void each_row(const std::string& path, std::uint64_t bytes,
               const std::vector<Table::Column>& columns,
               const std::function<void(std::span<const double>)>& visit);
 
-/// Throws if the file exists and `force` is not given, or if it is a folder or a device. Also
-/// throws if its folder cannot be written to, or if its name is too long, has control characters or
-/// is not UTF-8. Call it before anything is computed. A symbolic link exists, whatever its target.
-/// With `force` the link is replaced, and its target stays.
+/// Throws an Error if a file exists and `force` is false, or if the path is a folder or a device.
+/// Also throws if the folder cannot be written to, or if the name is too long, has control
+/// characters or is not UTF-8. Call this function before anything is computed. A symbolic link is
+/// treated as an existing file, even if its target does not exist. With `force` the link is
+/// replaced, and its target is left unchanged.
 void refuse_existing(const std::string& path, bool force);
 
 /// Writes a file completely or not at all (io/draft.hpp).
-/// @param keep  new name for an existing file; if empty, that file is replaced
-/// @throws RunError  if that cannot be done
+/// @param keep  new name for an existing file; if empty, the existing file is replaced
+/// @throws RunError  if the file cannot be written or renamed
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,
                 const std::string& keep = {});
 

@@ -28,67 +28,74 @@ namespace polhode {
 struct SystemSettings {
   struct Component {
     std::string model;              ///< name of a model, or path of a molecule file
-    std::optional<Molecule> own{};  ///< the molecule itself, if the run file defines it
-    std::size_t count = 0;          ///< 0: as many as the initial configuration contains
+    std::optional<Molecule> own{};  ///< molecule of the component, if the run file defines it
+    std::size_t count = 0;          ///< number of molecules; 0: as many as the initial
+                                    ///< configuration contains
   };
   std::vector<Component> molecules;
-  TopologySettings topology;        ///< alternative to `molecules`
-  std::optional<double> density;    ///< [u/nm³], if there is no initial configuration
-  std::optional<Vec3<double>> box;  ///< [nm], if there is no initial configuration
-  double temperature = 297;         ///< [K]
-  /// Whether velocities are drawn; if false, the initial configuration must have them; empty: drawn
-  /// unless it has some.
+  TopologySettings topology;        ///< alternative to `molecules`: a topology file
+  std::optional<double> density;    ///< density of the lattice, if there is no initial
+                                    ///< configuration [u/nm³]
+  std::optional<Vec3<double>> box;  ///< box edges, if there is no initial configuration [nm]
+  double temperature = 297;         ///< temperature of initial velocities, and of a thermostat [K]
+  /// Whether velocities are drawn. If false, the initial configuration must have velocities. If
+  /// empty, velocities are drawn unless the initial configuration has some.
   std::optional<bool> new_velocities{};
   std::uint64_t seed = 1;
-  /// Path of a coordinate file; "w512" is the built-in one; empty: lattice.
+  /// Path of a coordinate file, or "w512" for the built-in configuration. If empty, molecules are
+  /// placed on a lattice.
   std::string initial_configuration;
-  /// Path of a checkpoint with the state of the initial configuration at full precision; empty:
-  /// none.
+  /// Path of a checkpoint that stores the initial configuration at full precision; may be empty.
   std::string checkpoint{};
 };
 
-/// The molecule of a component: its own, or the molecule of its model.
-/// @throws Error  if there is no such model
+/// The molecule of a component, which the run file or a built-in model defines.
+/// @throws Error  if the model does not exist
 Molecule molecule_of(const SystemSettings::Component& component);
 
 struct IntegratorSettings {
   NamedScheme scheme = "hoa2";
-  /// If set, the adviser chooses the step, and the scheme unless one is given.
+  /// Accuracy for which the adviser chooses the step, and the scheme unless one is given. May be
+  /// empty.
   std::optional<Requirement> accuracy;
-  /// Schemes that the adviser chooses from.
+  /// Schemes from which the adviser chooses.
   std::vector<NamedScheme> candidates = {"velocity-verlet", "hoa2", "bcss3", "gier4-fd"};
-  double step = 0.002;  ///< [ps]
-  /// Displacement of the finite-difference gradient [vanzon2008, Eq. 6]. The default is 1e-4 in
-  /// double precision, and 1 in mixed precision, because 1/lambda amplifies the rounding of the
-  /// forces. The order of a scheme does not depend on it.
+  double step = 0.002;  ///< time step [ps]
+  /// Displacement factor λ of the finite-difference gradient [vanzon2008, Eq. 6]. The default is
+  /// 1e-4 in double precision, and 1 in mixed precision, because 1/λ amplifies the round-off of the
+  /// forces. The order of a scheme does not depend on λ.
   double lambda = 1e-4;
 };
 
 struct RunSettings {
-  bool minimise = false;   ///< the energy of the initial configuration, before all else
-  double equilibrate = 0;  ///< [ps], with velocity rescaling
-  double length = 15;      ///< [ps]
+  bool minimise = false;   ///< whether the energy of the initial configuration is minimised before
+                           ///< the run
+  double equilibrate = 0;  ///< length of the equilibration with velocity rescaling [ps]
+  double length = 15;      ///< length of the trajectory [ps]
   double sample = 0.004;   ///< interval between samples of the energies [ps]
-  /// Interval between samples of the shadow energy [ps]; 0: none; default: 100 steps, for schemes
-  /// that have a shadow energy.
+  /// Interval between samples of the shadow energy [ps]; 0 for no samples. The default is 100 steps
+  /// for schemes that have a shadow energy.
   std::optional<double> shadow_sample;
-  double configurational_sample = 0;  ///< interval of configurational temperatures [ps]; 0: none
+  double configurational_sample = 0;  ///< interval between samples of configurational temperatures
+                                      ///< [ps]; 0: none
 };
 
-/// Lengths of the parts of a preparation.
+/// Lengths of the stages of a preparation.
 struct PreparationSettings {
   double nvt = 20;   ///< length at constant volume [ps]
-  double npt = 100;  ///< length at constant pressure after it, with a barostat [ps]
+  double npt = 100;  ///< length at constant pressure after the NVT stage, if there is a barostat
+                     ///< [ps]
 };
 
 struct OutputSettings {
   std::string prefix = "polhode-run";  ///< prefix of all output files
-  double trajectory_every = 0.1;       ///< [ps]; 0: no trajectory
+  double trajectory_every = 0.1;       ///< interval between frames [ps]; 0: no trajectory
   std::vector<std::string> formats = {"xyz", "gro"};
-  bool massless_sites = true;     ///< writes massless sites to trajectories
-  bool velocities = true;         ///< writes velocities to trajectories, if the format has them
-  std::string plot = "svg";       ///< "svg", "png" or "none"
-  double checkpoint_every = 300;  ///< interval in wall-clock time [s]
+  bool massless_sites = true;     ///< whether to write massless sites to trajectories
+  bool velocities = true;         ///< whether to write velocities to trajectories, if the format
+                                  ///< can store them
+  std::string plot = "svg";       ///< format of figures: "svg", "png" or "none"
+  double checkpoint_every = 300;  ///< interval between checkpoints in wall-clock time [s]
 
   FrameChoice choice() const {
     return {massless_sites ? MasslessSites::keep : MasslessSites::omit, velocities};
@@ -97,8 +104,8 @@ struct OutputSettings {
 
 /// The ensemble whose averages a study measures.
 enum class StudyEnsemble : std::uint8_t {
-  nve,  ///< accuracy is R, of energy conservation
-  nvt   ///< accuracy is the bias of canonical averages
+  nve,  ///< constant energy: the accuracy is R, the measure of energy conservation
+  nvt   ///< constant temperature: the accuracy is the bias of canonical averages
 };
 
 template <>
@@ -106,17 +113,19 @@ inline constexpr std::array<std::string_view, 2> enum_names<StudyEnsemble> = {"n
 
 struct StudySettings {
   std::vector<NamedScheme> schemes = {"velocity-verlet", "hoa2", "gier4"};
-  std::vector<double> steps;  ///< [ps]; empty: a default ladder per scheme
-  bool coarse = false;        ///< a ladder with fewer steps
+  std::vector<double> steps;  ///< time steps [ps]; empty: a default list for each scheme
+  bool coarse = false;        ///< whether the default list has fewer steps
   StudyEnsemble ensemble = StudyEnsemble::nve;
-  int runs = 10;                      ///< independent initial configurations per point
+  int runs = 10;                      ///< number of independent initial configurations per point
   double length = 15;                 ///< length of each run [ps]
-  double decorrelate = 10;            ///< equilibration of each initial configuration after drawing
-                                      ///< new momenta [ps]
-  double configurational_sample = 0;  ///< interval of configurational temperatures [ps]; 0: none
+  double decorrelate = 10;            ///< length of the equilibration of each initial configuration
+                                      ///< after drawing new momenta [ps]
+  double configurational_sample = 0;  ///< interval between samples of configurational temperatures
+                                      ///< [ps]; 0: none
 };
 
-/// Schemes with names given in the run file: name, and text such as "mine: B(1/2) A(1) B(1/2)".
+/// Schemes that the run file names: the name of each, and its text such as "mine: B(1/2) A(1)
+/// B(1/2)".
 using OwnSchemes = std::map<std::string, std::string, std::less<>>;
 
 struct Config {
@@ -128,51 +137,53 @@ struct Config {
   OutputSettings output;
   StudySettings study;
   OwnSchemes schemes;
-  EnsembleSettings ensemble;         ///< thermostat, barostat, hybrid Monte Carlo
-  std::string source;                ///< path of the file, or "default"
-  std::string text;                  ///< text as read; its hash identifies outputs
-  std::vector<std::string> notes{};  ///< notes on what an overlay selected by default
+  EnsembleSettings ensemble;         ///< settings of thermostat, barostat and hybrid Monte Carlo
+  std::string source;                ///< path of the run file, or "default"
+  std::string text;                  ///< text of the run file as read; its hash identifies outputs
+  std::vector<std::string> notes{};  ///< notes on settings that an overlay selected by default
 
-  /// A setting as the run file has it.
+  /// A setting as written in the run file.
   struct Given {
-    std::string value;  ///< value as written, "\"1 nm\""
-    std::string place;  ///< "water.toml:9, forces.cutoff"
+    std::string value;  ///< value as written, such as "\"1 nm\""
+    std::string place;  ///< place of the setting, such as "water.toml:9, forces.cutoff"
   };
-  std::map<std::string, Given, std::less<>> given;  ///< settings by path, such as "forces.cutoff"
+  std::map<std::string, Given, std::less<>> given;  ///< settings of the run file by path, such as
+                                                    ///< "forces.cutoff"
 
   bool gives(std::string_view path) const { return given.contains(path); }
-  /// The place of a setting, for errors; the source if it has its default.
+  /// The place of a setting for error messages; the source of the run file if the setting has its
+  /// default.
   const std::string& place(std::string_view path) const {
     const auto found = given.find(path);
     return found == given.end() ? source : found->second.place;
   }
 };
 
-/// A text with the names of such schemes, alone or on either side of a slash, replaced by their
-/// texts.
+/// Replaces names of user-defined schemes in a text by the texts of these schemes. Names may be
+/// alone or on either side of a slash.
 std::string with_own_schemes(const std::string& text, const OwnSchemes& own);
 
-/// Reason why the temperature of a run is invalid; empty if it is valid. 0 K needs a
-/// thermostat.
+/// The reason why the temperature of a run is invalid; empty if it is valid. A temperature of 0 K
+/// is valid only with a thermostat.
 std::string wrong_temperature(const Config& config);
 
-/// Default of lambda in mixed precision, and the smallest accepted value.
+/// Default value of lambda in mixed precision, and its smallest accepted value.
 inline constexpr double lambda_in_mixed = 1, min_lambda_in_mixed = 0.1;
 
-/// Sets the precision of a run, overriding the run file, and a suitable lambda if the run file has
-/// none.
+/// Sets the precision of a run, which overrides the run file, and a suitable lambda if the run file
+/// does not set it.
 /// @throws Error  if the run file's lambda is too small for mixed precision
 void set_precision(Config& config, Precision precision);
 
-/// Reads and checks a run file. A relative path in it is relative to the file.
-/// @param overlay  settings that override the file; the place of an error names the option
-/// @throws Error  with file, line and key; also if its name has control characters
+/// Reads and checks a run file. Relative paths in the file are relative to its folder.
+/// @param overlay  settings that override the file; errors in them name the option
+/// @throws Error  with file, line and key; also if the file name has control characters
 Config read_config(const std::string& path, const Overlay& overlay = {});
 
-/// Parses the text of a run file; `file` is its name in errors.
+/// Parses the text of a run file; `file` is the file name in error messages.
 Config parse_config(std::string_view text, const std::string& file, const Overlay& overlay = {});
 
-/// The default run: 512 TIP4P waters from the built-in configuration.
+/// The settings of the default run: 512 TIP4P waters from the built-in configuration.
 Config default_config(const Overlay& overlay = {});
 
 }  // namespace polhode

@@ -9,20 +9,22 @@
 
 namespace polhode {
 
-/// Default start of the switch of the near forces, relative to their cutoff.
+/// Default distance at which the switch of the near forces begins, relative to their cutoff.
 inline constexpr double default_near_switch = 0.7;
 
-/// The scheme of a name or text, as scheme_of() reads it, or a nested one: "OUTER / INNER x STEPS
-/// within [FROM to] CUTOFF", where FROM and CUTOFF share one unit.
+/// Parses a scheme from a name or text. A single scheme is written as for scheme_of(). A nested
+/// scheme is written as "OUTER / INNER x STEPS within [FROM to] CUTOFF", where FROM and CUTOFF
+/// share one unit.
 /// @throws Error  as scheme_of(), or if the part after the slash cannot be parsed or is out of its
 ///                domain, or if the inner scheme has a bath
 NestedScheme nested_scheme_of(std::string_view text);
 
-/// A scheme as it was given, parsed once.
+/// A scheme with the name or text by which the user gave it, parsed once.
 struct NamedScheme : NestedScheme {
-  std::string text;  ///< name, or stages
+  std::string text;  ///< name, or stages as text
 
-  /// @throws Error  as nested_scheme_of()
+  /// Parses the text of a scheme.
+  /// @throws Error  under the same conditions as nested_scheme_of()
   NamedScheme(std::string text);
   NamedScheme(const char* text) : NamedScheme(std::string(text)) {}
 
@@ -31,22 +33,24 @@ struct NamedScheme : NestedScheme {
   }
 };
 
-/// A scheme that must not be nested, for callers that support no multiple time steps.
-/// @throws Error  if it is
+/// The scheme as a single scheme, for callers that do not support multiple time steps.
+/// @throws Error  if the scheme is nested
 Scheme single_scheme_of(const NamedScheme& scheme);
 
-/// A nested scheme as text: the names of schemes that have one, otherwise their stages.
+/// A nested scheme as text, where each of the two schemes is given by its name or, if it has no
+/// name, by its stages.
 std::string name_of(const NestedScheme& scheme);
 
-/// The label of a scheme in tables and figures. It is the scheme's name if it has one, otherwise
-/// the text with single spaces between its words, or the stages if the text defines names.
+/// The label of a scheme in tables and figures. The label is the name of the scheme, if it has one.
+/// Otherwise it is the text with single spaces between words, or the stages if the text defines
+/// names.
 std::string label_of(const NamedScheme& scheme);
 
-/// Names of the table, and stages with user-given names, as text that nested_scheme_of() reads back
-/// to the same bits.
+/// A scheme as text that nested_scheme_of() reads back to the same bits. Schemes of the table are
+/// given by name, and other schemes by their user-given name and stages.
 std::string named_text_of(const NestedScheme& scheme);
 
-/// All stages as text that nested_scheme_of() reads back to the same bits.
+/// All stages of a nested scheme as text that nested_scheme_of() reads back to the same bits.
 std::string text_of(const NestedScheme& scheme);
 
 }  // namespace polhode

@@ -8,26 +8,29 @@
 
 namespace polhode {
 
-/// A setting with its value, which is read as its key expects.
+/// A setting that overrides the run file. Its value is parsed according to its key.
 struct Override {
-  std::string key;                  ///< "integrator.step", or a list of tables: "pair"
-  std::vector<std::string> values;  ///< a text, also of a number, "4", or the texts of a list
-  std::string place;                ///< the option that has it, "--step", for errors
-  std::string toml{};               ///< the value as in a run file; empty: the texts are it
+  std::string key;                  ///< key such as "integrator.step", or a list of tables: "pair"
+  std::vector<std::string> values;  ///< value as text (also for a number, "4"), or the texts of a
+                                    ///< list
+  std::string place;                ///< option that sets the value, such as "--step", for error
+                                    ///< messages
+  std::string toml{};               ///< value as written in a run file; if empty, `values` is used
 };
 
 struct Overlay {
-  std::vector<Override> settings;  ///< overrides; the last one of a key has precedence
-  /// Whether a pressure selects a thermostat where the run file has neither one nor hybrid Monte
-  /// Carlo.
+  std::vector<Override> settings;  ///< overrides; the last one for a key has precedence
+  /// Whether setting a pressure selects a thermostat, if the run file has neither a thermostat nor
+  /// hybrid Monte Carlo.
   bool pressure_selects_thermostat = true;
 
-  /// The last override of a key; null: none.
+  /// The last override of a key, or null if there is none.
   const Override* find(std::string_view key) const;
 };
 
-/// The text of a run file with an overlay in it.
-/// @throws Error  as parse_config(), but only for what no run file can have
+/// The text of a run file with the settings of an overlay inserted.
+/// @throws Error  under the same conditions as parse_config(), but only for settings that no run
+///   file can have
 std::string overlaid_text(std::string_view text, const std::string& file, const Overlay& overlay);
 
 }  // namespace polhode

@@ -7,10 +7,10 @@
 
 namespace polhode {
 
-/// The quantity whose error is bounded.
+/// The quantities whose error can be bounded.
 enum class RequiredOf {
-  ratio,                   ///< R [1]
-  temperature_difference,  ///< bias of T_rot − T_trans [K]
+  ratio,                   ///< energy fluctuation ratio R [1]
+  temperature_difference,  ///< bias of the temperature difference T_rot − T_trans [K]
   energy,                  ///< bias of the potential energy per molecule [kJ/mol]
   pressure,                ///< bias of the pressure [kJ/mol/nm³]
   density                  ///< relative bias of the density at constant pressure [1]
@@ -22,18 +22,19 @@ struct Requirement {
   friend bool operator==(const Requirement&, const Requirement&) = default;
 };
 
-/// Reason why R cannot be bounded by this value; empty if it can.
+/// The reason why R cannot be bounded by a value; empty if the value is valid.
 std::string wrong_bound(double ratio);
 
-/// Whether a text is about the bias of an average, not R; it need not be valid.
+/// Whether a text requires the bias of an average rather than R; the text need not be valid.
 bool is_of_bias(const std::string& text);
 
-/// "0.1 K", "energy 0.01 kJ/mol", "pressure 4 bar", "density 0.02 %".
-/// @param name  of the option or key, for errors
-/// @throws Error  if it is none of these, or not above 0
+/// Parses a bound on a bias, such as "0.1 K", "energy 0.01 kJ/mol", "pressure 4 bar" or "density
+/// 0.02 %".
+/// @param name  name of the option or key, for errors
+/// @throws Error  if the text has none of these forms, or the bound is not above 0
 Requirement required_bias(const std::string& text, const std::string& name);
 
-/// The text of a requirement.
+/// The text of a requirement, as required_bias() reads it.
 std::string text_of(const Requirement& requirement);
 
 }  // namespace polhode

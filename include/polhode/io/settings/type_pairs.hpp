@@ -13,22 +13,23 @@
 namespace polhode {
 
 struct TypedSite {
-  std::string name;  ///< "SOL.OW"
+  std::string name;  ///< molecule and site: "SOL.OW"
   std::string type;
   double epsilon;  ///< ε of the site [kJ/mol]
   ShortRangeLaw law{};
 };
 
 struct TypePair {
-  std::string first, second;  ///< types, in either order
-  double sigma = 0;           ///< [nm]
-  double epsilon = 0;         ///< [kJ/mol]; negative: the pair cannot be expressed by sigma and
-                              ///< epsilon
+  std::string first, second;  ///< atom types of the pair, in either order
+  double sigma = 0;           ///< diameter σ of the pair [nm]
+  double epsilon = 0;         ///< well depth of the pair [kJ/mol]; negative if sigma and epsilon
+                              ///< cannot express the interaction
   TextPlace place;
   ShortRangeLaw law{};
 };
 
-/// The parameters of pairs of sites; if a pair is given twice, the last one applies.
+/// Translates the parameters of pairs of atom types to pairs of sites. If a pair is given twice,
+/// the last entry applies.
 /// @throws Error  if a pair of types cannot be translated to sites
 std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
                                     std::span<const TypePair> pairs);

@@ -22,28 +22,29 @@
 
 namespace polhode {
 
-/// The text of a file, and the name that errors use for it.
+/// The text of a file, and the name of the file in error messages.
 struct LoadedText {
   std::string file, text;
 };
 
-/// Finds what `#include` names.
-/// @param name      as written in the file
-/// @param includer  the including file, by the name that the loader gave it
+/// A function that finds the file of an `#include` line.
+/// @param name      file name as written after `#include`
+/// @param includer  name of the including file, as the loader returned it
 using IncludeLoader =
     std::function<std::optional<LoadedText>(const std::string& name, const std::string& includer)>;
 
 /// One line of `[ atomtypes ]`.
 struct GromacsAtomType {
   std::string name;
-  std::string bonded;     ///< name of the type in [ bondtypes ] and the like
+  std::string bonded;     ///< name of the type in [ bondtypes ] and similar sections
   int atomic_number = 0;  ///< 0: not given
   double mass = 0;        ///< [u]
   double charge = 0;      ///< [e]
   double sigma = 0;       ///< [nm]
   double epsilon = 0;     ///< [kJ/mol]
   ShortRangeLaw law{};
-  bool one_sided = false;  ///< one of C6 and C12 is 0, which sigma and epsilon cannot express
+  bool one_sided = false;  ///< Whether exactly one of C6 and C12 is 0, which sigma and epsilon
+                           ///< cannot express.
   TextPlace place;
 
   bool same_parameters(const GromacsAtomType& other) const {
@@ -59,13 +60,15 @@ struct GromacsAtom {
   TextPlace place;
 };
 
-/// A line of a molecule type that relates several of its atoms, by their indices.
+/// A line of a molecule type that relates several atoms, such as a bond, angle, constraint or
+/// virtual site.
 struct GromacsRelation {
   enum class Kind : std::uint8_t { settle, constraint, bond, angle, virtual2, virtual3 };
   Kind kind;
   std::uint8_t function = 1;
-  std::uint8_t given = 0;                ///< how many numbers
-  std::array<std::uint32_t, 4> atoms{};  ///< atoms; a virtual site is the first of its atoms
+  std::uint8_t given = 0;                ///< how many of the numbers are given
+  std::array<std::uint32_t, 4> atoms{};  ///< indices of the atoms; for a virtual site, its own
+                                         ///< index is the first
   std::array<double, 3> numbers{};       ///< lengths [nm], angles [degrees], weights
   TextPlace place;
 };
@@ -75,12 +78,12 @@ struct GromacsMolecule {
   TextPlace place;
   std::vector<GromacsAtom> atoms;
   std::vector<GromacsRelation> relations;
-  std::string obstacle;  ///< the first section that no rigid body can have, and where
+  std::string obstacle;  ///< first section that a rigid body cannot have, with its place
   TextPlace obstacle_place;
 };
 
-/// Lengths [nm] and angles [degrees] of `[ bondtypes ]` and the like, by the bonded types of their
-/// atoms: "C O".
+/// Equilibrium lengths [nm] and angles [degrees] from `[ bondtypes ]` and similar sections, by the
+/// bonded types of the atoms: "C O".
 struct GromacsEquilibrium {
   std::map<std::string, double> bonds, constraints, angles;
 };
@@ -89,37 +92,36 @@ struct GromacsTopology {
   std::string title;
   MixingRule rule = MixingRule::geometric;
   std::map<std::string, GromacsAtomType> types;
-  std::vector<TypePair> pairs;  ///< pairs of `[ nonbond_params ]`
+  std::vector<TypePair> pairs;  ///< pair parameters of `[ nonbond_params ]`
   GromacsEquilibrium equilibrium;
   std::vector<GromacsMolecule> molecules;
   struct Block {
     std::size_t molecule;  ///< index into `molecules`
     std::size_t count;
   };
-  std::vector<Block> blocks;  ///< blocks of `[ molecules ]`, in its order
+  std::vector<Block> blocks;  ///< blocks of `[ molecules ]`, in the order of the file
   std::string file;
 };
 
 /// Parses the text of a topology, with all files that it includes.
-/// @param file     its name in errors
-/// @param defines  macros that are defined before the first line, "FLEXIBLE" or "NAME=VALUE"
-/// @throws Error   with file and line: what was found, and what was expected
+/// @param file     file name in error messages
+/// @param defines  macros defined before the first line, such as "FLEXIBLE" or "NAME=VALUE"
+/// @throws Error   with file, line, the text found and the text expected
 GromacsTopology parse_gromacs(std::string_view text, const std::string& file,
                               const IncludeLoader& loader,
                               const std::vector<std::string>& defines = {});
 
-/// Finds includes as GROMACS does: next to the including file, in `folders`, in the folders of the
-/// environment (GMXLIB, GMXDATA), and where GROMACS's data is installed.
+/// Finds included files as GROMACS does: next to the including file, in `folders`, in the folders
+/// of the environment variables GMXLIB and GMXDATA, and in the installed GROMACS data folder.
 IncludeLoader file_loader(std::vector<std::string> folders);
 
-/// The distances between real atoms that make a molecule rigid: fixed by settles and constraints,
-/// or with `by_bonds` also at the minima of its bonds and angles.
+/// Selects the distances between real atoms that determine a rigid shape: distances fixed by
+/// settles and constraints, or (`by_bonds`) also the equilibrium values of bonds and angles.
 enum class Rigidity { by_constraints, by_bonds };
 std::vector<Distance> constrained_distances(const GromacsTopology& topology,
                                             const GromacsMolecule& molecule, Rigidity rigidity);
 
-/// The rigid molecule whose real atoms have that shape, with the virtual sites that are built on
-/// it.
+/// The rigid molecule whose real atoms have a given shape, with its virtual sites.
 /// @param shape  positions of the real atoms in their order [nm]
 Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& molecule,
                         const Shape& shape);
@@ -127,7 +129,7 @@ Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& 
 /// Indices of the atoms of a molecule that are not virtual sites.
 std::vector<std::size_t> real_atoms(const GromacsMolecule& molecule);
 
-/// The folder of GROMACS's force fields on this computer, if it is installed.
+/// The folder of the GROMACS force fields on this computer, if GROMACS is installed.
 std::optional<std::string> gromacs_data_folder();
 
 }  // namespace polhode

@@ -10,12 +10,12 @@
 
 namespace polhode {
 
-/// Reads a built-in model by name, or a user's file by a path that contains a '/' or ends in
-/// ".toml".
-/// @throws Error  with file, line and key; for an unknown name, with the nearest one
+/// Reads a molecule: a built-in model by its name, or a user's file by a path that contains a '/'
+/// or ends in ".toml".
+/// @throws Error  with file, line and key; for an unknown name, with the most similar name
 Molecule read_molecule(const std::string& name_or_path);
 
-/// Parses the text of a molecule file; `file` is its name in errors.
+/// Parses the text of a molecule file; `file` is the file name in error messages.
 Molecule parse_molecule(std::string_view text, const std::string& file);
 
 /// Names of all built-in models, in alphabetical order.

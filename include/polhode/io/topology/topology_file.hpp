@@ -15,43 +15,44 @@
 
 namespace polhode {
 
-/// The keys of a run file about a topology file.
+/// The settings of a run file that select and interpret a topology file.
 struct TopologySettings {
-  std::string file;                  ///< path; empty: none
+  std::string file;                  ///< path of the topology file; empty if there is none
   std::vector<std::string> include;  ///< folders that are searched for `#include` files
-  std::vector<std::string> define;   ///< GROMACS macros, "FLEXIBLE" or "NAME=VALUE"
-  std::vector<std::string> rigid;    ///< molecule types to be made rigid although they are flexible
-  /// Shapes of molecule types of a GROMACS topology, in place of those derived from it: positions
-  /// of the atoms without virtual sites [nm].
+  std::vector<std::string> define;   ///< GROMACS macros, such as "FLEXIBLE" or "NAME=VALUE"
+  std::vector<std::string> rigid;    ///< names of flexible molecule types to be made rigid
+  /// Shapes of GROMACS molecule types, which replace the shapes derived from the topology. A shape
+  /// consists of the positions of all atoms that are not virtual sites [nm].
   std::map<std::string, Shape> shapes{};
 };
 
-/// The molecules of a file as rigid bodies.
+/// The molecules of a topology file as rigid bodies.
 struct RigidTopology {
   Topology topology;
   Mixing mixing;
-  bool rule_is_open = false;         ///< the file has no mixing rule, so the rule of the run file
-                                     ///< applies
+  bool rule_is_open = false;         ///< whether the file has no mixing rule, so that the rule of
+                                     ///< the run file applies
   bool rule_matters = false;         ///< whether some pairs use the mixing rule
-  std::vector<std::string> origins;  ///< how the shape of each part was determined
-  /// Shapes by molecule type, in the principal frame, which the topology does not determine: given,
-  /// or taken from the initial configuration.
+  std::vector<std::string> origins;  ///< for each part, how its shape was determined
+  /// Shapes that the topology does not determine, by molecule type, in the principal frame. They
+  /// are given by the user or taken from the initial configuration.
   std::map<std::string, Shape> shapes{};
 };
 
-/// Whether a file contains both topology and coordinates: a LAMMPS data file, by its extension.
+/// Whether a file is a LAMMPS data file, which contains topology and coordinates. The file
+/// extension decides.
 bool is_data_file(const std::string& path);
 
 /// Reads a topology file: a GROMACS topology, or a LAMMPS data file.
-/// @param start  determines shapes that the file does not, and distinguishes mirror images; may be
-///               null
+/// @param start  initial configuration, which determines shapes that the file leaves open and
+///   distinguishes mirror images; may be null
 /// @throws Error  with file and line
 RigidTopology read_topology(const TopologySettings& settings, const Frame* start);
 
-/// The molecules of a GROMACS topology as rigid bodies. Molecules in `shapes` have the given shape.
-/// Molecules in `rigid` have the shape in which their bonds and angles are at their minimum, if
-/// this determines a shape, otherwise the mean shape in the initial configuration. Settles and
-/// constraints determine the shape of all other molecules.
+/// Converts the molecules of a GROMACS topology to rigid bodies. Molecules in `shapes` have the
+/// given shape. Molecules in `rigid` have the shape given by the equilibrium values of bonds and
+/// angles. If these do not determine a shape, the mean shape in the initial configuration is used.
+/// Settles and constraints determine the shape of all other molecules.
 /// @throws Error  if a molecule is not rigid, with the reason
 RigidTopology rigid_topology(const GromacsTopology& gromacs, const TopologySettings& settings,
                              const Frame* start);

@@ -10,22 +10,23 @@
 
 namespace polhode {
 
-/// sin and cos for |x| ≤ 0.3 by Taylor series with a truncation error below 3e-17; used by packs.
+/// Computes sin and cos for |x| ≤ 0.3 by Taylor series with a truncation error below 3e-17. Packs
+/// use this function.
 template <class Real>
 SineCosine<Real> small_sine_cosine(Real x) {
   const SineCosine<Real> f = taylor_sine_cosine<5, 6>(x * x);
   return {x * f.sine, f.cosine};
 }
 
-/// The free rotation of quaternion q and its conjugate momentum p = 2 q (0, L) over a step t:
-/// e^{zt/2} e^{yt/2} e^{xt} e^{yt/2} e^{zt/2}. Each factor rotates both by an angle about axis k
-/// [miller2002, Eq. 2.19 and Sec. II C].
+/// Approximates the free rotation of a quaternion q and its conjugate momentum p = 2 q (0, L) over
+/// a step t by e^{zt/2} e^{yt/2} e^{xt} e^{yt/2} e^{zt/2}. Each factor rotates q and p by an angle
+/// about axis k [miller2002, Eq. 2.19 and Sec. II C].
 ///
-/// @param sine_cosine  returns sin and cos of half the angle ω_k t
+/// @param sine_cosine  function that returns sin and cos of half the angle ω_k t
 template <class Real, class Function>
 void no_squish_step(Quaternion<Real>& q, Quaternion<Real>& p, const Vec3<Real>& inverse_J, Real t,
                     const Function& sine_cosine) {
-  // P_k a = a (0, e_k), the permutations of miller2002
+  // P_k a = a (0, e_k), the permutations of [miller2002]
   const auto Px = [](const Quaternion<Real>& a) { return Quaternion<Real>{-a.x, a.w, a.z, -a.y}; };
   const auto Py = [](const Quaternion<Real>& a) { return Quaternion<Real>{-a.y, -a.z, a.w, a.x}; };
   const auto Pz = [](const Quaternion<Real>& a) { return Quaternion<Real>{-a.z, a.y, -a.x, a.w}; };
@@ -48,10 +49,10 @@ void no_squish_step(Quaternion<Real>& q, Quaternion<Real>& p, const Vec3<Real>& 
   turn(Pz, half.z);
 }
 
-/// One NO_SQUISH step of the free rotation; the same map as symmetric_product_rotation, in
-/// quaternions.
+/// Performs one NO_SQUISH step of the free rotation. It is the same map as
+/// symmetric_product_rotation(), written for quaternions.
 ///
-/// @param J, L, t  as for closed_rotation
+/// @param J, L, t  as for closed_rotation()
 /// @source miller2002
 inline FreeRotation no_squish_rotation(const Vec3<double>& J, const Vec3<double>& L, double t) {
   const ScaledTop top(J, L, t);

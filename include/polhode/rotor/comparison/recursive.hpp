@@ -15,10 +15,9 @@ namespace recursive {
 inline constexpr std::size_t max_terms = 14;
 using Series = std::array<double, max_terms>;
 
-/// Taylor coefficients of φ'(s) h, where the time is s h, about the point where the angular
-/// momentum is L. Euler's equations determine the derivatives. φ' = |L| (L_i²/J_i +
-/// L_j²/J_j)/(L_i² + L_j²) is a quotient of two series, with i and j perpendicular to
-/// `axis`.
+/// Computes the Taylor coefficients of φ'(s) h, where the time is s h, about the point where the
+/// angular momentum is L. Euler's equations determine the derivatives. φ' = |L| (L_i²/J_i +
+/// L_j²/J_j)/(L_i² + L_j²) is a quotient of two series, with i and j perpendicular to `axis`.
 inline Series angle_rate(const Vec3<double>& J, const Vec3<double>& L, double norm_L,
                          std::size_t axis, double h) {
   std::array<Vec3<double>, max_terms> l;
@@ -32,7 +31,7 @@ inline Series angle_rate(const Vec3<double>& J, const Vec3<double>& L, double no
     l[n + 1] = rate * (h / static_cast<double>(n + 1));
   }
   const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
-  const double unit = 1 / std::max(std::abs(L[i]), std::abs(L[j]));  // the squares may underflow
+  const double unit = 1 / std::max(std::abs(L[i]), std::abs(L[j]));  // the squares might underflow
   Series rate;
   std::array<double, max_terms> across;
   for (std::size_t n = 0; n < max_terms; ++n) {
@@ -49,13 +48,13 @@ inline Series angle_rate(const Vec3<double>& J, const Vec3<double>& L, double no
   return rate;
 }
 
-/// ∫₀¹ of a function from its Taylor coefficients at both ends: two-point Hermite quadrature Σ c_nk
-/// [f^{(k)}(0) + (−1)ᵏ f^{(k)}(1)], error O(h^{2n+3}), with increasing order n until the sum
-/// converges.
+/// Integrates a function from 0 to 1 from its Taylor coefficients at both ends, by two-point
+/// Hermite quadrature Σ c_nk [f^{(k)}(0) + (−1)ᵏ f^{(k)}(1)]. The error is O(h^{2n+3}); the order n
+/// increases until the sum converges.
 inline double hermite_quadrature(const Series& from, const Series& to) {
   double sum = 0.5 * (from[0] + to[0]), change = std::abs(sum);
   for (std::size_t n = 1; n < max_terms; ++n) {
-    double weight = 0.5, next = 0;  // c_nk k!
+    double weight = 0.5, next = 0;  // weight is c_nk k!
     for (std::size_t k = 0; k <= n; ++k) {
       next += weight * (k % 2 == 0 ? from[k] + to[k] : from[k] - to[k]);
       weight *=
@@ -71,14 +70,14 @@ inline double hermite_quadrature(const Series& from, const Series& to) {
 
 }  // namespace recursive
 
-/// Free rotation by the recursive method: L by the addition theorem, the angle about L by
-/// two-point Hermite quadrature. Intended for steps with |ω t| ≤ 0.5. Longer times are divided
-/// into such steps. Every L is computed from the initial L, so errors do not accumulate, and
-/// angles are summed with compensation. For a million steps or more, the closed form is used
-/// instead.
+/// Computes the free rotation by the recursive method: L by the addition theorem, and the angle
+/// about L by two-point Hermite quadrature. The method is intended for steps with |ω t| ≤ 0.5.
+/// Longer times are divided into such steps. Every L is computed from the initial L, so errors do
+/// not accumulate, and angles are summed with compensation. For a million steps or more, the closed
+/// form is used instead.
 ///
-/// @param J, L, t  as for closed_rotation
-/// @return         as for closed_rotation, with the same accuracy
+/// @param J, L, t  as for closed_rotation()
+/// @return         as for closed_rotation(), with the same accuracy
 /// @cost           about 2 µs per step
 /// @source         vanzon2007b, Sec. IV; tests/unit/rotor_truth_test.cpp
 inline FreeRotation recursive_rotation(const Vec3<double>& J, const Vec3<double>& L, double t) {
@@ -88,7 +87,7 @@ inline FreeRotation recursive_rotation(const Vec3<double>& J, const Vec3<double>
 
   const Orbit orbit(top);
   const std::size_t axis = PrecessionAngle(orbit).axis;
-  // the largest |ω| on the orbit plus the rate at which L circles
+  // largest |ω| on the orbit, plus the rate at which L circles
   const double rate = orbit.p + std::hypot(orbit.Ax / top.J[orbit.x], orbit.Ay / top.J[orbit.y],
                                            orbit.Az / top.J[orbit.z]);
   const double count = std::max(1.0, std::ceil(std::abs(top.t) * rate / 0.5));
@@ -103,7 +102,7 @@ inline FreeRotation recursive_rotation(const Vec3<double>& J, const Vec3<double>
     const recursive::Series to = recursive::angle_rate(top.J, later, orbit.norm_L(), axis, h);
     const double part = recursive::hermite_quadrature(from, to) - lost;
     const double sum = phi + part;
-    lost = (sum - phi) - part;  // Kahan summation: 20000 additions would otherwise cost 100 ε
+    lost = (sum - phi) - part;  // Kahan summation, because 20000 plain additions would lose 100 ε
     phi = sum;
     from = to;
   }

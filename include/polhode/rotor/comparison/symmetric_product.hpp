@@ -9,10 +9,11 @@
 
 namespace polhode {
 
-/// e^{z t/2} e^{y t/2} e^{x t} e^{y t/2} e^{z t/2}, where each factor is the exact flow of L_k²/(2
-/// J_k), a rotation about body axis k. The orientation error is O(t³) per step.
+/// The symmetric product e^{z t/2} e^{y t/2} e^{x t} e^{y t/2} e^{z t/2}, where each factor is the
+/// exact flow of L_k²/(2 J_k), a rotation about body axis k. The orientation error is O(t³) per
+/// step.
 ///
-/// @param J, L, t  as for closed_rotation
+/// @param J, L, t  as for closed_rotation()
 /// @source dullweber1997
 inline FreeRotation symmetric_product_rotation(const Vec3<double>& J, const Vec3<double>& L,
                                                double t) {

@@ -20,38 +20,42 @@ namespace polhode {
 
 struct AdviserSettings {
   Criterion criterion;
-  std::vector<NamedScheme> schemes;  ///< candidates
+  std::vector<NamedScheme> schemes;  ///< candidate schemes
   double seconds = 60;               ///< approximate wall-clock time of the whole search
 };
 
-/// What is known of a scheme.
+/// Results of the search for one candidate scheme.
 struct Candidate {
-  std::string name;  ///< or its text
+  std::string name;  ///< name of the scheme, or its text
   Scheme scheme;
-  std::vector<AdviserPoint> points;  ///< points by growing step
-  std::optional<StepModel> model;    ///< model of R, if R is required
-  double step = 0;                   ///< expected to meet the bound [ps]; 0: there is none
-  double seconds = 0;                ///< wall-clock time of a simulated ps with that step
-  std::string obstacle;              ///< why there is no step
+  std::vector<AdviserPoint> points;  ///< measured points in the order of increasing step
+  std::optional<StepModel> model;    ///< model of R; empty if a bias is bounded instead of R
+  double step = 0;                   ///< step that is expected to meet the bound [ps]; 0 if there
+                                     ///< is none
+  double seconds = 0;                ///< wall-clock time per simulated ps at this step [s]
+  std::string obstacle;              ///< reason why there is no step
 
   double ns_per_day() const { return seconds > 0 ? 86.4 / seconds : 0; }
 };
 
 struct Advice {
   std::vector<Candidate> candidates;
-  std::optional<std::size_t> best;       ///< a confirmed one
-  std::optional<std::size_t> runner_up;  ///< the cheapest of the others, by estimate
-  AdviserPoint confirmation;             ///< independent runs of the best one
-  std::vector<std::pair<std::size_t, AdviserPoint>> refused;  ///< runs that did not confirm a step
-  /// Runs that met the requirement with such a margin that a longer step was tried instead.
+  std::optional<std::size_t> best;       ///< index of the confirmed best candidate
+  std::optional<std::size_t> runner_up;  ///< index of the cheapest of the other candidates, by
+                                         ///< estimate
+  AdviserPoint confirmation;             ///< independent runs of the best candidate
+  std::vector<std::pair<std::size_t, AdviserPoint>> refused;  ///< candidates and runs that did not
+                                                              ///< confirm a step
+  /// Candidates and runs that met the requirement with such a margin that a longer step was tried.
   std::vector<std::pair<std::size_t, AdviserPoint>> surpassed;
   bool stopped = false;
 };
 
-/// Advice for the run of a run file, from runs that begin with its initial configuration after its
-/// equilibration. They have its length if the time allows, otherwise a shorter one; each worker
-/// performs one at a time. Results depend on the clock, which limits the lengths of runs and
-/// measures what schemes cost.
+/// Chooses a scheme and a step for a run file by test runs. The test runs start from the
+/// equilibrated initial configuration of the run file. They have the length of the run file's
+/// trajectory if the time allows, and are otherwise shorter. Each worker performs one test run at a
+/// time. Results depend on wall-clock time, which limits the lengths of test runs and measures the
+/// cost of schemes.
 Advice advise(const Config& config, const AdviserSettings& settings,
               const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 

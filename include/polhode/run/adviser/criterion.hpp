@@ -15,34 +15,37 @@
 
 namespace polhode {
 
-/// Results of one run for its scheme and step.
+/// Results of one test run with a scheme and step.
 struct Outcome {
-  std::string failure;        ///< why it blew up; empty if it did not
-  double ratio = 0;           ///< R
+  std::string failure;        ///< reason why the run blew up; empty if it did not
+  double ratio = 0;           ///< energy fluctuation ratio R
   double drift = 0;           ///< drift of the total energy per molecule [kJ/mol/ps]
-  Temperatures temperatures;  ///< means over the run
-  /// Configurational temperatures over the run [K], 0 for motions without forces; nothing where
-  /// they were not requested.
+  Temperatures temperatures;  ///< mean temperatures over the run
+  /// Configurational temperatures over the run [K]; 0 for motions without forces, and empty if they
+  /// were not requested.
   std::optional<ByMotion<double>> configurational{};
-  /// T_k/T − 1 of translation and of rotation about each principal axis; 0 without such motion.
+  /// Relative temperature bias T_k/T − 1 of translation and of rotation about each principal axis;
+  /// 0 without such motion.
   std::array<double, 4> bias{};
-  double temperature_difference = 0;  ///< bias of T_rot − T_trans by the step, predicted [K]
-  double translation_bias = 0;        ///< bias of the kinetic energy of translation [kJ/mol]
-  double energy_bias = 0;             ///< bias of the potential energy per molecule [kJ/mol]
-  double pressure_bias = 0;           ///< bias of the pressure [kJ/mol/nm³]
-  /// Standard errors common to all runs, from the conversion of these biases to the ensemble of the
-  /// run file.
+  double temperature_difference = 0;  ///< predicted time-step bias of T_rot − T_trans [K]
+  double translation_bias = 0;        ///< time-step bias of the kinetic energy of translation
+                                      ///< [kJ/mol]
+  double energy_bias = 0;             ///< time-step bias of the potential energy per molecule
+                                      ///< [kJ/mol]
+  double pressure_bias = 0;           ///< time-step bias of the pressure [kJ/mol/nm³]
+  /// Standard errors common to all runs, which come from converting the biases of energy and
+  /// pressure to the ensemble of the run file.
   double energy_bias_error = 0, pressure_bias_error = 0;
-  double rounding = 0;  ///< R of rounding alone, estimated; 0 in double precision
+  double rounding = 0;  ///< R due to round-off only, estimated; 0 in double precision
 };
 
 Outcome outcome(const System& system, const Trajectory& trajectory);
 
 enum class Quality {
-  ratio,             ///< R of a run [1]
+  ratio,             ///< energy fluctuation ratio R of a run [1]
   drift,             ///< |drift| of the total energy per molecule [kJ/mol/ps]
-  temperature_bias,  ///< the largest |T_k/T − 1| of translation and rotation about each axis [1]
-  temperature_difference,  ///< bias of T_rot − T_trans, its size [K]
+  temperature_bias,  ///< largest |T_k/T − 1| of translation and of rotation about each axis [1]
+  temperature_difference,  ///< magnitude of the bias of T_rot − T_trans [K]
   energy_bias,             ///< |bias| of the potential energy per molecule [kJ/mol]
   pressure_bias            ///< |bias| of the pressure [kJ/mol/nm³]
 };

@@ -17,34 +17,36 @@ namespace polhode {
 struct Guarantee {
   Requirement accuracy;
   double length = 0;  ///< length of the sections of a run to which a bound on R applies [ps]
-  Estimate expected;  ///< R, mean of the confirming runs
+  Estimate expected;  ///< mean R of the confirming runs
 };
 
-/// Chooses the step that meets the accuracy of a run file, and the scheme unless the run file has
-/// one, and sets both. Empty if it was interrupted.
-/// @param config  with integrator.accuracy
+/// Chooses the step that meets the accuracy of a run file, and also the scheme unless the run file
+/// has one. Sets both in `config`. The result is empty if the search was interrupted.
+/// @param config  settings that include integrator.accuracy
 /// @throws RunError  if no scheme meets the bound
 std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks& callbacks,
                                                 Workers& workers);
 
-/// Writes a guarantee with the scheme and step that were chosen, for a run that is resumed: it must
-/// continue with the same ones.
+/// Writes a guarantee with the chosen scheme and step to a file, because a resumed run must
+/// continue with the same scheme and step.
 void write_guarantee(const std::string& file, const Guarantee& guarantee,
                      const IntegratorSettings& integrator);
 
-/// Reads such a file, and sets scheme and step.
-/// @throws Error  if it contains anything else
+/// Reads the file of a guarantee, and sets scheme and step.
+/// @throws Error  if the file contains anything else
 Guarantee read_guarantee(const std::string& file, Config& config);
 
 struct GuaranteeCheck {
   Guarantee guarantee;
-  /// Mean R of parts of the guaranteed length, or of the whole run if it is shorter than two parts;
-  /// or the predicted bias. The error is 0 if it is not known.
+  /// Measured value of the bounded quantity. If R is bounded, it is the mean R of parts of the
+  /// guaranteed length, or R of the whole run if the run is shorter than two parts. Otherwise it is
+  /// the predicted bias. The error is 0 if it is not known.
   Estimate value;
   bool met() const { return std::abs(value.value) <= guarantee.accuracy.bound; }
 };
 
-/// Checks a run against its guarantee; empty with a thermostat, where R or the bias is not known.
+/// Checks a run against its guarantee. The result is empty if R or the bias is not known, as R with
+/// a thermostat.
 std::optional<GuaranteeCheck> check_guarantee(const Guarantee& guarantee,
                                               const TrajectoryStatistics& statistics,
                                               const RunSummary& summary);

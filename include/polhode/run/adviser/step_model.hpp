@@ -9,48 +9,49 @@
 
 namespace polhode {
 
-/// R of one run from each initial configuration, all with the same step.
+/// Values of R at one step, from one run for each initial configuration.
 struct StepPoint {
-  double step = 0;             ///< [ps]
-  std::vector<double> ratios;  ///< R, by initial configuration
+  double step = 0;             ///< time step [ps]
+  std::vector<double> ratios;  ///< R for each initial configuration
 };
 
-/// R(h) = a hᵖ exp(c h²), with p the scheme's order. It is the power law of small steps with its
-/// first correction, a hᵖ (1 + c h²). This form is positive, and log R − p log h is linear in h².
-/// Steps that differ by a third suffice to determine it near them. It is not meant for
-/// extrapolation.
+/// A model of R as a function of the step h: R(h) = a hᵖ exp(c h²), where p is the order of the
+/// scheme. It is the power law of small steps with its first correction, a hᵖ (1 + c h²), in a form
+/// that is always positive. In this form log R − p log h is linear in h². Two steps that differ by
+/// a third suffice to fit the model near these steps. The model is not meant for extrapolation.
 ///
 /// Runs with two steps from the same initial configuration are not independent: they sample the
-/// same part of the trajectory. Therefore each initial configuration has its own line, and the
-/// scatter of these lines gives the uncertainty of the mean line. The runs at each step give the
-/// scatter of a single run.
+/// same part of the trajectory. Therefore a separate line is fitted for each initial configuration,
+/// and the scatter of these lines gives the uncertainty of the mean line. The runs at each step
+/// give the scatter of a single run.
 class StepModel {
  public:
-  /// @param order   p; 0 (unknown) is treated as 2
+  /// @param order   order p of the scheme; 0 (unknown) is treated as 2
   /// @param points  at least one, each with at least two initial configurations in the same order
   StepModel(int order, const std::vector<StepPoint>& points);
 
-  /// log R at a step, the mean over initial configurations, with its standard error.
+  /// The mean of log R at a step over initial configurations, with its standard error.
   Estimate log_ratio(double step) const;
 
-  /// Prediction bound: R of a new run at that step is below it with this probability, by Student's
-  /// t with one degree of freedom less than there are initial configurations.
+  /// The prediction bound: the value below which R of a new run at the step lies with a given
+  /// probability. It is computed from Student's t distribution, with one degree of freedom less
+  /// than there are initial configurations.
   double bound(double step, double probability) const;
 
-  /// d log R/d log h = p + 2 c h².
+  /// The local exponent d log R/d log h = p + 2 c h².
   double exponent(double step) const;
 
-  /// The largest step, up to `longest`, with a bound of at most that R.
+  /// The largest step, up to `longest`, whose prediction bound is at most `ratio`.
   double max_step(double ratio, double probability, double limit) const;
 
  private:
   struct Line {
-    double at_mean = 0, slope = 0;  ///< log R − p log h at the mean h², and its slope in h²
+    double at_mean = 0, slope = 0;  ///< log R − p log h at the mean of h², and its slope in h²
   };
   double value(const Line& line, double step) const;
 
   int order_;
-  double mean_square_ = 0;  ///< mean square of h
+  double mean_square_ = 0;  ///< mean of h² over the steps
   std::vector<Line> lines_;
   double scatter_ = 0;
 };

@@ -20,60 +20,61 @@
 
 namespace polhode {
 
-/// Default cutoff of g(r), unless half of the shortest edge is shorter [nm].
+/// Default cutoff of g(r), unless half of the shortest box edge is shorter [nm].
 inline constexpr double default_rdf_cutoff = 1;
 
 struct AnalysisSettings {
-  /// Requested observables; an observable that the frames do not allow is an error. Empty: all that
-  /// the frames allow.
+  /// Names of the requested observables. Requesting an observable that the frames do not allow is
+  /// an error. If empty, all observables that the frames allow are computed.
   std::set<std::string> what;
-  double from = 0;                 ///< earlier frames are skipped [ps]
-  std::optional<double> interval;  ///< time between frames, overrides their times [ps]
+  double from = 0;                 ///< first time to analyze; earlier frames are skipped [ps]
+  std::optional<double> interval;  ///< time between frames, which overrides the times in the file
+                                   ///< [ps]
   double window = 10;              ///< largest lag of correlation functions [ps]
-  std::vector<SitePair> pairs;     ///< empty: `site_pairs`
-  std::optional<double> cutoff;    ///< of g(r); default: `default_rdf_cutoff`, at most half of the
-                                   ///< shortest edge
+  std::vector<SitePair> pairs;     ///< pairs of sites for g(r); empty: all pairs of site_pairs()
+  std::optional<double> cutoff;    ///< cutoff of g(r) [nm]; default: `default_rdf_cutoff`, at most
+                                   ///< half of the shortest edge
   double bin = 0.002;              ///< bin width of g(r) [nm]
   std::optional<StepErrorSettings>
-      step_errors;  ///< source of time-step errors; empty: no bias is computed
+      step_errors;  ///< source of time-step errors; empty: no time-step bias is computed
 };
 
-/// The frames that were read, and the observables that were requested.
+/// The results of an analysis: the frames that were read, and the observables that were computed.
 struct Analysis {
   Topology topology;
   std::size_t frames = 0;
-  double first = 0, last = 0;  ///< times [ps]
-  double interval = 0;         ///< time between frames; 0 if no observable needed it [ps]
+  double first = 0, last = 0;  ///< times of the first and last frames [ps]
+  double interval = 0;         ///< time between frames [ps]; 0 if no observable needed it
   Box box;                     ///< box of the first frame
   bool has_velocities = false;
   double deviation = 0;            ///< largest distance of atoms from the sites of the rigid models
                                    ///< [nm]
-  bool stopped = false;            ///< whether it was stopped before the end of the file
-  std::vector<std::string> notes;  ///< observables that were skipped, and warnings
+  bool stopped = false;            ///< whether the analysis was stopped before the end of the file
+  std::vector<std::string> notes;  ///< notes on skipped observables, and warnings
 
-  std::optional<Conditions> conditions;  ///< computed in every analysis
+  std::optional<Conditions> conditions;  ///< averages that are computed in every analysis
   std::vector<std::shared_ptr<Observable>> observables;
 
-  /// Number of frames with a known time-step error, and the means that are fixed.
+  /// Number of frames with a known time-step error, and the means that the ensemble fixes.
   std::size_t frames_with_step_error = 0;
   std::optional<FixedMeans> fixed;
 
-  /// The interval, or the mean time between frames; 0 if they have no times [ps].
+  /// The time between frames, or its mean if it varies [ps]; 0 if frames have no times.
   double mean_interval() const;
 };
 
-/// Reads all frames. Memory holds one batch of frames, one per thread, and the windows of the
-/// correlation functions. Bodies are fitted to several frames in parallel; observables are computed
-/// in parallel over bodies.
-/// @throws Error  if frames do not fit the topology, or do not allow what was requested
+/// Reads all frames of a trajectory and computes observables. Memory holds a batch of one frame per
+/// thread, and the windows of the correlation functions. Bodies are fitted to the frames of a batch
+/// in parallel. Observables are computed in parallel over bodies.
+/// @throws Error  if frames do not fit the topology, or do not allow the requested observables
 Analysis analyze(FrameReader& reader, Topology topology, const AnalysisSettings& settings,
                  const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 
-/// The names of observables, as used in options.
+/// The names of all observables, as used in options.
 const std::vector<std::string>& observable_names();
 
-/// The name of an observable, as it is.
-/// @throws Error  if there is none
+/// Returns the name of an observable unchanged if it exists.
+/// @throws Error  if there is no observable of that name
 std::string observable(const std::string& name);
 
 }  // namespace polhode

@@ -23,32 +23,33 @@ struct Analysis;
 struct AnalysisSettings;
 struct SummarySettings;
 
-/// A table with its figure; no figure is drawn without panels.
+/// An output table with its figure. If the figure has no panels, it is not drawn.
 struct AnalysisFile {
-  std::string name;  ///< part of the file name after the prefix: "rdf"
+  std::string name;  ///< part of the file name after the prefix, such as "rdf"
   Table table;
   CurvesFigure figure;
 };
 
-/// What is known once the first frames have been read.
+/// The data that are known once the first frames have been read.
 struct FirstFrames {
-  const Analysis& analysis;  ///< topology, box, and whether there are velocities
+  const Analysis& analysis;  ///< topology and box, and whether frames have velocities
   const AnalysisSettings& settings;
-  std::size_t lags = 0;  ///< number of lags of correlations, if the frames are evenly spaced
+  std::size_t lags = 0;  ///< number of lags of correlation functions, if the frames are evenly
+                         ///< spaced
 };
 
-/// What is known after the last frame.
+/// The data that are known after the last frame.
 struct AllFrames {
   const Analysis& analysis;
   const SummarySettings& settings;
-  std::optional<double> temperature;  ///< [K]
+  std::optional<double> temperature;  ///< temperature [K]
   Workers& workers;
-  std::vector<std::string>& notes;  ///< receives notes on what could not be computed
+  std::vector<std::string>& notes;  ///< receives notes on results that could not be computed
 };
 
 /// The results of an observable, each of which may be empty.
 struct ObservableResults {
-  Quantities quantities;          ///< quantities of the trajectory
+  Quantities quantities;          ///< quantities of the whole trajectory
   std::vector<Quantities> parts;  ///< quantities of each kind of molecule
   std::vector<AnalysisFile> files;
 };
@@ -58,17 +59,17 @@ class Observable {
  public:
   virtual ~Observable() = default;
   /// Adds the next frame.
-  /// @param error  of the step, at this state; nothing where it is not known
+  /// @param error  time-step error of this state; empty if it is not known
   virtual void add(const State& state, const std::optional<StepError>& error, Workers& workers) = 0;
   virtual ObservableResults results(const AllFrames& frames) = 0;
 };
 
-/// An observable as it is chosen.
+/// An entry in the list of observables.
 struct ObservableKind {
-  std::string name;                ///< name in `--what`
-  std::vector<std::string> files;  ///< names of the files that it may write
+  std::string name;                ///< name in the option `--what`
+  std::vector<std::string> files;  ///< names of the files that the observable may write
   bool correlates_times = false;   ///< whether frames must be evenly spaced
-  /// Why the frames do not allow it; empty if they do.
+  /// Returns why the frames do not allow this observable; empty if they do.
   std::function<std::string(const FirstFrames&)> why_not;
   std::function<std::unique_ptr<Observable>(const FirstFrames&)> begin;
 };

@@ -13,30 +13,30 @@
 
 namespace polhode {
 
-/// The file with the time-step errors of a run.
+/// The energies file from which time-step errors are read, with the settings needed to use it.
 struct StepErrorSettings {
-  std::string energies;  ///< file of the run
+  std::string energies;  ///< path of the energies file
   FixedMeans fixed = FixedMeans::energy;
   double temperature = 0;  ///< temperature of the thermostat [K]
 };
 
-/// Settings for the energies file of a run.
-/// @throws Error  with the reason, if the bias of the step is not known in the ensemble of the run
+/// Reads the settings for the energies file of a run.
+/// @throws Error  with the reason, if the time-step bias is not known in the ensemble of the run
 StepErrorSettings step_error_settings(const std::string& energies, const Config& config);
 
-/// Finds the time-step errors of frames. Each frame has the time of a row of the energies; rows are
-/// read once, along with the frames.
+/// Finds the time-step errors of frames in an energies file. Each frame belongs to the row with the
+/// same time. Rows are read once, in step with the frames.
 class StepErrors {
  public:
-  /// @throws Error  if the file cannot be read, or is no energies file
+  /// @throws Error  if the file cannot be read, or is not an energies file
   StepErrors(const StepErrorSettings& settings, const Topology& topology);
 
-  /// The time-step error at the sample that a frame belongs to; empty if it is not known there.
-  /// Call it for frames in the order of time.
-  /// @param has_velocities  whether the kinetic energy of the frame can be compared as well
-  /// @throws Error  if not exactly one row has the time of the frame, within the rounding of
-  ///                times in files. Also if volume, kinetic energy or ensemble differ from the
-  ///                row
+  /// The time-step error of a frame; empty if the row of the frame does not contain it. Frames must
+  /// be passed in the order of time.
+  /// @param has_velocities  whether the frame has a kinetic energy that can be compared with the
+  ///   row
+  /// @throws Error  unless exactly one row has the time of the frame, within the round-off of times
+  ///   in files. Also if volume, kinetic energy or ensemble of frame and row differ
   std::optional<StepError> at(const State& frame, bool has_velocities);
 
  private:

@@ -16,23 +16,24 @@ struct MinimisationReport {
   Minimisation minimisation;
   std::size_t molecules = 0;
   MinimisationSettings settings;
-  std::string file;  ///< the configuration at the end, without velocities
+  std::string file;  ///< path of the final configuration, without velocities
 };
 
-/// Minimises, and writes PREFIX-minimised.gro, also if it is interrupted or ends at the maximum
-/// number of steps. Overlapping molecules are allowed.
-/// @throws Error     if a setting or the initial configuration does not fit, or outputs exist
-/// @throws RunError  naming two molecules, if a force is not finite
+/// Minimises the energy of a configuration and writes it to PREFIX-minimised.gro. The file is also
+/// written if the minimisation is interrupted or reaches the maximum number of steps. The initial
+/// configuration may have overlapping molecules.
+/// @throws Error     if a setting or the initial configuration is invalid, or outputs exist
+/// @throws RunError  if a force is not finite; the message names two molecules
 MinimisationReport minimise_configuration(const Config& config,
                                           const MinimisationSettings& settings = {},
                                           const OutputOptions& options = {},
                                           const Callbacks& callbacks = {},
                                           Workers& workers = Workers::serial());
 
-/// "converged", "maximum number of steps" or "interrupted".
+/// The reason why a minimisation ended: "converged", "maximum number of steps" or "interrupted".
 std::string reason(MinimisationEnd end);
 
-/// The results as a list, from which text, JSON and the manual follow.
+/// The results of a minimisation as a list, from which text, JSON and the manual are made.
 Quantities quantities(const MinimisationReport& report);
 
 }  // namespace polhode

@@ -16,72 +16,74 @@
 
 namespace polhode {
 
-/// A row of the properties that can be measured, with its definition.
+/// A row of the table of measurable properties, with the definition of the property.
 struct Property;
 
-/// A state at which properties are measured.
+/// A state point at which properties are measured.
 struct StatePoint {
-  double temperature = 0;  ///< [K]
-  double pressure = 0;     ///< [kJ/mol/nm³]
+  double temperature = 0;  ///< temperature [K]
+  double pressure = 0;     ///< pressure [kJ/mol/nm³]
 
-  /// "298.15 K, 1 bar".
+  /// The state point as text: "298.15 K, 1 bar".
   std::string text() const;
-  /// "298.15K-1bar", for file names.
+  /// The state point as text for file names: "298.15K-1bar".
   std::string file_text() const;
 };
 
 struct RequestedProperty {
   const Property* property = nullptr;
-  double error = 0.01;   ///< standard error that is requested
-  bool relative = true;  ///< of the value, otherwise in the property's unit
+  double error = 0.01;   ///< requested standard error
+  bool relative = true;  ///< whether the error is relative to the value; if false, it is in the
+                         ///< unit of the property
 };
 
-/// Replicas that a process computes: those whose number is `index` modulo `count`.
+/// The share of one process: it computes the replicas whose number is `index` modulo `count`.
 struct Shard {
   std::uint64_t index = 0, count = 1;
 };
 
 struct MeasureSettings {
-  Config config;  ///< molecules, forces and seed
+  Config config;  ///< settings of molecules, forces and seed
   std::vector<StatePoint> points;
   std::vector<RequestedProperty> properties;
-  std::uint64_t replicas = 4;  ///< independent simulations of each state point
+  std::uint64_t replicas = 4;  ///< number of independent simulations of each state point
   Shard shard{};
-  double time_limit = 0;  ///< of wall-clock time [s]; 0: none
+  double time_limit = 0;  ///< limit of the wall-clock time [s]; 0: no limit
   std::string prefix = "measure";
-  std::string command = "polhode measure";  ///< for the record
-  bool only_evaluate = false;               ///< reports what the records have, and computes nothing
+  std::string command = "polhode measure";  ///< command that is recorded in outputs
+  bool only_evaluate = false;               ///< whether to evaluate only existing records, without
+                                            ///< new computations
 };
 
-/// A property at a state point.
+/// A property measured at a state point.
 struct MeasuredProperty {
   RequestedProperty request;
-  SeriesEstimate value;                ///< with all corrections, in the property's unit
-  std::optional<SeriesEstimate> bias;  ///< time-step bias, which is subtracted; nothing: not known
-  std::optional<double> finite_size;   ///< finite-size correction, which is included
-  /// What the value was from the first parts of the data, for figures; the last is all of it.
+  SeriesEstimate value;                ///< value with all corrections, in the unit of the property
+  std::optional<SeriesEstimate> bias;  ///< time-step bias, already subtracted from the value; empty
+                                       ///< if not known
+  std::optional<double> finite_size;   ///< finite-size correction, already included in the value
+  /// Values obtained from increasing parts of the data, for figures; the last entry uses all data.
   std::vector<SeriesEstimate> stages{};
-  std::string obstacle;  ///< why the value is not converged; empty if it is
+  std::string obstacle;  ///< reason why the value is not converged; empty if it is
 
-  /// The requested standard error in the property's unit.
+  /// The requested standard error in the unit of the property.
   double requested_error() const;
   bool reached() const;
 };
 
-/// A correlation function of the dynamics, for figures.
+/// A correlation function measured in the dynamics, for figures.
 struct MeasuredCurve {
   std::string title, unit;
-  std::vector<double> time;           ///< [ps]
-  std::vector<SeriesEstimate> value;  ///< in `unit`
+  std::vector<double> time;           ///< time lags [ps]
+  std::vector<SeriesEstimate> value;  ///< values in `unit`
 };
 
-/// The potential energy and the density of a replica along its averages, and where equilibrium
-/// began.
+/// The time series of potential energy and density of a replica, for figures of the equilibration.
 struct EquilibrationTrace {
-  std::vector<double> time;       ///< middles of the parts [ps]
-  std::vector<double> potential;  ///< per molecule [kJ/mol]
-  std::vector<double> density;    ///< [kg/m³]
-  double begin = 0;               ///< of equilibrium [ps]
+  std::vector<double> time;       ///< middles of the time intervals [ps]
+  std::vector<double> potential;  ///< potential energy per molecule [kJ/mol]
+  std::vector<double> density;    ///< density [kg/m³]
+  double begin = 0;               ///< time at which equilibrium began [ps]
 };
 
 struct MeasuredPoint {
@@ -89,57 +91,64 @@ struct MeasuredPoint {
   std::vector<MeasuredProperty> properties;
   std::size_t molecules = 0;
   std::uint64_t replicas = 0;
-  double step_min = 0, step_max = 0;  ///< of the replicas [ps]
-  double equilibration_max = 0;       ///< that was discarded, the maximum of all replicas [ps]
-  double length_of_averages = 0;      ///< of all replicas, without equilibration [ps]
-  double length_of_dynamics = 0;      ///< of all replicas [ps]
-  double edge = 0;                    ///< of the box of the dynamics, or the mean one [nm]
+  double step_min = 0, step_max = 0;  ///< smallest and largest time step of the replicas [ps]
+  double equilibration_max = 0;       ///< discarded equilibration time, maximum over all replicas
+                                      ///< [ps]
+  double length_of_averages = 0;      ///< total length of all replicas at constant pressure,
+                                      ///< without equilibration [ps]
+  double length_of_dynamics = 0;      ///< total length of the dynamics of all replicas [ps]
+  double edge = 0;                    ///< box edge in the dynamics, or the mean edge at constant
+                                      ///< pressure [nm]
   std::vector<MeasuredCurve> curves;
-  std::vector<EquilibrationTrace> traces;  ///< of all replicas
+  std::vector<EquilibrationTrace> traces;  ///< traces of all replicas
 };
 
 struct MeasureReport {
   std::vector<MeasuredPoint> points;
-  bool interrupted = false;  ///< by the callbacks
+  bool interrupted = false;  ///< whether a callback interrupted the measurement
   bool out_of_time = false;
   std::vector<std::string> files;
-  std::string system;  ///< the molecules and their numbers
+  std::string system;  ///< molecules of the system and their numbers, as text
 
-  /// Whether all requested errors are reached.
+  /// Whether all requested standard errors are reached.
   bool reached() const;
 };
 
-/// Work on a replica that can be done in any process: its bits do not depend on where.
+/// A unit of work on a replica. Any process can do it with bitwise identical results.
 struct ReplicaTask {
-  std::size_t point = 0;                   ///< of the settings
-  std::uint64_t replica = 0;               ///< its number
-  std::size_t averages = 0, dynamics = 0;  ///< segments that it shall have
-  double step = 0;     ///< time step of all replicas [ps]; 0: of a pilot, which chooses it
-  std::string record;  ///< what it has computed so far, as bytes; empty: nothing
+  std::size_t point = 0;                   ///< index of the state point in the settings
+  std::uint64_t replica = 0;               ///< number of the replica
+  std::size_t averages = 0, dynamics = 0;  ///< numbers of segments that the replica must have after
+                                           ///< the task
+  double step = 0;     ///< time step of all replicas [ps]; 0 for a pilot run, which chooses the
+                       ///< step
+  std::string record;  ///< record of the replica so far, as bytes; empty at the start
 };
 
-/// The record of the replica afterwards.
+/// Performs a task, and returns the updated record of the replica.
 std::string perform(const MeasureSettings& settings, const ReplicaTask& task);
 
 /// Performs tasks in any order, and returns their records in the order of the tasks.
 using ReplicaExecutor =
     std::function<std::vector<std::string>(const std::vector<ReplicaTask>& tasks)>;
 
-/// Measures with replicas. Each is prepared, equilibrated and simulated at constant temperature and
-/// pressure, then for dynamics at its mean volume. Lengths grow by half until all requested errors
-/// are reached. Results are kept in PREFIX-POINT-rN.replica, from which the same command resumes,
-/// also with other properties, errors or points.
-/// @throws Error     if a system has not one of the properties, or records are of another system
+/// Measures properties with independent replicas. Each replica is prepared, equilibrated, and
+/// simulated at constant temperature and pressure. Its dynamics are then measured at its mean
+/// volume. Lengths grow by half until all requested errors are reached. Results are stored in
+/// PREFIX-POINT-rN.replica. The same command resumes from these files, also if other properties,
+/// errors or state points are requested.
+/// @throws Error     if a requested property is not defined for the system, or records belong to
+///   another system
 /// @throws RunError  if a replica blows up or evaporates
-/// @param executor  performs the tasks in place of the workers, if there is one
+/// @param executor  performs the tasks instead of the workers; may be empty
 MeasureReport measure(const MeasureSettings& settings, const Callbacks& callbacks = {},
                       Workers& workers = Workers::serial(), const ReplicaExecutor& executor = {});
 
-/// The results as a list, from which text, JSON and the manual follow.
+/// The results of a measurement as a list, from which text, JSON and the manual are made.
 Quantities quantities(const MeasureReport& report);
 
-/// The results as a page of HTML that needs no other file, with figures of convergence, correlation
-/// functions and equilibration.
+/// The results of a measurement as a self-contained HTML page, with figures of convergence,
+/// correlation functions and equilibration.
 std::string measure_page(const MeasureReport& report, const std::string& command);
 
 }  // namespace polhode

@@ -22,96 +22,100 @@ struct Checkpoint;
 struct FoundCheckpoint;
 class RunFiles;
 
-/// How Simulation::run() ended. An interrupted equilibration or trajectory resumes from a
-/// checkpoint. An interrupted choice of the step has no file and starts over.
+/// The ways in which Simulation::run() can end. An interrupted equilibration or trajectory can be
+/// resumed from a checkpoint. If the choice of the step is interrupted, no file is written and the
+/// choice starts over.
 enum class RunEnd {
   complete,
-  interrupted,                ///< interrupted in the trajectory
+  interrupted,                ///< interrupted during the trajectory
   interrupted_equilibrating,  ///< interrupted before the trajectory
   interrupted_choosing_step   ///< interrupted before the equilibration
 };
 
 struct RunResult {
   RunEnd end;
-  std::optional<RunReport> report;  ///< report of the trajectory, if it started
+  std::optional<RunReport> report;  ///< report of the trajectory; empty if the trajectory did not
+                                    ///< start
 };
 
-/// The system of a run file and its trajectory: an equilibration, if the run file has one, and
-/// steps of its scheme. The trajectory has the same bits whether it is computed by step(), by
-/// run(), or resumed, and with any number of threads.
+/// The simulation that a run file describes: its system, an equilibration if there is one, and a
+/// trajectory. The trajectory has the same bits whether it is computed by step(), by run(), or
+/// resumed, and for any number of threads.
 class Simulation {
  public:
-  /// Builds the system; nothing is computed and no file is written.
-  /// @param workers  kept by reference
-  /// @throws Error  with its place, if a setting or the initial configuration does not fit
+  /// Builds the system. Nothing is computed, and no file is written.
+  /// @param workers  threads, kept by reference
+  /// @throws Error  with its place, if a setting or the initial configuration is invalid
   explicit Simulation(const Config& config, Workers& workers = Workers::serial());
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// The run file's settings, with scheme and step as chosen by choose_step().
+  /// The settings of the run file, with the scheme and step that choose_step() has chosen.
   const Config& config() const { return config_; }
   const System& system() const { return system_; }
   const State& state() const { return system_.state; }
-  /// The state, for changes between two steps. Call state_changed() after a change. Its memory
-  /// stays in place until the end of the simulation.
+  /// The state, which the caller may change between two steps. Call state_changed() after a change.
+  /// The memory of the state stays in place until the end of the simulation.
   State& state_to_change();
-  /// Begins a segment of the trajectory with the state as it is now and new forces.
-  /// @throws Error  if the state is not one of these molecules, with nothing changed but
-  /// orientations,
-  ///                which are normalized
+  /// Begins a new segment of the trajectory after a change of the state, and evaluates the forces
+  /// again. Orientations are normalized.
+  /// @throws Error  if the state does not fit the molecules; only the orientations are then changed
   void state_changed();
-  /// Continues with another scheme or step, or in another ensemble, in a new segment of the
-  /// trajectory. Momenta are not changed. If an accuracy is required, a new step is chosen.
-  /// @throws Error  with nothing changed, if they do not suit each other or the forces, or if they
-  ///                add, remove or change hybrid Monte Carlo
+  /// Begins a new segment of the trajectory with another scheme, step or ensemble. Momenta are not
+  /// changed. If an accuracy is required, a new step is chosen.
+  /// @throws Error  if the settings do not suit each other or the forces, or if they add, remove or
+  ///   change hybrid Monte Carlo; nothing is changed then
   void change(const IntegratorSettings& integrator, const EnsembleSettings& ensemble);
-  /// Steps of the trajectory done so far.
+  /// Number of steps of the trajectory done so far.
   std::size_t steps() const;
-  /// The part of the trajectory with the present settings.
+  /// The present segment: the part of the trajectory with the present settings.
   Segment segment() const;
-  /// The numbers of steps that run() and a run of a given time [ps] take: see TrajectorySettings.
+  /// The number of steps that run() takes, or that a run of a given time [ps] takes; see
+  /// TrajectorySettings.
   std::size_t steps_left() const;
   std::size_t steps_in(double time) const;
-  /// Energies of the current state, with the heat and work received so far, from a separate force
-  /// evaluation that leaves the trajectory as it is.
+  /// The energies of the current state, with the heat and work received so far. They are computed
+  /// by a separate force evaluation, which does not affect the trajectory.
   Energies energies() const;
-  /// Statistics of the trajectory's present segment so far.
+  /// Statistics of the present segment of the trajectory.
   RunSummary summary();
-  /// Report of a trajectory in memory, with warnings, as from run().
+  /// The report of a trajectory in memory, with warnings, as run() returns it.
   RunReport report();
 
-  /// If the run file asks for an accuracy, lets the adviser choose the step, and the scheme unless
-  /// the run file has one. run() calls it.
-  /// @return  false if it was interrupted
+  /// Lets the adviser choose the step if the run file requires an accuracy, and also the scheme
+  /// unless the run file has one. run() calls this function.
+  /// @return  false if the search was interrupted
   /// @throws RunError  if no scheme meets the accuracy
   bool choose_step(const Callbacks& callbacks = {});
-  /// Minimises and equilibrates as the run file asks, once. step() and run() call it.
-  /// @return  false if it was interrupted; another call resumes it
-  /// @throws RunError  if it blows up
+  /// Minimises and equilibrates once, as the run file requires. step() and run() call this
+  /// function.
+  /// @return  false if it was interrupted; another call resumes the equilibration
+  /// @throws RunError  if the trajectory blows up
   bool equilibrate(const Callbacks& callbacks = {});
   /// Advances the trajectory in memory.
   /// @return  false if it was interrupted, in the equilibration or between two steps
-  /// @throws Error     if the run file asks for an accuracy whose step is not chosen yet
-  /// @throws RunError  if it blows up
+  /// @throws Error     if the run file requires an accuracy and the step is not chosen yet
+  /// @throws RunError  if the trajectory blows up
   bool step(std::size_t steps = 1, const Callbacks& callbacks = {});
 
   /// Writes a checkpoint of the simulation.
-  /// @param command  by which it is made, for the record
+  /// @param command  command that is recorded in the file
   /// @throws RunError  if the file cannot be written
   void save(const std::string& path, const std::string& command = "Simulation::save");
-  /// Resumes a checkpoint of the same run, written by save() or by run(), by the same version of
-  /// the program with the same instruction set.
-  /// @throws Error  if it is damaged, or of another run or program
+  /// Resumes from a checkpoint of the same run, which save() or run() has written. The version of
+  /// the program and its instruction set must be the same.
+  /// @throws Error  if the checkpoint is damaged, or belongs to another run, version or instruction
+  ///   set
   void resume(const std::string& path);
 
-  /// Continues to the length of the run file and writes all of its outputs: energies, trajectories,
-  /// checkpoints, the final state, a figure. [output] gives files and names; a lock keeps other
-  /// processes from using them.
+  /// Continues to the length that the run file requires, and writes all outputs: energies,
+  /// trajectories, checkpoints, the final state and a figure. [output] selects files and names. A
+  /// lock keeps other processes from using the files.
   /// @throws Error     before anything is computed, if outputs exist or cannot be resumed
   /// @throws RunError  if the trajectory blows up, or a file cannot be written
   RunResult run(const OutputOptions& options = {}, const Callbacks& callbacks = {});
-  /// The step of the last checkpoint if run() threw an error that does not keep the run from being
-  /// resumed there, such as a full disk.
+  /// The step of the last checkpoint, if run() threw an error after which the run can be resumed,
+  /// such as a full disk.
   std::optional<std::size_t> resumable_step() const { return resumable_step_; }
 
  private:
@@ -141,15 +145,17 @@ class Simulation {
 
   Config config_;
   Workers& workers_;
-  std::optional<TrajectorySettings> settings_;  // none until the step is chosen
+  std::optional<TrajectorySettings> settings_;  // empty until the step is chosen
   std::optional<Guarantee> guarantee_;
   System system_;
   ForceField forces_;
   std::string identity_;
-  bool settings_changed_ = false;               // since the system was built
-  ForceNoise noise_;                            // of the forces at the start of the trajectory
-  std::uint64_t minimisation_evaluations_ = 0;  // of forces
-  std::optional<RunState> at_;  // its current state, until the propagator takes it over
+  bool settings_changed_ = false;               // whether settings have changed since the system
+                                                // was built
+  ForceNoise noise_;                            // noise of the forces at the start of the
+                                                // trajectory
+  std::uint64_t minimisation_evaluations_ = 0;  // number of force evaluations
+  std::optional<RunState> at_;                  // current state, until the propagator is created
   std::optional<Propagator> propagator_;
   std::optional<std::size_t> resumable_step_;
 };

@@ -14,21 +14,22 @@
 
 namespace polhode {
 
-/// A scheme with one or two free parameters: "free x = 0.2; B(x) A(1/2) B(1 - 2*x) A(1/2) B(x)".
-/// Its O(h²) error has two terms, α and β, so a third parameter would not be determined by them.
+/// A family of schemes with one or two free parameters, such as "free x = 0.2; B(x) A(1/2) B(1 -
+/// 2*x) A(1/2) B(x)". The O(h²) error of a scheme has only two terms, α and β, so they could not
+/// determine a third parameter.
 class SchemeFamily {
  public:
   /// @throws Error  unless the text is a palindrome with one or two free parameters that determine
   ///                α and β. Its drifts and kicks must sum to 1 for any values
-  /// @param label  of the reference; empty: its own name, or its stages
+  /// @param label  label of the reference; if empty, it is the name of the scheme, or its stages
   explicit SchemeFamily(const NamedScheme& scheme, const std::string& label = {});
 
   const std::vector<FreeParameter>& parameters() const { return parameters_; }
-  /// The member with the values of the text.
+  /// The reference: the scheme with the parameter values in the text.
   const Scheme& reference() const { return reference_; }
-  /// The member with other values, in the order of parameters().
+  /// The scheme with other parameter values, in the order of parameters().
   Scheme at(std::span<const double> values) const;
-  /// What tables call the reference.
+  /// The label of the reference in tables.
   const std::string& label() const { return label_; }
 
  private:
@@ -37,27 +38,27 @@ class SchemeFamily {
   Scheme reference_;
 };
 
-/// B(η) A(1/2) B(1 − 2η) A(1/2) B(η), from hoa2; and with a gradient kick in the middle, from gier4
-/// [vanzon2008, Eq. 1].
+/// The family B(η) A(1/2) B(1 − 2η) A(1/2) B(η) with the reference hoa2. gier4_family() adds a
+/// gradient kick in the middle, with the reference gier4 [vanzon2008, Eq. 1].
 SchemeFamily hoa2_family();
 SchemeFamily gier4_family();
 
-/// Covariances of the energy E of a run and its brackets: means of products of deviations of E,
-/// a = h² V̈ and b = h² W [kJ²/mol²].
+/// Covariances of the energy E of a run and its error brackets: means of products of the deviations
+/// of E, a = h² V̈ and b = h² W [kJ²/mol²].
 struct ErrorCovariance {
   double EE = 0, Ea = 0, Eb = 0, aa = 0, ab = 0, bb = 0;
   double VV = 0;  ///< variance of the potential energy, the denominator of R²
 
   ErrorCovariance& operator+=(const ErrorCovariance& other);
-  /// The variance of the energy if the scheme's error terms change by `change`: the variance of E −
-  /// Δα a − Δβ b, because H̃ of both schemes is constant.
+  /// The variance of the energy after the error terms of the scheme change by `change`. It is the
+  /// variance of E − Δα a − Δβ b, because H̃ of both schemes is constant.
   double variance(const ErrorTerms& change) const;
 };
 ErrorCovariance error_covariance(std::span<const BracketSample> samples, double h);
 
 ErrorTerms operator-(const ErrorTerms& a, const ErrorTerms& b);
 
-/// The parameters that minimize the variance of the energy, from a run with the reference.
+/// The parameters that minimize the variance of the energy, computed from a run with the reference.
 std::vector<double> best_parameters(const ErrorCovariance& covariance, const SchemeFamily& family);
 /// The parameters that minimize the fluctuation of α V̈ + β W, which are optimal for short steps.
 std::vector<double> best_at_short_steps(const ErrorCovariance& covariance,

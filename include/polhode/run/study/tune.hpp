@@ -15,29 +15,31 @@
 namespace polhode {
 
 struct TuneSettings {
-  /// Text with free parameters; empty: the scheme of the run file if it has any, otherwise the
-  /// families of hoa2 and gier4.
+  /// Text of a scheme with free parameters. If empty, it is the scheme of the run file if this has
+  /// free parameters, and otherwise the families of hoa2 and gier4 are tuned.
   std::string scheme{};
-  double step = 0;         ///< [ps]; 0: step of the run file
-  int runs = 4;            ///< runs to measure, and as many from other initial configurations
-                           ///< for confirmation
+  double step = 0;         ///< time step [ps]; 0: the step of the run file
+  int runs = 4;            ///< number of runs to measure, and of confirming runs from other initial
+                           ///< configurations
   double length = 2;       ///< length of each run [ps]
   double decorrelate = 2;  ///< equilibration of each initial configuration [ps]
-  double sample = 0.02;    ///< interval between brackets [ps]
+  double sample = 0.02;    ///< interval between samples of error brackets [ps]
 };
 
 struct TunedParameter {
   std::string name;
-  double value = 0, error = 0;  ///< value, and its standard error by the jackknife over runs
+  double value = 0, error = 0;  ///< value of the parameter, and its jackknife standard error over
+                                ///< runs
 };
 
-/// Result for one family, compared with its reference.
+/// The result of tuning one family, compared with its reference.
 struct Tuned {
   std::string reference;
   Scheme scheme;
   std::vector<TunedParameter> parameters;
   double predicted_gain = 1;            ///< R of the reference divided by R, from the covariances
-  Estimate reference_ratio{}, ratio{};  ///< R of both in the confirming runs
+  Estimate reference_ratio{}, ratio{};  ///< R of the reference and of the tuned scheme in the
+                                        ///< confirming runs
   Estimate gain{};  ///< R of the reference divided by R, in runs from the same initial
                     ///< configurations
 };
@@ -45,25 +47,28 @@ struct Tuned {
 struct TuneResult {
   TuneSettings settings;
   std::size_t molecules = 0;
-  ErrorCovariance covariance;         ///< covariance from runs of the first reference, summed
-  std::optional<double> short_steps;  ///< η of the hoa2 family in the limit of short steps
+  ErrorCovariance covariance;         ///< sum of the covariances of the runs with the reference of
+                                      ///< the first family
+  std::optional<double> short_steps;  ///< optimal η of the hoa2 family in the limit of short steps
   std::vector<Tuned> families;
-  bool interrupted = false;  ///< the numbers are meaningless
+  bool interrupted = false;  ///< true if interrupted; the numbers are meaningless then
 };
 
-/// Correlation coefficient of the two brackets.
+/// The correlation coefficient of the two error brackets.
 double correlation(const ErrorCovariance& covariance);
-/// rms of a bracket, from the sum of its mean squares over the runs [kJ/mol].
+/// The rms of an error bracket, from the sum of its mean squares over the runs [kJ/mol].
 double rms_bracket(double squares, const TuneSettings& settings);
 
-/// Uses the step of the run file unless the settings give one.
+/// Tunes the free parameters of schemes. It uses the step of the run file unless the settings give
+/// one.
 /// @throws RunError  if a run blows up
 /// @throws Error     if the forces have no directional derivative, the run file has multiple time
-///                   steps, the runs hold fewer than 20 brackets, or as SchemeFamily()
+///                   steps, the runs hold fewer than 20 brackets, or under the same conditions as
+///                   SchemeFamily()
 TuneResult tune(const Config& config, const TuneSettings& settings, const Callbacks& callbacks,
                 Workers& workers = Workers::serial());
 
-/// The results as a list, from which text, JSON and the manual follow.
+/// The results of the tuning as a list, from which text, JSON and the manual are made.
 Quantities quantities(const TuneResult& result);
 
 }  // namespace polhode

@@ -15,22 +15,22 @@
 
 namespace polhode {
 
-/// The columns of the file, and a row of them; the last one only with step errors.
+/// The columns of an energies file; the last column exists only with step errors.
 std::vector<Table::Column> energy_columns(bool step_errors);
 std::array<double, 15> energy_row(const Energies& energies,
                                   const DegreesOfFreedom& degrees_of_freedom);
 
 class EnergyFile {
  public:
-  /// Creates the file, replacing an existing one.
-  /// @param step_errors  whether it has a column for them
+  /// Creates the energies file, and replaces an existing file.
+  /// @param step_errors  whether the file has a column for time-step errors
   EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
              const Provenance& provenance);
-  /// Resumes after the rows of a mark.
+  /// Resumes the energies file after the rows of a mark.
   EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
              const FileMark& mark);
 
-  /// Appends a row.
+  /// Appends a row of energies.
   /// @throws RunError  if the disk is full
   void add(const Energies& energies);
   /// Syncs all rows to disk and returns the end of the file.
@@ -43,18 +43,18 @@ class EnergyFile {
   GrowingTable table_;
 };
 
-/// A row of such a file.
+/// A row of an energies file.
 struct EnergyRow {
   Energies energies;
-  double conserved = 0;  ///< energy [kJ/mol]; heat and work are not among the columns
+  double conserved = 0;  ///< conserved energy [kJ/mol]; heat and work have no columns
 };
 
-/// Reads such a file row by row, with or without step errors.
+/// Reads an energies file row by row, with or without step errors.
 class EnergyReader {
  public:
-  /// @throws Error  if the file cannot be read, or has other columns
+  /// @throws Error  if the file cannot be read, or has different columns
   explicit EnergyReader(const std::string& path);
-  /// Reads the next row; empty at the end of the file.
+  /// Reads the next row. The result is empty at the end of the file.
   /// @throws Error  if a row is not complete
   std::optional<EnergyRow> next();
 
@@ -63,8 +63,8 @@ class EnergyReader {
   std::vector<double> row_;
 };
 
-/// Reads such a file up to a mark.
-/// @throws Error  if it is shorter, or has other contents
+/// Checks an energies file up to a mark.
+/// @throws Error  if the file is shorter, or has different contents
 void check_energies(const std::string& path, bool step_errors, const FileMark& mark);
 
 }  // namespace polhode

@@ -9,12 +9,12 @@
 
 namespace polhode {
 
-/// The files of checkpoints: the newest and the one before it.
+/// Paths of the checkpoints of a run: the newest, and the one before it.
 struct CheckpointFiles {
   std::string newest, previous;
 };
 
-/// Names of the files of a run, by their use.
+/// Paths of the files of a run, by their purpose.
 struct RunFileNames {
   std::string energies, final_state;
   std::string script, plot;  ///< empty if no figure is requested

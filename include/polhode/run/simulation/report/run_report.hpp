@@ -13,7 +13,7 @@
 
 namespace polhode {
 
-/// What a run is computed with.
+/// Hardware settings of a run: threads and instruction set.
 struct ExecutionSettings {
   int threads = 1;
   std::string instruction_set;
@@ -24,25 +24,27 @@ struct RunReport {
   TrajectorySettings settings;
   ExecutionSettings execution;
   RunFileNames files;
-  std::vector<Warning> warnings;  ///< what is probably wrong
+  std::vector<Warning> warnings;  ///< warnings about probable mistakes
   std::optional<GuaranteeCheck>
-      guarantee;  ///< check of a complete run with a bound on R, at constant energy
+      guarantee;  ///< check of a complete run at constant energy against its bound on R
   bool interrupted = false;
 };
 
-/// "significant", "not significant", or why this is not known.
+/// The result of a drift test as text: "significant", "not significant", or the reason why it is
+/// not known.
 std::string verdict(const Drift& drift);
 
-/// "R = 0.31 ± 0.02 % over 15 ps; the accuracy guarantee is 0.4 %", or the bias.
+/// A guarantee check as text, such as "R = 0.31 ± 0.02 % over 15 ps; the accuracy guarantee is 0.4
+/// %". If a bias is bounded, the text gives the bias instead of R.
 std::string guarantee_text(const GuaranteeCheck& check);
 
-/// The results as a list, from which text, JSON and the manual's table follow.
+/// The results of a run as a list, from which text, JSON and the table of the manual are made.
 Quantities run_quantities(const RunReport& report);
 
-/// The results as lines of text, without files and warnings.
+/// The results of a run as lines of text, without files and warnings.
 std::string run_text(const RunReport& report);
 
-/// The report as JSON. Names contain units, as in "length_ps"; unknown values are null.
+/// The report of a run as JSON. Names contain units, as in "length_ps"; unknown values are null.
 std::string run_json(const RunReport& report);
 
 }  // namespace polhode

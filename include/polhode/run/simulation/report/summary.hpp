@@ -11,58 +11,74 @@
 
 namespace polhode {
 
-/// Fewer samples give neither a fluctuation nor a slope.
+/// The smallest number of samples from which fluctuations and slopes are reported.
 inline constexpr std::uint64_t min_samples_reported = 3;
 
-/// Results of the present segment, which is the whole run unless something was changed.
+/// Results of the present segment of a trajectory. The segment is the whole run unless settings or
+/// the state were changed.
 struct RunSummary {
   std::size_t molecules = 0;
   Segment segment;
   std::size_t steps = 0;
-  double length = 0;          ///< simulated [ps]
+  double length = 0;          ///< simulated time [ps]
   double sample = 0;          ///< time between energies [ps]
   std::uint64_t samples = 0;  ///< number of samples of the energies
-  /// R; not finite if the potential energy is constant. R and energy drift are not defined with
-  /// hybrid Monte Carlo, because draws and rejections conserve no energy.
+  /// The ratio R; not finite if the potential energy is constant. R and energy drift are not
+  /// defined with hybrid Monte Carlo, because new momenta and rejections do not conserve any
+  /// energy.
   SeriesEstimate ratio;
-  SeriesEstimate total_fluctuation;      ///< rms of the conserved energy [kJ/mol]; as R not defined
-  SeriesEstimate potential_fluctuation;  ///< rms [kJ/mol]
-  double rounding = 0;                   ///< R of rounding alone, estimated; 0 in double precision
-  double truncation = 0;                 ///< R of the walk that the truncation drives, predicted
-  bool walk_known = true;  ///< false: mixed precision, and too large for its noise to be estimated
+  SeriesEstimate total_fluctuation;      ///< rms deviation of the conserved energy [kJ/mol]; not
+                                         ///< defined if R is not
+  SeriesEstimate potential_fluctuation;  ///< rms deviation of the potential energy [kJ/mol]
+  double rounding = 0;                   ///< R due to round-off only, estimated; 0 in double
+                                         ///< precision
+  double truncation = 0;                 ///< predicted R of the random walk that the truncation of
+                                         ///< forces causes
+  bool walk_known = true;  ///< false if a system in mixed precision is too large for its noise to
+                           ///< be estimated
   Drift drift;             ///< drift of the conserved energy [kJ/mol/ps]
-  /// Variance per time of the random walk of the conserved energy, without rounding in mixed
-  /// precision [(kJ/mol)²/ps]; 0 unless there is clear evidence for one.
+  /// Variance per time of the random walk of the conserved energy, without the round-off of mixed
+  /// precision [(kJ/mol)²/ps]. It is 0 unless there is clear evidence for a random walk.
   double walk = 0;
-  std::optional<ShadowSummary> shadow;                           ///< shadow energy, if requested
-  std::optional<StepBias> step_bias;                             ///< nothing where it is not known
-  ByMotion<std::optional<SeriesEstimate>> configurational;       ///< temperatures [K], if requested
-  ByMotion<std::optional<SeriesEstimate>> configurational_bias;  ///< their time-step bias [K]
-  SeriesEstimate potential;                                      ///< mean per molecule [kJ/mol]
-  SeriesEstimate total;                                          ///< mean per molecule [kJ/mol]
-  SeriesEstimate pressure;                                       ///< mean [kJ/mol/nm³]
-  double momentum = 0;                                           ///< |Σ p| at the end [u nm/ps]
-  TemperatureEstimates temperatures;                             ///< means over the run [K]
-  /// Temperatures where a bath within the steps acts [K]; nothing without such a bath.
+  std::optional<ShadowSummary> shadow;  ///< results from the shadow energy, if
+                                        ///< requested
+  std::optional<StepBias> step_bias;    ///< time-step bias; empty if it is not known
+  ByMotion<std::optional<SeriesEstimate>> configurational;  ///< configurational temperatures [K],
+                                                            ///< if requested
+  ByMotion<std::optional<SeriesEstimate>>
+      configurational_bias;           ///< time-step bias of configurational
+                                      ///< temperatures [K]
+  SeriesEstimate potential;           ///< mean potential energy per molecule
+                                      ///< [kJ/mol]
+  SeriesEstimate total;               ///< mean total energy per molecule [kJ/mol]
+  SeriesEstimate pressure;            ///< mean pressure [kJ/mol/nm³]
+  double momentum = 0;                ///< total momentum |Σ p| at the end
+                                      ///< [u nm/ps]
+  TemperatureEstimates temperatures;  ///< mean temperatures over the run [K]
+  /// Temperatures of the momenta on which a bath within the steps acts [K]; empty without such a
+  /// bath.
   std::optional<TemperatureEstimates> temperatures_at_bath;
-  Drift potential_drift;  ///< [kJ/mol/ps]
+  Drift potential_drift;  ///< drift of the potential energy [kJ/mol/ps]
   DegreesOfFreedom degrees_of_freedom;
   EnsembleSummary ensemble;
   std::uint64_t force_evaluations = 0, derivatives = 0, measurements = 0;
-  std::uint64_t minimisation_evaluations = 0;                ///< evaluations before the run
-  std::uint64_t near_evaluations = 0, near_derivatives = 0;  ///< evaluations of near forces, if any
+  std::uint64_t minimisation_evaluations = 0;  ///< number of force evaluations before the
+                                               ///< run
+  std::uint64_t near_evaluations = 0, near_derivatives = 0;  ///< numbers of evaluations and
+                                                             ///< derivatives of near forces
   std::size_t list_rebuilds = 0;
   Timings timings;
   double ns_per_day = 0;
 
-  /// The change of the conserved energy by its drift over the run, divided by the rms fluctuation
-  /// of the potential energy, without sign; 0 if that is constant.
+  /// The absolute change of the conserved energy by its drift over the run, divided by the rms
+  /// fluctuation of the potential energy. It is 0 if the potential energy is constant.
   double relative_drift() const;
-  /// R of the random walk in a run of this length.
+  /// The ratio R that the random walk causes in a run of this length.
   double ratio_of_walk() const;
 };
 
-/// @param noise  of the forces at the start; none in double precision
+/// Computes the summary of a trajectory.
+/// @param noise  noise of the forces at the start; 0 in double precision
 RunSummary summary(const System& system, const TrajectorySettings& settings,
                    const Trajectory& trajectory, const ForceNoise& noise = {});
 

@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// One thing that is probably wrong. It does not end a run, nor change its exit code.
+/// A warning about a probable mistake. It neither ends the run nor changes its exit code.
 struct Warning {
   std::string kind;  ///< "temperature", "R", "drift", "walk", "truncation", "relaxation",
                      ///< "pressure", "ions", "step", "volume", "barostat", "acceptance" or

@@ -22,39 +22,41 @@ struct System {
   State state;
   ForceSettings forces;
   double temperature;             ///< target temperature [K]
-  double fit_deviation = 0;       ///< deviation of initial configuration and rigid models [nm]
-  double massless_deviation = 0;  ///< deviation of its massless sites, which are recomputed [nm]
-  /// Momenta were drawn: the initial configuration has no velocities, or the run file requests new
-  /// ones.
+  double fit_deviation = 0;       ///< deviation of the initial configuration from the rigid models
+                                  ///< [nm]
+  double massless_deviation = 0;  ///< deviation of massless sites, whose positions are recomputed
+                                  ///< [nm]
+  /// Whether momenta were drawn, because the initial configuration has no velocities or the run
+  /// file requests new ones.
   bool new_velocities = true;
-  double file_temperature = 0;  ///< T of the velocities of the initial configuration [K]
-  /// Velocity of the centre of mass in an initial configuration with velocities [nm/ps], and
-  /// its contribution to the temperature [K]; it is removed.
+  double file_temperature = 0;  ///< temperature of the velocities in the initial configuration [K]
+  /// Velocity of the centre of mass that was removed from an initial configuration [nm/ps], and its
+  /// contribution to the temperature [K].
   double removed_velocity = 0, removed_temperature = 0;
-  /// How the shape was determined, for each part of the topology from a topology file.
+  /// For each part of a topology file, how the shape was determined.
   std::vector<std::string> origins{};
-  /// Shapes by molecule type that a topology file does not determine (RigidTopology::shapes).
+  /// Shapes that a topology file does not determine, by molecule type (RigidTopology::shapes).
   std::map<std::string, Shape> shapes{};
 };
 
-/// The molecules of a run file; a count that is to be taken from the initial configuration is 0.
-/// @throws Error  if there is no such model
+/// The molecules of a run file. A count that the initial configuration determines is 0.
+/// @throws Error  if a model does not exist
 Topology build_topology(const SystemSettings& settings);
 
-/// Molecules, initial configuration and momenta of a run file.
-/// @throws Error  with its place if anything does not fit: counts, box, cutoff, overlapping
-///                molecules
+/// Builds the system of a run file: molecules, initial configuration and momenta.
+/// @throws Error  with its place, if counts, box or cutoff do not fit, or molecules overlap
 System build_system(const Config& config);
 
-/// Energies of a state of the system, given the Load at its positions. External forces may move the
-/// centre of mass: with them its energy is included, so that the total energy is conserved.
+/// The energies of a state of the system, given the Load at its positions. External forces may move
+/// the centre of mass. With external forces, the kinetic energy of the centre of mass is included,
+/// so that the total energy is conserved.
 Energies energies_of(const System& system, const State& state, const Load& load,
                      Workers& workers = Workers::serial());
 
 /// Draws new momenta at the system's temperature, with zero total momentum.
 void draw_momenta(System& system, std::uint64_t seed);
 
-/// Rescales the momenta of translations and of rotations separately to a temperature [K].
+/// Rescales translational and rotational momenta separately to a temperature [K].
 void rescale(State& state, const Topology& topology, const Bodies& bodies, double temperature);
 
 }  // namespace polhode

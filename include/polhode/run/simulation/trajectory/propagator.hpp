@@ -9,7 +9,7 @@
 namespace polhode {
 
 /// Advances a system step by step. Results do not depend on how the steps are divided among calls,
-/// to the last bit: samples are taken at the same steps.
+/// to the last bit, and samples are taken at the same steps.
 class Propagator {
  public:
   /// @param system, forces, workers  kept by reference
@@ -20,28 +20,28 @@ class Propagator {
   Propagator(const Propagator&) = delete;
   Propagator& operator=(const Propagator&) = delete;
 
-  /// Resumes from that state, bit for bit as if never suspended.
+  /// Resumes from a stored state, bit for bit as if the run had never been suspended.
   void resume_from(const RunState& state);
-  /// State on which the rest of the trajectory depends, without the last sample of run(), which a
-  /// longer trajectory would not have.
+  /// The state on which the rest of the trajectory depends. It does not contain the last sample of
+  /// run(), which a longer trajectory would not have.
   RunState run_state();
 
-  /// Takes steps, with samples where they are due, the first one at the start. Of the watch,
-  /// `sample` and `stop` are called.
+  /// Takes steps, and takes samples at their intervals, the first one at the start. It calls only
+  /// `sample` and `stop` of the watch.
   /// @throws RunError  if the trajectory blows up
   void advance(std::size_t steps, const Watch& watch = {});
-  /// Continues to the length of the settings and takes a last sample there, or where the watch
-  /// stops it. A trajectory that blows up ends there, and `failure` reports it.
+  /// Continues to the length of the settings, or until the watch stops it, and takes a last sample
+  /// at the end. If the trajectory blows up, it ends, and `failure` reports the cause.
   Trajectory run(const Watch& watch = {});
 
-  /// Heat and work that the bodies have received from thermostat, barostat and hybrid Monte Carlo
-  /// so far [kJ/mol].
+  /// Heat and work that the bodies have received so far from thermostat, barostat and hybrid Monte
+  /// Carlo [kJ/mol].
   double exchanged() const;
 
-  /// Steps done since the start of the trajectory.
+  /// Number of steps done since the start of the trajectory.
   std::size_t steps() const;
   const Segment& segment() const;
-  /// Statistics, counts and times so far.
+  /// The statistics, counts and timings of the trajectory so far.
   Trajectory trajectory();
 
  private:

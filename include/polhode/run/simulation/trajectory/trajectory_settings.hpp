@@ -16,40 +16,46 @@ namespace polhode {
 
 struct TrajectorySettings {
   Scheme scheme;
-  double step = 0;                     ///< [ps]
-  double length = 0;                   ///< [ps]
-  double sample = 0;                   ///< time between energies [ps]; at least one step
+  double step = 0;                     ///< time step [ps]
+  double length = 0;                   ///< length of the trajectory [ps]
+  double sample = 0;                   ///< time between energy samples [ps]; at least one step
   double lambda = 1e-4;                ///< λ of finite-difference gradients
-  double shadow_sample = 0;            ///< time between error brackets [ps]; 0: none
+  double shadow_sample = 0;            ///< time between samples of error brackets [ps]; 0: none
   std::optional<InnerScheme> inner{};  ///< inner scheme within the drifts of the scheme
-  double configurational_sample = 0;   ///< time between configurational temperatures [ps]; 0: none
-  std::uint64_t seed = 0;              ///< seed of their random signs
-  double stretch = 0;           ///< R is also computed for parts of this length [ps]; 0: none
-  EnsembleSettings ensemble{};  ///< ensemble; default: constant energy
+  double configurational_sample = 0;   ///< time between samples of configurational temperatures
+                                       ///< [ps]; 0: none
+  std::uint64_t seed = 0;              ///< seed of the random signs of configurational temperatures
+  double stretch = 0;           ///< length of the parts for which R is also computed [ps]; 0: none
+  EnsembleSettings ensemble{};  ///< settings of the ensemble; the default is constant energy
 
   std::size_t steps() const { return steps_in(length); }
-  /// The number of steps in a time [ps], rounded; up to whole trajectories of hybrid Monte Carlo.
+  /// The number of steps in a time [ps], rounded to the nearest integer. With hybrid Monte Carlo,
+  /// it is rounded up to whole trajectories.
   std::size_t steps_in(double time) const;
-  std::size_t steps_per_trajectory() const;  ///< steps per trajectory of hybrid Monte Carlo, or 1
-  std::size_t steps_per_move() const;        ///< steps per move of a barostat
-  double move_interval() const;              ///< the time of steps_per_move() [ps]
+  std::size_t steps_per_trajectory() const;  ///< steps per trajectory of hybrid Monte Carlo; 1
+                                             ///< without hybrid Monte Carlo
+  std::size_t steps_per_move() const;        ///< number of steps per move of a barostat
+  double move_interval() const;              ///< time of steps_per_move() [ps]
   std::size_t steps_per_sample() const;
-  /// The number of samples of the energies per sample that is taken every `interval` [ps].
+  /// The number of energy samples per sample of a quantity that is taken every `interval` [ps].
   std::size_t samples_per(double interval) const;
 
-  /// Whether a shadow energy can be measured, which differs from the energy by brackets of order
-  /// h². It is conserved at constant energy, and otherwise gives the time-step bias.
+  /// Whether a shadow energy can be measured. The shadow energy differs from the energy by brackets
+  /// of order h². At constant energy it is conserved, and in other ensembles it gives the time-step
+  /// bias.
   bool has_shadow() const;
-  /// The means that are fixed when the time-step bias is predicted; empty if it is not known.
+  /// The means that the ensemble fixes when the time-step bias is predicted; empty if the bias is
+  /// not known.
   std::optional<FixedMeans> fixed_means() const;
-  /// @throws Error  if a shadow energy is requested where there is none
+  /// Checks the settings of the shadow energy.
+  /// @throws Error  if a shadow energy is requested for a scheme or ensemble without one
   void check_shadow() const;
 };
 
 /// The trajectory of a run file.
 /// @param stretch  length of the parts for which R is computed as well [ps]; 0: none
 /// @throws Error  if the length is shorter than a step or has too many steps. Also if a shadow
-///                energy is requested for a scheme without one
+///   energy is requested for a scheme without one
 TrajectorySettings trajectory_settings(const Config& config, double stretch = 0);
 
 }  // namespace polhode
