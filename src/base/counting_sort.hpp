@@ -9,12 +9,12 @@
 
 namespace polhode {
 
-/// Counting sort in linear time; items of the same key stay in their order.
+/// Counting sort in linear time. Items with the same key keep their order.
 ///
-/// @param ends   one number per key; afterwards one past the last place of the key
+/// @param ends   one number per key; after the call, one past the last place of the key
 /// @param first  place of the first item
-/// @param each   calls its argument with (key, item...) for every item; is called twice and must
-///               give the same items in the same order
+/// @param each   function that calls its argument with (key, item...) for every item; it is called
+///   twice and must give the same items in the same order
 /// @param enter  called once per item, as enter(place, item...)
 template <class Each, class Enter>
 void counting_sort(std::span<std::uint32_t> ends, std::uint32_t first, const Each& each,
@@ -26,7 +26,7 @@ void counting_sort(std::span<std::uint32_t> ends, std::uint32_t first, const Eac
   each([&](std::size_t key, const auto&... item) { enter(ends[key]++, item...); });
 }
 
-/// The first place of a key, from the ends of counting_sort().
+/// The first place of a key, computed from the ends of counting_sort().
 inline std::uint32_t begin_of(std::span<const std::uint32_t> ends, std::size_t key,
                               std::uint32_t first = 0) {
   return key == 0 ? first : ends[key - 1];

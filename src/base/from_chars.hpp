@@ -18,8 +18,8 @@
 
 namespace polhode {
 
-/// What std::from_chars does, by strtod in the locale "C", which also reads blanks, a plus sign and
-/// hexadecimal numbers. Numbers that are too small are 0.
+/// A replacement for std::from_chars, based on strtod in the locale "C". Unlike std::from_chars, it
+/// also reads blanks, a plus sign and hexadecimal numbers. Numbers that are too small become 0.
 template <std::floating_point T>
 std::from_chars_result from_chars_by_strtod(const char* first, const char* last, T& value) {
   static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);

@@ -14,13 +14,14 @@
 
 namespace polhode {
 
-POLHODE_DECLARE_LOOPS(struct Loops;)  // the same type as the scalar one if a set is an alias
+POLHODE_DECLARE_LOOPS(struct Loops;)  // if a set is an alias, this is the same type as the scalar
+                                      // one
 
 namespace {
 
 struct Target {
   const char* name;
-  std::int64_t highway;  // its bit there
+  std::int64_t highway;  // bit of the instruction set in Highway
   bool compiled;
 };
 template <class Loops>

@@ -18,19 +18,20 @@ std::vector<InstructionSet> available_instruction_sets();
 
 /// The instruction set in use: the fastest available one, unless the environment variable
 /// POLHODE_INSTRUCTION_SET or force_instruction_set() selects another.
-/// @throws Error  if POLHODE_INSTRUCTION_SET names one that does not exist or that this processor
-/// lacks
+/// @throws Error  if POLHODE_INSTRUCTION_SET names an instruction set that does not exist or that
+///   this processor does not support
 InstructionSet current_instruction_set();
 
-/// Selects an instruction set, for tests and benchmarks; not while other threads compute.
+/// Selects an instruction set, for tests and benchmarks. It must not be called while other threads
+/// compute.
 void force_instruction_set(InstructionSet instruction_set);
 
 // A file in a `kernels` folder defines its functions in namespace polhode::POLHODE_LOOPS, which the
-// build defines as loops_scalar, loops_sse4 and so on. POLHODE_DECLARE_LOOPS declares them for all
-// instruction sets, POLHODE_CURRENT_LOOPS selects the current one, and POLHODE_CURRENT_OVERLOAD
-// does so for overloaded functions, given the type of a function pointer.
-// A set that was not compiled in, because of its processor or by choice, is an alias of the scalar
-// one, and never available.
+// build defines as loops_scalar, loops_sse4 and so on. POLHODE_DECLARE_LOOPS declares these
+// functions for all instruction sets. POLHODE_CURRENT_LOOPS selects the functions of the current
+// set. POLHODE_CURRENT_OVERLOAD selects an overloaded function, given the type of a function
+// pointer. An instruction set that was not compiled in is an alias of the scalar set and is never
+// available.
 #if defined(POLHODE_WITHOUT_SSE4)
 #define POLHODE_DECLARE_SSE4(...) namespace loops_sse4 = loops_scalar;
 #else
@@ -82,7 +83,7 @@ void force_instruction_set(InstructionSet instruction_set);
   (::polhode::pick<__VA_ARGS__>(::polhode::current_instruction_set(), \
                                 POLHODE_LOOPS_OF_SETS(function)))
 
-/// One of the functions, which are in the order of InstructionSet.
+/// Selects one of several functions, which are in the order of InstructionSet.
 template <class Function>
 constexpr Function pick(InstructionSet instruction_set, std::initializer_list<Function> functions) {
   return functions.begin()[static_cast<std::size_t>(instruction_set)];

@@ -6,9 +6,9 @@
 
 namespace polhode {
 
-/// Files of an earlier job that can neither be overwritten nor continued as they are. The text says
-/// to give another output, to restore a file, or to start over; the front end adds how to request
-/// that.
+/// An error about files of an earlier job that can be neither overwritten nor continued as they
+/// are. The text advises the user to choose another output, to restore a file, or to start over.
+/// The front end adds the option for this.
 class OutputError : public Error {
  public:
   /// @param resumable  whether the earlier job can also be resumed

@@ -107,7 +107,7 @@ template <class T>
 Pack<T> max(Pack<T> a, Pack<T> b) {
   return Pack<T>(hn::Max(a.v, b.v));
 }
-/// a b + c, with a single rounding where the hardware supports it.
+/// Multiply-add a b + c, with a single rounding if the hardware supports it.
 template <class T>
 Pack<T> fma(Pack<T> a, Pack<T> b, Pack<T> c) {
   return Pack<T>(hn::MulAdd(a.v, b.v, c.v));
@@ -125,13 +125,13 @@ struct MaskOf<Pack<T>> {
   using type = PackMask<T>;
 };
 
-/// Negative powers of a distance r from a = r². With the hardware's estimate y of 1/√a and
-/// e = 1 − a y², 1/rⁿ = yⁿ (1 − e)^{−n/2} is a short series in e, truncated where the next term is
-/// below half a unit in the last place: |e| < 2⁻¹³ for the estimate of AVX-512 (14 bits),
-/// |e| < 2⁻¹⁰ for those of 12 bits and |e| < 2⁻⁷ for that of NEON (8 bits). Where that is too much,
-/// in double precision and for 8 bits, a second-order step reduces it to ¾ e².
-/// Lane types: float, double. Largest errors of 1/r, 1/r² and 1/r³: 1.25, 2.75 and 3.5 ULP; in
-/// scalar packs 1, 2.5 and 4 ULP (tests/unit/pack_test.cpp). Valid range: a that is a normal float.
+/// Negative powers of a distance r, computed from a = r². With the hardware's estimate y of 1/√a
+/// and e = 1 − a y², 1/rⁿ = yⁿ (1 − e)^{−n/2} is a short series in e. It is truncated where the
+/// next term is below half a unit in the last place. |e| is below 2⁻¹³ for AVX-512 (14-bit
+/// estimates), below 2⁻¹⁰ for 12-bit estimates, and below 2⁻⁷ for NEON (8-bit estimates). In double
+/// precision, and for 8-bit estimates, a second-order step first reduces e to ¾ e². Lane types:
+/// float, double. Largest errors of 1/r, 1/r² and 1/r³: 1.25, 2.75 and 3.5 ULP; in scalar packs 1,
+/// 2.5 and 4 ULP (tests/unit/pack_test.cpp). Valid range: a that is a normal float.
 template <class T>
 class InversePowers<Pack<T>> {
  public:
@@ -163,7 +163,8 @@ class InversePowers<Pack<T>> {
 #endif
   static constexpr bool needs_step = estimate_bits < (sizeof(T) == 8 ? 14 : 12);
 
-  // y (c1 e + c2 e² + c3 e³); what the powers have in common is computed once.
+  // The correction y (c1 e + c2 e² + c3 e³). Factors that the powers have in common are computed
+  // once.
   Real correction(double c1, double c2, double c3) const {
     const auto c = [](double x) { return Real(static_cast<T>(x)); };
     const Real ye = y_ * e_;
@@ -197,7 +198,7 @@ class InversePowers<Pack<T>> {
   Real y_, y2_, e_;
 };
 
-/// 1/√a: accuracy and range as for InversePowers.
+/// The inverse square root 1/√a, with accuracy and range as for InversePowers.
 template <class T>
 Pack<T> inverse_sqrt(Pack<T> a) {
   return InversePowers<Pack<T>>(a).first();

@@ -9,9 +9,10 @@
 namespace polhode {
 inline namespace HWY_NAMESPACE {
 
-#if HWY_TARGET == HWY_AVX2  // has no compress instruction: a shuffle by a table
+#if HWY_TARGET == HWY_AVX2  // AVX2 has no compress instruction, so a table lookup and a shuffle
+                            // replace it
 
-/// For each of the masks of eight lanes, the lanes it selects, in order; the rest is 0.
+/// For each mask of eight lanes, the numbers of the selected lanes in order, followed by zeros.
 struct SelectedLanes {
   std::uint8_t of[256][8] = {};
   constexpr SelectedLanes() {
@@ -20,7 +21,8 @@ struct SelectedLanes {
         if (mask >> lane & 1) of[mask][n++] = static_cast<std::uint8_t>(lane);
   }
 };
-static constexpr SelectedLanes selected_lanes{};  // in each object: of one instruction set
+static constexpr SelectedLanes selected_lanes{};  // a member of each object, because it belongs to
+                                                  // one instruction set
 
 /// Moves the lanes of packs of 32-bit numbers that a mask selects to the front.
 class Compression {
@@ -68,9 +70,9 @@ class Selection {
  public:
   explicit Selection(PackMask<float> mask) : compression_(mask) {}
 
-  /// Their number.
+  /// The number of selected lanes.
   std::size_t count() const { return compression_.count(); }
-  /// Stores them consecutively. The rest of a pack after them is overwritten.
+  /// Stores the selected lanes consecutively. The rest of a pack after them is overwritten.
   void store(Pack<float> from, float* to) const {
     const Pack<float>::Tag tag;
     hn::StoreU(compression_(tag, from.v), tag, to);
@@ -84,10 +86,10 @@ class Selection {
   Compression compression_;
 };
 
-/// 0, 1, 2, ... in the lanes of a pack.
+/// A pack with the numbers 0, 1, 2, ... in its lanes.
 inline Pack<float> lane_numbers() { return Pack<float>(hn::Iota(Pack<float>::Tag(), 0)); }
 
-/// `first`, first + step, first + 2 step, ...
+/// A pack with the numbers `first`, first + step, first + 2 step, ... in its lanes.
 inline PackIndex<float> consecutive(std::uint32_t first, std::uint32_t step = 1) {
   const PackIndex<float>::Tag tag;
   const auto set = [&](std::uint32_t n) { return hn::Set(tag, static_cast<std::int32_t>(n)); };

@@ -19,7 +19,8 @@ struct FloatFormat<double> {
   using Integer = std::int64_t;
   static constexpr int fraction_bits = 52, bias = 1023;
   static constexpr double ln2_high = 0x1.62e42feep-1, ln2_low = 0x1.a39ef35793c76p-33;
-  static constexpr double min_exponent = -708, max_exponent = 709;  // of eˣ: results are normal
+  static constexpr double min_exponent = -708, max_exponent = 709;  // range of x for which eˣ is a
+                                                                    // normal number
   static constexpr int exp_degree = 13, log_terms = 10;
 };
 template <>
@@ -36,19 +37,18 @@ Pack<T> floor(Pack<T> x) {
   return Pack<T>(hn::Floor(x.v));
 }
 
-/// eˣ = 2ᵏ eʳ with k an integer and |r| ≤ ln 2/2. The Taylor series of eʳ leaves out less than half
-/// a unit in the last place.
-/// Lane types: float, double. Largest error: 1.5 ULP (tests/unit/pack_functions_test.cpp). Valid
-/// range: −708 to 709 for double, −87 to 88 for float; outside, the result is that at the nearest
-/// limit.
+/// The exponential eˣ = 2ᵏ eʳ with an integer k and |r| ≤ ln 2/2. The truncation error of the
+/// Taylor series of eʳ is below half a unit in the last place. Lane types: float, double. Largest
+/// error: 1.5 ULP (tests/unit/pack_functions_test.cpp). Valid range: −708 to 709 for double, −87 to
+/// 88 for float; outside this range, the result is the value at the nearest limit.
 template <class T>
 Pack<T> exp(Pack<T> x) {
   using Real = Pack<T>;
   using Format = FloatFormat<T>;
   const hn::RebindToSigned<typename Real::Tag> integers;
   x = Real(hn::Clamp(x.v, Real(Format::min_exponent).v, Real(Format::max_exponent).v));
-  // The last place of a number this large is the unit: adding it rounds, and leaves the integer in
-  // the lowest bits of the sum.
+  // The last place of a number this large is 1. Adding the number therefore rounds to an integer,
+  // which is then in the lowest bits of the sum.
   const Real large(static_cast<T>(1.5) *
                    static_cast<T>(typename Format::Integer{1} << Format::fraction_bits));
   const Real sum = fma(x, Real(static_cast<T>(1.4426950408889634)), large);  // x/ln 2
@@ -64,10 +64,9 @@ Pack<T> exp(Pack<T> x) {
          Real(hn::BitCast(typename Real::Tag(), hn::ShiftLeft<Format::fraction_bits>(exponent)));
 }
 
-/// ln x = k ln 2 + ln m with k an integer and m from √½ to √2; ln m is the series of
-/// 2 artanh((m − 1)/(m + 1)).
-/// Lane types: float, double. Largest error: 2.5 ULP (tests/unit/pack_functions_test.cpp). Valid
-/// range: positive normal numbers.
+/// The natural logarithm ln x = k ln 2 + ln m with an integer k and m from √½ to √2, where ln m is
+/// the series of 2 artanh((m − 1)/(m + 1)). Lane types: float, double. Largest error: 2.5 ULP
+/// (tests/unit/pack_functions_test.cpp). Valid range: positive normal numbers.
 template <class T>
 Pack<T> log(Pack<T> x) {
   using Real = Pack<T>;
@@ -87,7 +86,7 @@ Pack<T> log(Pack<T> x) {
   return fma(k, Real(Format::ln2_high), fma(k, Real(Format::ln2_low), log_m));
 }
 
-/// table[index] of each lane, for indices that are whole numbers.
+/// The table entry table[index] of each lane, for indices that are whole numbers.
 template <class T>
 Pack<T> table_entry(const T* table, Pack<T> index) {
   const hn::RebindToSigned<typename Pack<T>::Tag> integers;

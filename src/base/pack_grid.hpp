@@ -17,11 +17,11 @@ struct Tile {
   static constexpr std::size_t columns = std::min<std::size_t>(4, Real::width);
   static constexpr std::size_t rows = Real::width / columns;
 
-  /// p[c] in column c of every row.
+  /// Returns p[c] in column c of every row.
   static Real each_column(const T* p) {
     return gather_rows([&](std::size_t) { return p; });
   }
-  /// p[r] in row r of every column.
+  /// Returns p[r] in row r of every column.
   static Real each_row(const T* p) {
     if constexpr (rows == 1) {
       return Real(*p);
@@ -38,7 +38,7 @@ struct Tile {
     }
   }
 
-  /// Row r consists of the numbers from row(r) on.
+  /// Loads each row r from consecutive numbers that begin at row(r).
   template <class Rows>
   static Real gather_rows(const Rows& row) {
     const Row tag;
@@ -55,7 +55,7 @@ struct Tile {
 #endif
     }
   }
-  /// Stores row r from row(r) on.
+  /// Stores each row r as consecutive numbers that begin at row(r).
   template <class Rows>
   static void scatter_rows(Real tile, const Rows& row) {
     const Row tag;
@@ -76,7 +76,7 @@ struct Tile {
     }
   }
 
-  /// Column c of tile k becomes column k of tile c, for `columns` tiles.
+  /// Transposes the columns of `columns` tiles: column c of tile k becomes column k of tile c.
   static void transpose_columns([[maybe_unused]] Real* tile) {
 #if HWY_TARGET != HWY_SCALAR
     if constexpr (columns == 2) {
@@ -105,7 +105,7 @@ struct Tile {
     }
 #endif
   }
-  /// Row r of tile k becomes row k of tile r, for `rows` tiles.
+  /// Transposes the rows of `rows` tiles: row r of tile k becomes row k of tile r.
   static void transpose_rows([[maybe_unused]] Real* tile) {
 #if HWY_TARGET != HWY_SCALAR
     if constexpr (rows == 2) {
@@ -125,15 +125,16 @@ struct Tile {
   using Row = hn::CappedTag<T, columns>;
 };
 
-/// The place of points along an edge of the box: the sum of a centre and an arm [nm], in any
-/// periodic image. In grid spacings, from 0 to `points` up to rounding.
+/// The place of points along a box edge in grid spacings, from 0 to `points` up to round-off. A
+/// point is the sum of a centre and an arm [nm], in any periodic image.
 inline Pack<double> grid_place(Pack<double> centre, Pack<double> arm, std::int32_t points,
                                double edge) {
   const Pack<double> t = (centre + arm) * Pack<double>(points / edge);
   return t - Pack<double>(points) * Pack<double>(hn::Floor((t * Pack<double>(1.0 / points)).v));
 }
 
-/// In fixed point, 2³⁰ units to an edge, as the bits of a pack, for such a centre.
+/// The place of points along a box edge in fixed point, with 2³⁰ units to an edge, as the bits of a
+/// pack. The centre is in fixed point as well.
 inline Pack<float> grid_place(Pack<float> centre, Pack<float> arm, std::int32_t, double edge) {
   const FixedTag fixed;
   constexpr std::int32_t unit = 1 << 30;
@@ -143,11 +144,11 @@ inline Pack<float> grid_place(Pack<float> centre, Pack<float> arm, std::int32_t,
   return Pack<float>(hn::BitCast(Pack<float>::Tag(), x));
 }
 
-/// The index of the grid point below each place and, as the result, the distance beyond it, from 0
-/// to 1 up to rounding.
+/// Stores the index of the grid point below each place, and returns the distance beyond this point,
+/// from 0 to 1 up to round-off.
 inline Pack<double> beyond_point(Pack<double> place, std::int32_t points, std::int32_t* index) {
   const Pack<double> n(points), before(hn::Floor(place.v));
-  const Pack<double> wrapped =  // rounding may have given −1 or n
+  const Pack<double> wrapped =  // round-off may have given −1 or n
       select(before < n, select(before < Pack<double>(0), n - Pack<double>(1), before),
              Pack<double>(0));
   const hn::Rebind<std::int32_t, Pack<double>::Tag> narrow;
@@ -155,7 +156,8 @@ inline Pack<double> beyond_point(Pack<double> place, std::int32_t points, std::i
   return place - before;
 }
 
-/// The distance is exact to one rounding, because the integer part is computed modulo 2³².
+/// The distance beyond the grid point has only one round-off error, because the integer part is
+/// computed modulo 2³².
 inline Pack<float> beyond_point(Pack<float> place, std::int32_t points, std::int32_t* index) {
   const Pack<float>::Tag tag;
   const FixedTag fixed;

@@ -11,21 +11,22 @@ inline namespace HWY_NAMESPACE {
 
 using FixedTag = hn::RebindToSigned<Pack<float>::Tag>;
 
-/// p[k] − from, exact in 32 bits with wrap-around, then rounded to float.
+/// The difference p[k] − from, exact in 32 bits with wrap-around, then rounded to float.
 inline Pack<float> fixed_point_difference(const std::int32_t* p, std::int32_t from) {
   const FixedTag fixed;
   return Pack<float>(
       hn::ConvertTo(Pack<float>::Tag(), hn::Sub(hn::LoadU(fixed, p), hn::Set(fixed, from))));
 }
 
-/// The same for integers held as the bits of a pack.
+/// The difference of fixed-point integers held as the bits of a pack, exact in 32 bits with
+/// wrap-around, then rounded to float.
 inline Pack<float> fixed_point_difference(Pack<float> bits, std::int32_t from) {
   const FixedTag fixed;
   return Pack<float>(
       hn::ConvertTo(Pack<float>::Tag(), hn::Sub(hn::BitCast(fixed, bits.v), hn::Set(fixed, from))));
 }
 
-/// Doubles converted to floats.
+/// Converts packs of doubles to a pack of floats.
 inline Pack<float> demote(const std::array<Pack<double>, halves>& a) {
   const Pack<float>::Tag tag;
 #if HWY_TARGET == HWY_SCALAR
@@ -36,7 +37,7 @@ inline Pack<float> demote(const std::array<Pack<double>, halves>& a) {
 #endif
 }
 
-/// Doubles rounded to fixed point, held as the bits of a pack.
+/// Rounds doubles to fixed point, held as the bits of a pack.
 inline Pack<float> demote_to_fixed_point(const std::array<Pack<double>, halves>& a) {
   const Pack<float>::Tag tag;
   const FixedTag fixed;
@@ -49,7 +50,7 @@ inline Pack<float> demote_to_fixed_point(const std::array<Pack<double>, halves>&
 #endif
 }
 
-/// 32-bit integers, one per lane of a pack.
+/// 32-bit integers, one for each lane of a pack.
 template <class T>
 struct PackIndex {
   using Tag = hn::Rebind<std::int32_t, typename Pack<T>::Tag>;
@@ -69,7 +70,7 @@ struct PackIndex {
   friend PackIndex operator<<(PackIndex a, std::size_t bits) {
     return {hn::ShiftLeftSame(a.v, static_cast<int>(bits))};
   }
-  /// Arithmetic shift: preserves the sign.
+  /// Arithmetic shift, which preserves the sign.
   friend PackIndex operator>>(PackIndex a, std::size_t bits) {
     return {hn::ShiftRightSame(a.v, static_cast<int>(bits))};
   }
@@ -83,13 +84,13 @@ inline Pack<double> as_doubles(PackIndex<double> a) {
   return Pack<double>(hn::PromoteTo(Pack<double>::Tag(), a.v));
 }
 
-/// The sum of fixed-point numbers, those of the pack held as bits, with wrap-around.
+/// The sum of fixed-point numbers with wrap-around; the numbers of the pack are held as bits.
 inline Pack<float> fixed_point_sum(Pack<float> bits, PackIndex<float> b) {
   return Pack<float>(
       hn::BitCast(Pack<float>::Tag(), hn::Add(hn::BitCast(FixedTag(), bits.v), b.v)));
 }
 
-/// from[index[k]] for each lane.
+/// Loads from[index[k]] into each lane k.
 inline Pack<double> gather_lanes(const double* from, const std::uint32_t* index) {
   const Pack<double>::Tag tag;
 #if HWY_TARGET == HWY_SCALAR

@@ -9,12 +9,12 @@
 namespace polhode {
 inline namespace HWY_NAMESPACE {
 
-/// Natural logarithm of positive numbers; error at most 3 ULP.
+/// Natural logarithm of positive numbers; the error is at most 3 ULP.
 template <class T>
 Pack<T> log(Pack<T> a) {
   return Pack<T>(hn::Log(typename Pack<T>::Tag(), a.v));
 }
-/// Sine and cosine of |a| < 39000; error at most 3 ULP.
+/// Sine and cosine of |a| < 39000; the error is at most 3 ULP.
 template <class T>
 Pack<T> sin(Pack<T> a) {
   return Pack<T>(hn::Sin(typename Pack<T>::Tag(), a.v));

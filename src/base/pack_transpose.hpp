@@ -58,8 +58,8 @@ std::array<Vector, 4> transpose_within_blocks(Vector a, Vector b, Vector c, Vect
 }
 #endif
 
-/// Transposes a square of numbers: number k of row(i) goes to lane i of column[k]. `row(i)` is a
-/// Pack.
+/// Transposes a square of numbers: number k of row(i), which is a Pack, goes to lane i of
+/// column[k].
 template <class T, class Rows>
 POLHODE_INLINE inline void transpose(const Rows& row, Pack<T>* column) {
 #if HWY_TARGET == HWY_SCALAR
@@ -87,7 +87,7 @@ POLHODE_INLINE inline void transpose(const Rows& row, Pack<T>* column) {
 #endif
 }
 
-/// A pack of floats converted to doubles, in as many packs as necessary.
+/// The number of packs of doubles that hold the converted floats of one pack.
 inline constexpr std::size_t halves = Pack<float>::width / Pack<double>::width;
 inline std::array<Pack<double>, halves> promote(Pack<float> a) {
   const Pack<double>::Tag tag;
@@ -101,7 +101,7 @@ inline std::array<Pack<double>, halves> promote(Pack<float> a) {
 }
 inline std::array<Pack<double>, 1> promote(Pack<double> a) { return {a}; }
 
-/// Records have room for eight numbers, held in as many vectors as necessary.
+/// The stride of records: they have room for eight numbers, held in as many vectors as necessary.
 inline constexpr std::size_t record_stride = 8;
 template <class T>
 using RecordTag = hn::CappedTag<T, record_stride>;
@@ -113,7 +113,7 @@ template <std::size_t columns, class T>
 inline constexpr std::size_t record_parts =
     (columns + record_part_width<T> - 1) / record_part_width<T>;
 
-/// Transposes columns into records: visit(lane, part, vector) receives the part-th vector of the
+/// Transposes columns into records: visit(lane, part, vector) receives vector number `part` of the
 /// record of each lane. Unused numbers of a record are zero.
 template <std::size_t columns, class T, class Visit>
 POLHODE_INLINE inline void visit_records(const std::array<Pack<T>, columns>& column,
@@ -127,7 +127,7 @@ POLHODE_INLINE inline void visit_records(const std::array<Pack<T>, columns>& col
       transpose<T>([&](std::size_t k) { return number(part * width + k); }, row);
       for (std::size_t i = 0; i < width; ++i) visit(i, part, row[i].v);
     }
-  } else {  // sixteen records, each half a pack wide
+  } else {  // sixteen records, each of them half a pack wide
 #if HWY_TARGET != HWY_SCALAR
     const auto four = [&](std::size_t k) {
       return transpose_within_blocks(number(k).v, number(k + 1).v, number(k + 2).v,
@@ -154,7 +154,8 @@ void add_to_record(RecordPart<T> what, T* part) {
 }
 
 /// Adds lane i of column k to number k of record i, one record after the other, because two lanes
-/// may refer to the same one. `record(i)` is a pointer to a record, aligned to the record stride.
+/// may refer to the same record. `record(i)` is a pointer to a record, aligned to the record
+/// stride.
 template <std::size_t columns, class T, class Records>
 POLHODE_INLINE inline void add_to_records(const std::array<Pack<T>, columns>& value,
                                           const Records& record) {
@@ -163,12 +164,13 @@ POLHODE_INLINE inline void add_to_records(const std::array<Pack<T>, columns>& va
   });
 }
 
-/// Adds the sum over the lanes of column k to number k of one record.
+/// Adds the sum over the lanes of each column k to number k of one record.
 template <std::size_t columns, class T>
 POLHODE_INLINE inline void add_sums_to_record(const std::array<Pack<T>, columns>& value,
                                               T* record) {
   constexpr std::size_t parts = record_parts<columns, T>;
-  RecordPart<T> sum[parts][2];  // even and odd lanes separately: a shorter dependency chain
+  RecordPart<T> sum[parts][2];  // even and odd lanes are summed separately, for a shorter
+                                // dependency chain
   for (auto& part : sum) part[0] = part[1] = hn::Zero(RecordTag<T>());
   visit_records(value, [&](std::size_t lane, std::size_t part, RecordPart<T> row) {
     sum[part][lane % 2] = hn::Add(sum[part][lane % 2], row);

@@ -9,16 +9,17 @@
 
 namespace polhode {
 
-/// The text with every control character (C0, DEL, C1) and every byte that is not UTF-8 as \xNN, so
-/// that a terminal displays it and executes nothing in it.
+/// A text in which every control character (C0, DEL, C1) and every byte that is not UTF-8 is
+/// written as \xNN. A terminal then displays the text without executing anything in it.
 std::string printable(std::string_view text);
 
-/// Characters of a text in UTF-8.
+/// The number of characters in a UTF-8 text.
 std::size_t character_count(std::string_view text);
 
-/// Refuses a name with such bytes, because names appear in scripts, tables and terminals.
-/// @param what  has the name: "the output"
-/// @throws Error  with the name and the first of these bytes
+/// Rejects a name with control characters or bytes that are not UTF-8, because names appear in
+/// scripts, tables and terminals.
+/// @param what  object that has the name, such as "the output"
+/// @throws Error  with the name and the first such byte
 void check_name(std::string_view what, std::string_view name);
 
 }  // namespace polhode

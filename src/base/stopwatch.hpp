@@ -9,9 +9,10 @@ namespace polhode {
 /// Measures the time since its construction or its last lap.
 class Stopwatch {
  public:
-  /// Time since the start [s].
+  /// Time since the construction or the last lap [s].
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  /// Time since the start [s]; starts again, so that consecutive laps add up to the whole.
+  /// Time since the last lap [s]; starts a new lap, so that consecutive laps add up to the whole
+  /// time.
   double lap() {
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - start_).count();

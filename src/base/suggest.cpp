@@ -7,7 +7,7 @@
 
 namespace polhode {
 
-// Optimal string alignment, row by row.
+// Computes the optimal string alignment, row by row.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) above[j] = j;
@@ -55,7 +55,7 @@ std::optional<std::string> nearest_name(std::string_view word, std::span<const s
   for (const std::string& name : names)
     if (same_letters(word, name)) return name;
   std::optional<std::string> best;
-  // A name that shares no letter with the word, such as K with C, was not meant.
+  // A name that shares no letter with the word, such as K for C, is not a useful suggestion.
   std::size_t min_distance =
       std::min(std::max<std::size_t>(1, (word.size() + 1) / 3) + 1, word.size());
   for (const std::string& name : names) {

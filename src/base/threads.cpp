@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 /// Number of cores in the affinity mask.
 int bound_cores() {
 #ifdef __linux__
-  for (int cores = 1024; cores <= 1 << 20; cores *= 2) {  // until the kernel's set fits
+  for (int cores = 1024; cores <= 1 << 20; cores *= 2) {  // until the set of the kernel fits
     cpu_set_t* set = CPU_ALLOC(static_cast<std::size_t>(cores));
     const std::size_t bytes = CPU_ALLOC_SIZE(static_cast<std::size_t>(cores));
     const bool known = sched_getaffinity(0, bytes, set) == 0;
@@ -45,7 +45,7 @@ std::string first_line(const fs::path& file) {
   return line;
 }
 
-/// Quota divided by period, in cores; "max" and -1 mean no limit.
+/// The quota divided by the period, in cores; "max" and -1 mean no limit.
 std::optional<int> cores(const std::string& quota, const std::string& period) {
   const double q = std::atof(quota.c_str()), p = std::atof(period.c_str());
   if (!(q > 0) || !(p > 0)) return std::nullopt;
@@ -56,7 +56,7 @@ std::optional<int> smaller(std::optional<int> a, std::optional<int> b) {
   return a && b ? std::min(a, b) : a ? a : b;
 }
 
-/// The limit of one group, in either version.
+/// The CPU limit of one control group, in either version.
 std::optional<int> bound_of(const fs::path& group) {
   std::istringstream words(first_line(group / "cpu.max"));
   std::string quota, period;
@@ -65,8 +65,8 @@ std::optional<int> bound_of(const fs::path& group) {
                                              first_line(group / "cpu.cfs_period_us")));
 }
 
-/// The smallest limit of a group and its ancestors. In a container a group may appear as the root,
-/// so folders that do not exist are skipped.
+/// The smallest CPU limit of a control group and its ancestors. In a container a group may appear
+/// as the root, so folders that do not exist are skipped.
 std::optional<int> bound_up_to_root(const fs::path& mount, fs::path group) {
   std::optional<int> bound = bound_of(mount);
   for (group = group.relative_path(); !group.empty(); group = group.parent_path())
@@ -90,7 +90,7 @@ int parse_thread_count(const std::string& text, const std::string& place) {
 }  // namespace
 
 std::optional<int> group_bandwidth(const std::string& membership, const fs::path& mount) {
-  // A line is "number:controllers:/group"; version 2 has number 0 and no controllers.
+  // A line has the form "number:controllers:/group"; version 2 has the number 0 and no controllers.
   std::istringstream lines(membership);
   std::optional<int> bound;
   for (std::string line; std::getline(lines, line);) {

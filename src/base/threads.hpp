@@ -8,23 +8,25 @@
 
 namespace polhode {
 
-/// The number of cores this process may use, at least 1: those of its affinity mask, limited to the
-/// CPU bandwidth (rounded up) of its control groups.
+/// The number of cores that this process may use, at least 1. It is the number of cores in the
+/// affinity mask, limited by the CPU bandwidth of the control groups (rounded up).
 /// @source  sched_setaffinity(2); cgroups(7); cpu.max of version 2, cpu.cfs_quota_us of version 1
 int allowed_threads();
 
-/// The bandwidth of control groups in cores, rounded up; nothing if there is no limit.
+/// The CPU bandwidth of control groups in cores, rounded up; empty if there is no limit.
 /// @param membership  contents of /proc/self/cgroup
-/// @param mount       where the control groups are mounted
+/// @param mount       folder where the control groups are mounted
 std::optional<int> group_bandwidth(const std::string& membership,
                                    const std::filesystem::path& mount);
 
-/// The option if given, else the environment variable POLHODE_THREADS, else all threads allowed.
+/// The number of threads that the user requests: the option if given, else the environment variable
+/// POLHODE_THREADS, else allowed_threads().
 /// @throws Error  if the number is not an integer from 1 to allowed_threads()
 int requested_threads(std::optional<int> option);
 
-/// The same for the option as it was typed; empty if not given.
-/// @param place  of the option, for errors: "--threads"
+/// The number of threads that the user requests, from the text of the option. The text is empty if
+/// the option was not given.
+/// @param place  name of the option for error messages, such as "--threads"
 int requested_threads(const std::string& option, const std::string& place = "threads");
 
 }  // namespace polhode

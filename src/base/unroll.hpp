@@ -10,11 +10,11 @@
 
 namespace polhode {
 
-/// A count that is part of its type.
+/// A number that is encoded in its type.
 template <std::size_t n>
 using Count = std::integral_constant<std::size_t, n>;
 
-/// Calls body(k) for 0 ≤ k < n, unrolled.
+/// Calls body(k) for 0 ≤ k < n, with an unrolled loop.
 template <std::size_t n, class Body>
 POLHODE_INLINE constexpr void each(Count<n>, const Body& body) {
   [&]<std::size_t... k>(std::index_sequence<k...>) POLHODE_INLINE_LAMBDA {
@@ -23,7 +23,7 @@ POLHODE_INLINE constexpr void each(Count<n>, const Body& body) {
   (std::make_index_sequence<n>{});
 }
 
-/// Calls body(k) for 0 ≤ k < n, as a loop.
+/// Calls body(k) for 0 ≤ k < n, with an ordinary loop.
 template <class Body>
 POLHODE_INLINE constexpr void each(std::size_t n, const Body& body) {
   for (std::size_t k = 0; k < n; ++k) body(k);

@@ -3,7 +3,7 @@
 
 namespace polhode {
 
-/// The version of the library, "0.1.0".
+/// The version of the library, such as "0.1.0".
 const char* version();
 
 }  // namespace polhode

@@ -7,8 +7,8 @@
 namespace polhode {
 inline namespace HWY_NAMESPACE {
 
-/// Words of 32 bits, one for each lane of a pack of doubles: the lower halves of 64-bit lanes,
-/// whose upper halves are arbitrary.
+/// Words of 32 bits, one for each lane of a pack of doubles. They are the lower halves of 64-bit
+/// lanes, whose upper halves are arbitrary.
 class WordPack {
  public:
   static constexpr std::size_t width = Pack<double>::width;
@@ -16,14 +16,14 @@ class WordPack {
   WordPack() : v_(hn::Zero(Tag())) {}
   WordPack(std::uint32_t word) : v_(hn::Set(Tag(), word)) {}  // implicit, as for Pack
   static WordPack load(const std::uint64_t* p) { return WordPack(hn::Load(Tag(), p)); }
-  /// The words as numbers.
-  Pack<double> numbers() const {  // with the exponent of 2⁵², the lowest bits of a double are units
+  /// The words converted to numbers.
+  Pack<double> numbers() const {  // with the exponent of 2⁵², the lowest bit of a double is 1
     const auto bits =
         hn::Or(hn::And(v_, hn::Set(Tag(), 0xffffffff)), hn::Set(Tag(), 0x433ull << 52));
     return Pack<double>(hn::BitCast(Pack<double>::Tag(), bits)) - Pack<double>(0x1p52);
   }
   friend WordPack operator^(WordPack a, WordPack b) { return WordPack(hn::Xor(a.v_, b.v_)); }
-  /// Of 64 bits, in whole lanes.
+  /// The 64-bit product of 32-bit words, in whole lanes.
   friend WordPack full_product(WordPack a, std::uint32_t b) {
 #if HWY_TARGET == HWY_SCALAR
     return WordPack(hn::Set(Tag(), (hn::GetLane(a.v_) & 0xffffffff) * b));

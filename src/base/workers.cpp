@@ -31,12 +31,12 @@ void pause() {
 #endif
 }
 
-/// Spins until `done` holds, for at most 30 µs: several times the cost of falling asleep and waking
-/// up, and little time taken from another process on the core.
+/// Spins until `done` holds, for at most 30 µs. This is several times the cost of falling asleep
+/// and waking up, and takes little time from other processes on the core.
 template <class Done>
 bool spin(const Done& done) {
-  constexpr double max_spin = 30e-6;  // [s]
-  constexpr int pauses = 16;          // between two readings of the clock
+  constexpr double max_spin = 30e-6;  // longest time of spinning [s]
+  constexpr int pauses = 16;          // number of pauses between two readings of the clock
   const Stopwatch watch;
   do {
     for (int n = 0; n < pauses; ++n) {
@@ -53,7 +53,8 @@ struct Futex {
   std::atomic<std::uint32_t> value{0};
   std::atomic<int> sleepers{0};
 
-  /// Returns at once if the value differs; may return early.
+  /// Sleeps until the value changes. Returns at once if the value differs from `old`; may return
+  /// early.
   void sleep_while(std::uint32_t old) {
 #ifdef __linux__
     sleepers.fetch_add(1);
@@ -64,8 +65,8 @@ struct Futex {
 #endif
   }
 
-  /// To be called after a sequentially consistent change of the value, so that either the sleeper
-  /// sees the change or the caller sees the sleeper.
+  /// Wakes sleeping threads. Call this after a sequentially consistent change of the value, so that
+  /// either the sleeper sees the change or the caller sees the sleeper.
   void wake(std::size_t max_wake) {
 #ifdef __linux__
     constexpr std::size_t all = std::numeric_limits<int>::max();
@@ -78,11 +79,11 @@ struct Futex {
   }
 };
 
-// The gate: one number that encodes whether there is work, how many threads of the pool are inside,
-// and which call the work belongs to. A thread joins by one compare-and-exchange of the whole
-// number, hence only while the gate is open; once it is closed and nobody is inside, the work
-// belongs to the caller again. The call counter wraps around: a thread that slept through exactly
-// 2¹⁶ calls misses one.
+// The gate is one number that encodes whether there is work, how many threads of the pool are
+// inside, and to which call the work belongs. A thread joins by one compare-and-exchange of the
+// whole number, which succeeds only while the gate is open. Once the gate is closed and no thread
+// is inside, the work belongs to the caller again. The call counter wraps around, so a thread that
+// slept through exactly 2¹⁶ calls misses one.
 using Gate = std::uint32_t;
 constexpr Gate over = 1, open = 2, one_inside = 4, one_call = Gate{1} << 16;
 constexpr Gate inside(Gate gate) { return gate / one_inside % (one_call / one_inside); }
@@ -104,8 +105,8 @@ class Workers::Pool {
   ~Pool() { end(); }
 
   void run(const Work& work) {
-    if (busy_.exchange(true, std::memory_order_acquire)) {  // inside a task, or during a call by
-                                                            // another thread
+    if (busy_.exchange(true, std::memory_order_acquire)) {  // this is inside a task, or during a
+                                                            // call by another thread
       for (std::size_t k = 0; k < work.count; ++k) work.call(work.task, k);
       return;
     }
@@ -128,7 +129,7 @@ class Workers::Pool {
  private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  /// Runs tasks until none are left.
+  /// Runs tasks until no tasks are left.
   void take() {
     const Work work = work_;
     std::size_t k = 0;
@@ -159,7 +160,7 @@ class Workers::Pool {
 
   /// Main loop of a pool thread.
   void wait_and_work() {
-    Gate done = 0;  // the last call whose work was joined
+    Gate done = 0;  // the last call in which this thread took part
     for (;;) {
       Gate gate = 0;
       const auto called = [&] {
@@ -187,11 +188,11 @@ class Workers::Pool {
     for (std::thread& thread : threads_) thread.join();
   }
 
-  // Variables written by many threads get their own cache lines.
+  // Variables that many threads write have separate cache lines.
   alignas(64) Futex gate_;
   alignas(64) std::atomic<std::size_t> next_{0};
   alignas(64) Work work_;
-  Futex ended_;  // number of calls that were closed before their last worker left
+  Futex ended_;  // number of calls that were closed before their last thread left
   std::atomic<bool> busy_{false};
   std::mutex throwing_;
   std::exception_ptr thrown_;

@@ -18,7 +18,7 @@ std::size_t count(const CoupledEdges& edges) {
   return static_cast<std::size_t>(std::count(edges.begin(), edges.end(), true));
 }
 
-/// The pressure along the edges of a group [kJ/mol/nm³].
+/// The pressure along the edges of a group of coupled edges [kJ/mol/nm³].
 double pressure_along(const CoupledEdges& edges, const State& state, const Bodies& bodies,
                       const Load& load) {
   const Mat3<double> tensor = pressure_tensor(state, bodies, load);
@@ -28,7 +28,7 @@ double pressure_along(const CoupledEdges& edges, const State& state, const Bodie
   return sum / static_cast<double>(count(edges));
 }
 
-/// The factor of the edges of a group for a new volume.
+/// The factor by which a new volume scales the edges of a group.
 double factor_of(const CoupledEdges& edges, double volume_ratio) {
   return std::pow(volume_ratio, 1 / static_cast<double>(count(edges)));
 }
@@ -67,7 +67,7 @@ bool Barostat::move(State& state, Load& load, const Evaluate& evaluate, std::uin
   return accepted;
 }
 
-/// dλ/dt without noise.
+/// The drift dλ/dt of the stochastic equation, without noise.
 double Barostat::drift(const CellRescaling& type, const State& state, const Load& load,
                        const CoupledEdges& edges) const {
   const double V = state.box.volume();
@@ -116,7 +116,7 @@ bool Barostat::try_move(const VolumeMoves&, State& state, Load& load, const Eval
   return decide(state, load, violation, work, random.uniform(), false);
 }
 
-/// Whether a move leaves the ratios of edges in different groups within their bound.
+/// Whether a move keeps the ratio of edges in different groups within max_shape_change.
 bool Barostat::keeps_shape(const State& state, const CoupledEdges& edges, double factor) {
   if (settings_.edges.size() == 1) return true;
   double least = std::numeric_limits<double>::infinity(), most = 0;
@@ -137,7 +137,7 @@ void Barostat::evaluate_moved(const State& state, const Evaluate& evaluate) {
   ++memory_.evaluations;
 }
 
-/// Takes the new state and its Load, or returns to those before the move.
+/// Accepts the new state and its Load, or restores the state and Load before the move.
 bool Barostat::decide(State& state, Load& load, double violation, double work, double uniform,
                       bool always) {
   if (!always && !(uniform < std::exp(-violation / kT_))) {

@@ -16,7 +16,7 @@ POLHODE_DECLARE_LOOPS(LangevinSums langevin(State&, const Bodies&, const Langevi
 
 namespace {
 
-constexpr std::size_t block = 128;  // bodies: a few µs with the widest packs
+constexpr std::size_t block = 128;  // bodies per block, which take a few µs with the widest packs
 
 double apply(State& state, const Bodies& bodies, const LangevinTerms& terms,
              TotalMomentum total_momentum, Workers& workers) {
@@ -38,7 +38,7 @@ double apply(State& state, const Bodies& bodies, const LangevinTerms& terms,
 double ornstein_uhlenbeck(State& state, const Bodies& bodies, const LangevinSettings& s, double t,
                           std::uint64_t stream, Workers& workers) {
   if ((s.friction == 0 && s.rotational_friction == 0) || t == 0) return 0;
-  // √(1 − c²) without cancellation for small γt
+  // √(1 − c²), computed without cancellation for small γt
   const auto noise = [&](double gamma) { return std::sqrt(-std::expm1(-2 * gamma * t) * s.kT); };
   return apply(state, bodies,
                {std::exp(-s.friction * t), noise(s.friction), std::exp(-s.rotational_friction * t),

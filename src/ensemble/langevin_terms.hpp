@@ -8,19 +8,20 @@
 
 namespace polhode {
 
-/// p ← c p + noise √m ξ, and the same for L with √J: noise = √((1 − c²) kT).
+/// Coefficients of the Langevin bath p ← c p + noise √m ξ with noise = √((1 − c²) kT), and of the
+/// analogous equation for L with √J in place of √m.
 struct LangevinTerms {
-  double c, noise;                        ///< of translation
-  double rotational_c, rotational_noise;  ///< of rotation
+  double c, noise;                        ///< coefficients of translation
+  double rotational_c, rotational_noise;  ///< coefficients of rotation
   std::uint64_t seed, stream;
-  const std::uint64_t* numbers;  ///< of the bodies; null: their indices
+  const std::uint64_t* numbers;  ///< numbers of the bodies; null: their indices
 };
 
-/// What a range of bodies received.
+/// Sums over a range of bodies after the bath has acted.
 struct LangevinSums {
-  double heat;            ///< change of kinetic energy [kJ/mol]
-  Vec3<double> momentum;  ///< Σ p afterwards [u nm/ps]
-  double mass;            ///< Σ m [u]
+  double heat;            ///< change of the kinetic energy [kJ/mol]
+  Vec3<double> momentum;  ///< total momentum Σ p after the bath [u nm/ps]
+  double mass;            ///< total mass Σ m [u]
 };
 
 }  // namespace polhode

@@ -13,17 +13,17 @@
 namespace polhode {
 namespace {
 
-// Parameters of FIRE [guenole2020, Table 1]; times [ps].
+// Parameters of FIRE [guenole2020, Table 1]; times are in ps.
 constexpr double first_step = 0.001, min_step = 0.02 * first_step, max_step = 20 * first_step;
 constexpr double growth = 1.1, shrinkage = 0.5;
 constexpr double first_mixing = 0.25, mixing_decay = 0.99;
-constexpr int delay = 20;  // steps downhill before the step grows
+constexpr int delay = 20;  // number of downhill steps before the step grows
 
 /// Scalar products of momenta and forces over all bodies, in the metric of the kinetic energy.
 struct Products {
-  double power = 0;    ///< Σ(f·p/m + τ·J⁻¹L)
-  double momenta = 0;  ///< Σ(p²/m + L·J⁻¹L)
-  double forces = 0;   ///< Σ(f²/m + τ·J⁻¹τ)
+  double power = 0;    ///< power Σ(f·p/m + τ·J⁻¹L)
+  double momenta = 0;  ///< squared momenta Σ(p²/m + L·J⁻¹L)
+  double forces = 0;   ///< squared forces Σ(f²/m + τ·J⁻¹τ)
 };
 
 Products products(const State& state, const Bodies& bodies, const Load& load) {
@@ -47,7 +47,7 @@ Steepness steepness(const Load& load) {
     const double f2 = norm2(load.f[i]), t2 = norm2(load.tau[i]);
     force2 = std::max(force2, f2);
     torque2 = std::max(torque2, t2);
-    sum += f2 + t2;  // a maximum hides what is not a number
+    sum += f2 + t2;  // a sum shows NaNs, which a maximum would hide
   }
   if (!std::isfinite(sum) || !std::isfinite(load.potential()))
     throw RunError("the energy cannot be minimised: a force is not a finite number");
@@ -61,7 +61,8 @@ void scale_momenta(State& state, double factor) {
   }
 }
 
-/// What remains of a momentum that moves something by `distance`, where that may be `max_move`.
+/// The factor by which a momentum is reduced if it would move a body by `distance`, and the limit
+/// is `max_move`.
 double share(double distance, double max_move) {
   return distance > max_move ? max_move / distance : 1;
 }
@@ -75,7 +76,8 @@ class Fire {
     scale_momenta(state_, 0);
   }
 
-  /// @param load  of the state
+  /// Takes one step.
+  /// @param load  load of the state
   void step(const Load& load) {
     adapt(products(state_, bodies_, load));
     kick(state_, bodies_, load, step_, workers_);
@@ -117,9 +119,9 @@ class Fire {
   const Bodies& bodies_;
   double max_move_;
   Workers& workers_;
-  std::vector<double> extents_;  // of each part of the topology
+  std::vector<double> extents_;  // extent of the molecules of each part of the topology
   double step_ = first_step, mixing_ = first_mixing;
-  int downhill_ = 0;  // steps since the power was last negative
+  int downhill_ = 0;  // number of steps since the power was last negative
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ void scale(Vec3Column& v, double factor) {
     for (std::size_t i = 0; i < v.size(); ++i) (*column)[i] *= factor;
 }
 
-/// Scales momenta; returns the heat.
+/// Scales momenta and returns the heat.
 double scale(State& state, const Thermostat::Motions& e, double a, double b) {
   scale(state.p, a);
   scale(state.ell, b);

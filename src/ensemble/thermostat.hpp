@@ -13,9 +13,9 @@
 
 namespace polhode {
 
-/// Changes momenta over a time t so that their distribution at the temperature is stationary, and
-/// sums the heat that the bodies receive. Its random numbers are functions of the seed and of the
-/// stage, so that a run that is resumed with the same heat() continues to the same bits.
+/// Applies a thermostat over a time t, for which the Maxwell distribution is stationary, and sums
+/// the heat that the bodies receive. The random numbers are functions of the seed and of the stage.
+/// A run that is resumed with the same heat() therefore continues bit for bit.
 class Thermostat {
  public:
   /// @param topology  copied; @param bodies  kept by reference
@@ -25,23 +25,25 @@ class Thermostat {
 
   void operator()(State& state, double t, StageNumber at);
 
-  /// Kinetic energies [kJ/mol], with the motion of the centre of mass where it is free.
+  /// Kinetic energies of translation and rotation [kJ/mol]. They include the motion of the centre
+  /// of mass if it is free.
   struct Motions {
     double kinetic, translation, rotation;
   };
 
-  double heat() const { return heat_; }  ///< given to the bodies so far [kJ/mol]
+  double heat() const { return heat_; }  ///< heat given to the bodies so far [kJ/mol]
   void resume_from(double heat) { heat_ = heat; }
 
  private:
-  // Each type of thermostat: the heat that the bodies receive.
+  // The following overloads apply each type of thermostat and return the heat that the bodies
+  // receive.
   double act(const Langevin& type, State& state, double t, StageNumber at) const;
   double act(const Rescaling& type, State& state, double t, StageNumber at) const;
   double act(const SeparateRescaling& type, State& state, double t, StageNumber at) const;
 
   Motions motions(const State& state) const;
-  /// The factor of momenta with this kinetic energy and n degrees of freedom, over a time in units
-  /// of the time constant.
+  /// The factor by which momenta are scaled, given their kinetic energy and n degrees of freedom.
+  /// The time is in units of the time constant.
   double factor(double kinetic, double n, double time, std::uint64_t stream) const;
 
   ThermostatSettings settings_;

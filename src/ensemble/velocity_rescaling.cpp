@@ -6,7 +6,7 @@
 namespace polhode {
 namespace {
 
-/// A gamma variate of shape a ≥ 1 [marsaglia2000].
+/// A random variate of the gamma distribution with shape a ≥ 1 [marsaglia2000].
 double gamma_variate(double a, Random& random) {
   const double d = a - 1.0 / 3, c = 1 / std::sqrt(9 * d);
   for (;;) {
@@ -21,7 +21,7 @@ double gamma_variate(double a, Random& random) {
 double sum_of_squares(double n, Random& random) {
   if (n <= 0) return 0;
   if (n >= 2) return 2 * gamma_variate(n / 2, random);
-  // of shape a below 1: one of shape a + 1 times u^{1/a}
+  // a variate of shape a < 1 is a variate of shape a + 1 times u^{1/a}
   const double a = n / 2;
   return 2 * gamma_variate(a + 1, random) * std::pow(random.uniform(), 1 / a);
 }
@@ -29,10 +29,11 @@ double sum_of_squares(double n, Random& random) {
 double rescaling_factor(double kinetic, double n, double kT, double ratio, Random random) {
   if (n <= 0 || kinetic <= 0 || ratio == 0) return 1;
   const double c = std::exp(-ratio);
-  const double b = -std::expm1(-ratio) * kT / (2 * kinetic);  // (1 − c) K̄/(n K), K̄ = n kT/2
+  const double b = -std::expm1(-ratio) * kT / (2 * kinetic);  // (1 − c) K̄/(n K) with K̄ = n kT/2
   const double R = random.normal();
   const double S = sum_of_squares(n - 1, random);
-  const double along = std::sqrt(c) + R * std::sqrt(b);  // α of the first momentum; its sign
+  const double along = std::sqrt(c) + R * std::sqrt(b);  // α times the first momentum; its sign is
+                                                         // the sign of α
   return std::copysign(std::sqrt(along * along + b * S), along);
 }
 

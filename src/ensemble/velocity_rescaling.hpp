@@ -6,14 +6,15 @@
 
 namespace polhode {
 
-/// The factor α of momenta over a time t [bussi2007, Eq. A7]: their kinetic energy relaxes to its
-/// canonical distribution with the time constant τ, exactly for any t. 1 without degrees of freedom
-/// or without kinetic energy.
-/// @param kinetic  energy K [kJ/mol] of n degrees of freedom
-/// @param ratio    t/τ
+/// The factor α by which momenta are scaled over a time t [bussi2007, Eq. A7]. Their kinetic energy
+/// relaxes to its canonical distribution with the time constant τ, exactly for any t. The factor is
+/// 1 without degrees of freedom or without kinetic energy.
+/// @param kinetic  kinetic energy K [kJ/mol] of n degrees of freedom
+/// @param ratio    time divided by the time constant, t/τ
 double rescaling_factor(double kinetic, double n, double kT, double ratio, Random random);
 
-/// The sum of the squares of n independent normal deviates; n ≥ 0 need not be an integer.
+/// A random sum of the squares of n independent normal deviates, where n ≥ 0 need not be an
+/// integer.
 double sum_of_squares(double n, Random& random);
 
 }  // namespace polhode

@@ -30,8 +30,9 @@ double constant_energy(const Topology& own, const ForceSettings& settings) {
   return of_own.intramolecular + (settings.ewald_alpha ? 0 : of_own.self);
 }
 
-// The periodic box; in other directions one in which no two images of bodies interact while they
-// stay within an extent of its edges minus the range beyond which nothing interacts.
+// The box in which forces are computed. In directions that are not periodic, the edge is so long
+// that no two images of bodies interact, as long as bodies spread over at most the edge minus the
+// range.
 Box box_around(const Vec3<double>& extent, double reach, const Vec3<double>& period) {
   Box box;
   for (std::size_t d = 0; d < 3; ++d)
@@ -65,7 +66,7 @@ DomainForces::DomainForces(DomainForces&&) noexcept = default;
 DomainForces& DomainForces::operator=(DomainForces&&) noexcept = default;
 DomainForces::~DomainForces() = default;
 
-/// Sets a larger box if bodies could interact with images of others in the present one.
+/// Sets a larger box if bodies could interact with images of other bodies in the present box.
 void DomainForces::enclose() {
   Vec3<double> extent;
   bool fits = true;

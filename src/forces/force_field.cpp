@@ -13,7 +13,7 @@
 namespace polhode {
 namespace {
 
-/// The settings with a mesh for the box, unless a mesh was given.
+/// The force settings with a mesh for the box, unless a mesh was given.
 ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& box,
                         std::optional<MeshChoice>& choice) {
   check_tables(topology, s);
@@ -26,7 +26,8 @@ ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& bo
   return s;
 }
 
-/// @param tail  of the dispersion, see dispersion_tail()
+/// Computes the constant terms.
+/// @param tail  coefficient of the dispersion correction, see dispersion_tail()
 ConstantTerms constant_terms_of(const Topology& topology, const ForceSettings& s, const Box& box,
                                 double tail) {
   ConstantTerms terms;
@@ -78,7 +79,7 @@ std::size_t ForceField::list_rebuilds() const {
   return neighbours().rebuilds() + earlier_rebuilds_;
 }
 
-/// Recomputes what depends on the box if the box has changed.
+/// Recomputes everything that depends on the box if the box has changed.
 void ForceField::set_box(const Box& box) {
   if (box_ == box) return;
   box_.reset();

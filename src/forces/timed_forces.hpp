@@ -12,7 +12,7 @@ namespace polhode {
 /// spent on them.
 struct TimedForces {
   ForceField& forces;
-  double seconds = 0;  ///< of all calls [s], with rebuilds of the list
+  double seconds = 0;  ///< computing time of all calls [s], including rebuilds of the list
 
   void operator()(const State& state, Load& load) {
     seconds += seconds_of([&] { forces(state, load); });
@@ -24,7 +24,7 @@ struct TimedForces {
                               Load& slope) {
     seconds += seconds_of([&] { forces.directional_derivative(state, dq, dtheta, slope); });
   }
-  /// The part of all calls of the force field that was spent on rebuilds of the list [s].
+  /// The time that calls of the force field have spent on rebuilds of the neighbour list [s].
   double in_list() const { return forces.neighbours().seconds(); }
 };
 

@@ -18,9 +18,10 @@ constexpr std::array<Function, 2> functions{{
     {"cbrt", [](double x) { return std::cbrt(x); }},
 }};
 
-constexpr int max_depth = 32;  // of parentheses, signs and powers: each is a call on the stack
+constexpr int max_depth = 32;  // maximum nesting of parentheses, signs and powers, because each is
+                               // a call on the stack
 
-/// Recursive descent: a sum of products of powers.
+/// Recursive-descent parser of sums of products of powers.
 class Arithmetic {
  public:
   Arithmetic(Scanner& scanner, const NamedValues& names) : scanner_(scanner), names_(names) {}

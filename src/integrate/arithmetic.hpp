@@ -9,16 +9,16 @@
 
 namespace polhode {
 
-/// Values of names that were defined before.
+/// Names that were defined before, with their values.
 using NamedValues = std::map<std::string, double, std::less<>>;
 
-/// The value of the expression that comes next, in double precision, from left to right with the
-/// usual precedence: -x^2 is -(x^2), and 2^3^2 is 2^(3^2).
-/// @throws Error  with the position: for an unknown name, a division by zero, a root of a negative
-///                number, a result that is not finite, or parentheses nested too deep
+/// Reads an expression and returns its value in double precision. Operators have the usual
+/// precedence, from left to right: -x^2 is -(x^2), and 2^3^2 is 2^(3^2).
+/// @throws Error  with the position, for an unknown name, a division by zero, a root of a negative
+///   number, a result that is not finite, or parentheses nested too deeply
 double expression(Scanner& scanner, const NamedValues& names);
 
-/// Whether a word has a meaning in expressions, so that it cannot be a name.
+/// Whether a word is a function of expressions, so that it cannot be a name.
 bool is_function(std::string_view word);
 
 }  // namespace polhode

@@ -16,7 +16,7 @@ POLHODE_DECLARE_LOOPS(void drift(State&, const Bodies&, double, std::size_t, std
 
 namespace {
 
-// Bodies per block, chosen so that each takes about 2 µs with the widest packs.
+// Number of bodies per block, chosen so that a block takes about 2 µs with the widest packs.
 constexpr std::size_t drift_block = 256, kick_block = 2048, displace_block = 1024;
 
 }  // namespace

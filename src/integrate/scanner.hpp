@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-/// An example for error messages.
+/// An example of a scheme text for error messages.
 inline constexpr const char* example_scheme = "B(1/6) A(1/2) B(2/3, 1/48) A(1/2) B(1/6)";
 
 class Scanner {
@@ -17,24 +17,25 @@ class Scanner {
 
   std::size_t at() const { return at_; }
   void go_to(std::size_t at) { at_ = at; }
-  /// Whether only white space is left.
+  /// Whether only white space is left in the text.
   bool at_end();
-  /// Whether the next character that is not white space is this one.
+  /// Whether the next character that is not white space is `c`.
   bool next_is(char c);
   /// Whether the next character that is not white space is a letter.
   bool next_is_letter();
-  /// Skips that character if it is the next one, and returns whether it was.
+  /// Skips the character `c` if it comes next, and returns whether it did.
   bool take(char c);
-  /// Skips that character. @throws Error if it is not the next one
+  /// Skips the character `c`. @throws Error if another character comes next
   void expect(char c);
-  /// Reads the next letters, digits and underscores; empty if a letter does not come next.
+  /// Reads the next word of letters, digits and underscores; empty if the next character is not a
+  /// letter.
   std::string_view word();
-  /// The same, but stays at the current position.
+  /// Returns the next word, as word() does, but stays at the current position.
   std::string_view next_word();
-  /// Reads a decimal number like 0.25 or 1e-3. @throws Error unless there is a finite one
+  /// Reads a decimal number like 0.25 or 1e-3. @throws Error unless a finite number comes next
   double decimal();
 
-  /// Throws an Error: what is found here, where, and what is expected.
+  /// Throws an Error that gives the text found here, its position, and the text expected.
   [[noreturn]] void refuse(const std::string& expected) const;
 
  private:

@@ -30,12 +30,12 @@ const Scheme* built_in(std::string_view name) {
 struct BathName {
   std::string_view name, meaning;
 };
-/// The usual names of velocity and position Verlet with a bath.
+/// Common names of velocity and position Verlet with a bath.
 constexpr std::array bath_names = {
     BathName{"obabo", "velocity-verlet-ends"}, BathName{"baoab", "velocity-verlet-middle"},
     BathName{"oabao", "position-verlet-ends"}, BathName{"aboba", "position-verlet-middle"}};
 
-/// A built-in scheme with a bath: "hoa2-ends", "hoa2-middle", or one of those names.
+/// A built-in scheme with a bath: "hoa2-ends", "hoa2-middle", or one of the names in bath_names.
 std::optional<Scheme> built_in_with_bath(std::string_view name) {
   std::string_view meaning = name, short_name = name;
   for (const BathName& known : bath_names)
@@ -55,7 +55,7 @@ bool is_flow(std::string_view word) {
          });
 }
 
-/// The name before the colon of "mine: B(1/2) A(1) B(1/2)"; empty without one.
+/// The user-given name before the colon, as in "mine: B(1/2) A(1) B(1/2)"; empty if there is none.
 std::string_view own_name(std::string_view text) {
   const auto colon = text.find(':');
   if (colon == std::string_view::npos) return {};
@@ -106,7 +106,7 @@ class SchemeReader {
   const std::vector<FreeParameter>& free_parameters() const { return free_; }
 
  private:
-  /// "x = 1/sqrt(3);", or "free x = 0.2;"
+  /// Reads a definition: "x = 1/sqrt(3);" or "free x = 0.2;".
   void define() {
     std::size_t begin = scanner_.at();
     std::string_view name = scanner_.word();
@@ -196,11 +196,12 @@ void check_sums(const Scheme& scheme) {
                              : ""));
 }
 
-/// 2 if a palindrome of drifts and kicks has an error of order h²; 0 if the order is higher, or
-/// remains unknown, as for a scheme of order 4 with rounded coefficients.
+/// The order of a scheme: 2 for a palindrome of drifts and kicks with an error of order h². It is 0
+/// if the order is higher or remains unknown, as for a scheme of order 4 with rounded coefficients.
 int order_of(const Scheme& scheme) {
   if (!scheme.palindromic() || scheme.has(Flow::bath)) return 0;
-  constexpr double rounding = 1e-4;  // of coefficients with five digits or more; hoa2 has 7e-3
+  constexpr double rounding = 1e-4;  // largest error term due to coefficients rounded to five
+                                     // digits or more; hoa2 has 7e-3
   const ErrorTerms error = error_terms(scheme);
   return std::hypot(error.alpha, error.beta) > rounding ? 2 : 0;
 }

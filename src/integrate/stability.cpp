@@ -8,12 +8,12 @@
 namespace polhode {
 namespace {
 
-/// The flows of q̈ = −q.
+/// The flows of a harmonic oscillator, q̈ = −q.
 struct Oscillator {
   double q, p;
   void drift(double t) { q += t * p; }
   void kick(double t) { p -= t * q; }
-  /// The force at q + 2ξh² f, of which the gradient kick is the limit [vanzon2008, Eq. 6].
+  /// Kicks with the force at q + 2ξh² f, which the gradient kick approximates [vanzon2008, Eq. 6].
   void kick(double t, double xi_h2, Gradient) { p -= t * (1 - 2 * xi_h2) * q; }
   void bath(double, StageNumber) {}
 };

@@ -6,14 +6,15 @@
 
 namespace polhode {
 
-/// The B-spline M of order p at u + p − 1 − j for 0 ≤ j < p, and its derivatives: the weights of p
-/// consecutive grid points for a charge at distance u, from 0 to 1, beyond a grid point. From the
-/// recursion M_k(x) = (x M_(k−1)(x) + (k − x) M_(k−1)(x − 1))/(k − 1) and the derivative
-/// M_k'(x) = M_(k−1)(x) − M_(k−1)(x − 1) [essmann1995, Eqs. 4.1 and 4.2].
-/// @param curvature  second derivatives, by applying the latter twice; null if not needed
+/// Computes the B-spline M of order p and its derivatives at u + p − 1 − j for 0 ≤ j < p. These are
+/// the weights of p consecutive grid points for a charge at a distance u, from 0 to 1, beyond a
+/// grid point. The recursion is M_k(x) = (x M_(k−1)(x) + (k − x) M_(k−1)(x − 1))/(k − 1), and the
+/// derivative is M_k'(x) = M_(k−1)(x) − M_(k−1)(x − 1) [essmann1995, Eqs. 4.1 and 4.2].
+/// @param curvature  second derivatives, by applying the derivative formula twice; null if not
+///   needed
 template <int order, class Real>
 inline void b_spline(Real u, Real* w, Real* slope, Real* curvature = nullptr) {
-  static_assert(order >= 3);  // 4 with second derivatives
+  static_assert(order >= 3);  // at least 4 for second derivatives
   w[0] = Real(1) - u;
   w[1] = u;
   for (int k = 3; k <= order; ++k) {

@@ -18,12 +18,12 @@ struct Neighbour {
 };
 using Neighbours = std::vector<std::vector<Neighbour>>;
 
-// An origin and up to three orthonormal directions.
+// An affine frame: an origin and up to three orthonormal directions.
 struct Frame {
   Vec3<double> origin;
   std::array<Vec3<double>, 3> axes{};
   int dimension = 0;
-  double largest = 0;  // distance of the points that span it
+  double largest = 0;  // largest distance between the points that span the frame
 
   Vec3<double> rest(const Vec3<double>& r) const {
     Vec3<double> off = r - origin;
@@ -38,9 +38,9 @@ struct Frame {
   }
 };
 
-// Rounded distances d place a point outside the span of the others, by h with h² about 2 d times
-// the rounding. A point that violates the triangle inequality has h² < 0, and is detected by its
-// distance.
+// Because distances d are rounded, a point may appear to be outside the span of the others. Its
+// height h above the span then has h² of about 2 d times the round-off. A point that violates the
+// triangle inequality has h² < 0, and is detected by its distance.
 bool is_flat(double height2, double length) {
   return height2 < 2 * std::max(length, distance_rounding) * distance_rounding;
 }
@@ -48,7 +48,7 @@ bool is_flat(double height2, double length) {
 // The placed neighbours of one point, ordered so that their directions are well separated.
 struct Support {
   Frame frame;
-  std::vector<Neighbour> spanning;  // frame.dimension + 1 of them
+  std::vector<Neighbour> spanning;  // spanning neighbours, frame.dimension + 1 of them
 };
 
 class Placing {
@@ -56,7 +56,7 @@ class Placing {
   Placing(std::size_t count, const Neighbours& neighbours)
       : neighbours_(neighbours), points_(count), placed_(count, false) {}
 
-  // Places all points, starting from `first`; returns whether that was possible.
+  // Places all points, starting from `first`, and returns whether this was possible.
   bool from(std::size_t first) {
     std::fill(placed_.begin(), placed_.end(), false);
     space_ = {};
@@ -105,7 +105,8 @@ class Placing {
   bool place(std::size_t i) {
     const Support s = support(i);
     if (s.spanning.empty()) return false;
-    // |r − b|² − |r|² is linear in r: one equation per axis, triangular by construction.
+    // The difference |r − b|² − |r|² is linear in r. It gives one equation per axis, and the
+    // equations are triangular by construction.
     const double d2 = s.spanning[0].length * s.spanning[0].length;
     std::array<double, 3> c{};
     for (int k = 0; k < s.frame.dimension; ++k) {
@@ -123,7 +124,7 @@ class Placing {
       if (s.frame.dimension < space_.dimension) return false;
       static constexpr std::array<Vec3<double>, 3> unit = {
           Vec3<double>{1, 0, 0}, Vec3<double>{0, 1, 0}, Vec3<double>{0, 0, 1}};
-      // Outside the span of all points so far: add an axis to the space.
+      // The point is outside the span of all points so far, so it adds an axis to the space.
       const Vec3<double> up = unit[static_cast<std::size_t>(space_.dimension)];
       space_.add(up);
       r += std::sqrt(height2) * up;

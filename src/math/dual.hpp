@@ -12,6 +12,7 @@
 
 namespace polhode {
 
+/// A dual number, which holds a value and its derivative.
 /// @tparam Real  a number or a pack
 template <class Real>
 struct Dual {
@@ -19,7 +20,9 @@ struct Dual {
   Real slope{};  ///< derivative along the chosen direction
 
   constexpr Dual() = default;
-  constexpr Dual(Real v, Real s = Real(0)) : value(v), slope(s) {}  // implicit, as a Real is
+  constexpr Dual(Real v, Real s = Real(0))
+      : value(v), slope(s) {}  // implicit, because conversions to a Real
+                               // are implicit
 
   friend constexpr Dual operator+(Dual a, Dual b) { return {a.value + b.value, a.slope + b.slope}; }
   friend constexpr Dual operator-(Dual a, Dual b) { return {a.value - b.value, a.slope - b.slope}; }
@@ -34,7 +37,7 @@ struct Dual {
   constexpr Dual& operator+=(Dual b) { return *this = *this + b; }
   constexpr Dual& operator-=(Dual b) { return *this = *this - b; }
 
-  // With constants.
+  // Operations with constants follow.
   friend constexpr Dual operator+(Dual a, Real c) { return {a.value + c, a.slope}; }
   friend constexpr Dual operator+(Real c, Dual a) { return {c + a.value, a.slope}; }
   friend constexpr Dual operator-(Dual a, Real c) { return {a.value - c, a.slope}; }
@@ -56,7 +59,7 @@ struct Dual {
     return {power, power * a.slope};
   }
   friend Dual log(Dual a) { return {log(a.value), a.slope / a.value}; }
-  /// A step function: its slope is 0 where it has one.
+  /// A step function, whose slope is 0 wherever it exists.
   friend Dual floor(Dual a) { return floor(a.value); }
 };
 
@@ -78,12 +81,12 @@ template <class Real>
 struct MaskOf<Dual<Real>> : MaskOf<Real> {};
 
 template <class Real>
-requires(!std::is_same_v<Mask<Real>, bool>)  // for plain numbers the general overload serves
+requires(!std::is_same_v<Mask<Real>, bool>)  // plain numbers use the general overload
     Dual<Real> select(Mask<Real> mask, Dual<Real> if_true, Dual<Real> if_false) {
   return {select(mask, if_true.value, if_false.value), select(mask, if_true.slope, if_false.slope)};
 }
 
-// A constant bound: where it holds the number back, the slope is 0.
+// With a constant bound, the slope is 0 where the bound applies.
 template <class Real>
 constexpr Dual<Real> min(const Dual<Real>& a, const Real& bound) {
   return {min(a.value, bound), select(a.value < bound, a.slope, Real(0))};
@@ -93,7 +96,7 @@ constexpr Dual<Real> max(const Dual<Real>& a, const Real& bound) {
   return {max(a.value, bound), select(a.value > bound, a.slope, Real(0))};
 }
 
-// As sums of single products, each a multiply-add.
+// These are written as sums of single products, each of which is a multiply-add.
 template <class Real>
 constexpr void add_product(Dual<Real>& sum, const Dual<Real>& a, const Dual<Real>& b) {
   sum.value += a.value * b.value;
@@ -133,7 +136,7 @@ constexpr Dual<Real> norm2(const Vec3<Dual<Real>>& a) {
   return {norm2(value(a)), half_slope + half_slope};
 }
 
-/// d r⁻ⁿ = −(n/2) r⁻ⁿ d(r²)/r².
+/// The derivative of a power is d r⁻ⁿ = −(n/2) r⁻ⁿ d(r²)/r².
 template <class Real>
 class InversePowers<Dual<Real>> {
  public:

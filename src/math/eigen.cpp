@@ -47,7 +47,7 @@ Quaternion<double> best_rotation(std::span<const Vec3<double>> body,
       s(2, 0) - s(0, 2), s(0, 1) + s(1, 0), s(1, 1) - s(0, 0) - s(2, 2), s(1, 2) + s(2, 1),
       s(0, 1) - s(1, 0), s(2, 0) + s(0, 2), s(1, 2) + s(2, 1), s(2, 2) - s(0, 0) - s(1, 1);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(n);
-  const Eigen::Vector4d q = solver.eigenvectors().col(3);  // of the largest eigenvalue
+  const Eigen::Vector4d q = solver.eigenvectors().col(3);  // eigenvector of the largest eigenvalue
   return normalized(Quaternion<double>{q(0), q(1), q(2), q(3)});
 }
 

@@ -11,25 +11,26 @@
 namespace polhode {
 
 struct Eigen3 {
-  Vec3<double> values;   ///< ascending
-  Mat3<double> vectors;  ///< rows, orthonormal, right-handed
+  Vec3<double> values;   ///< eigenvalues in ascending order
+  Mat3<double> vectors;  ///< eigenvectors as rows, orthonormal and right-handed
 };
 
 /// Eigenvalues and eigenvectors of a symmetric 3 × 3 matrix.
 Eigen3 symmetric_eigen(const Mat3<double>& m);
 
-/// Ascending eigenvalues of a symmetric matrix, each with its eigenvector of length 1.
+/// Eigenvalues of a symmetric matrix in ascending order, each with its normalized eigenvector.
 struct SymmetricEigen {
   std::vector<double> values;
   std::vector<std::vector<double>> vectors;
 };
 
-/// @param matrix  n² elements
+/// Computes the eigenvalues and eigenvectors of a symmetric matrix.
+/// @param matrix  the n² elements of the matrix
 SymmetricEigen symmetric_eigen(std::span<const double> matrix);
 
 /// The rotation A (body → lab) that minimizes Σ w |A body − lab|² [horn1987, quaternion form]. Both
-/// sets are relative to their weighted centres. For collinear sets it is one of the equivalent
-/// rotations.
+/// sets of points are relative to their weighted centres. For collinear sets the result is one of
+/// several equivalent rotations.
 Quaternion<double> best_rotation(std::span<const Vec3<double>> body,
                                  std::span<const Vec3<double>> lab, std::span<const double> weight);
 

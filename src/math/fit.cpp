@@ -17,7 +17,8 @@ Estimate mean(std::span<const double> values) {
   return {average, n > 1 ? std::sqrt(squares / (n - 1) / n) : 0.0};
 }
 
-// The jackknife variance is (n − 1)/n Σ (value − mean)², (n − 1)² times that of the mean.
+// The jackknife variance is (n − 1)/n Σ (value − mean)², which is (n − 1)² times the variance of
+// the mean.
 double jackknife_error(std::span<const double> without) {
   return mean(without).error * static_cast<double>(without.size() - 1);
 }
@@ -76,7 +77,8 @@ double p_value(const Estimate& estimate, double degrees_of_freedom) {
 }
 
 double three_sigma_quantile(double degrees_of_freedom) {
-  constexpr double beyond = 0.0013498980316300946;  // of a normal distribution, on one side
+  constexpr double beyond = 0.0013498980316300946;  // probability beyond three standard deviations
+                                                    // of a normal distribution, on one side
   return degrees_of_freedom == 0 ? 3
                                  : boost::math::quantile(boost::math::complement(
                                        boost::math::students_t(degrees_of_freedom), beyond));

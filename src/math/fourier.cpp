@@ -19,8 +19,8 @@ RealTransform::RealTransform(std::size_t min_length)
 RealTransform::~RealTransform() = default;
 RealTransform::RealTransform(RealTransform&&) noexcept = default;
 
-// pocketfft stores the coefficients of a real series as r0, r1, i1, r2, i2 ... From r1 on this is
-// our order; the first imaginary part is missing, and for an even length the last.
+// pocketfft stores the coefficients of a real series as r0, r1, i1, r2, i2, ... From r1 on, this is
+// the order used here. The first imaginary part is missing, and for an even length also the last.
 void RealTransform::forward(Column<double>& series, Column<std::complex<double>>& modes) const {
   double* const parts = reinterpret_cast<double*>(modes.data());
   std::copy_n(series.data(), size_, parts + 1);
@@ -40,7 +40,8 @@ std::vector<double> cosine_transform(std::span<const double> values, double inte
   if (values.size() < 2) return {};
   std::vector<double> to(values.begin(), values.end());
   pocketfft::detail::T_dct1<double>(values.size())
-      .exec(to.data(), interval / 2, false, 1, true);  // it counts the inner values twice
+      .exec(to.data(), interval / 2, false, 1, true);  // the transform counts the inner values
+                                                       // twice
   return to;
 }
 

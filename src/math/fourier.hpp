@@ -12,8 +12,8 @@
 
 namespace polhode {
 
-/// Forward and backward transforms of one length, not normalized: together they multiply by the
-/// length. Results are the same in every run.
+/// Forward and backward Fourier transforms of real series of one length. They are not normalized,
+/// so both in sequence multiply a series by the length. Results are the same in every run.
 class RealTransform {
  public:
   /// @param min_length  minimum length; the actual length is the next product of small primes
@@ -24,9 +24,10 @@ class RealTransform {
   std::size_t size() const { return size_; }
   std::size_t modes() const { return size_ / 2 + 1; }
 
-  /// modes[k] = Σ series[j] exp(−2πi jk/size). May be called from any thread on its own columns.
+  /// The forward transform, modes[k] = Σ series[j] exp(−2πi jk/size). Threads may call this at the
+  /// same time on different columns.
   void forward(Column<double>& series, Column<std::complex<double>>& modes) const;
-  /// The inverse transform; `modes` is overwritten.
+  /// The backward transform, which overwrites `modes`.
   void backward(Column<std::complex<double>>& modes, Column<double>& series) const;
 
  private:
@@ -35,7 +36,8 @@ class RealTransform {
   std::unique_ptr<Plans> plans_;
 };
 
-/// ∫₀^T C(t) cos(2πνt) dt by the trapezoidal rule, for ν = k/(2T) and C at intervals of `interval`.
+/// The cosine transform ∫₀^T C(t) cos(2πνt) dt by the trapezoidal rule, for ν = k/(2T). The values
+/// of C are at times that are multiples of `interval`.
 std::vector<double> cosine_transform(std::span<const double> values, double interval);
 
 }  // namespace polhode

@@ -7,22 +7,22 @@
 
 namespace polhode {
 
-/// Σ cₙ yⁿ, with the coefficients supplied from the highest down.
+/// Evaluates a polynomial Σ cₙ yⁿ, whose coefficients are supplied from the highest to the lowest.
 template <class Real>
 class Polynomial {
  public:
   Polynomial() = default;
   explicit Polynomial(Real highest) : sum_(highest) {}
   void step(Real y, Real c) { sum_ = sum_ * y + c; }
-  /// To be called after the last coefficient.
+  /// Returns the result after the last coefficient.
   Real value(Real) const { return sum_; }
 
  private:
   Real sum_{};
 };
 
-/// The derivative is accumulated together with the sum by the same rule and multiplied by the slope
-/// of y at the end.
+/// Evaluates a polynomial of a dual number. The derivative is accumulated together with the sum by
+/// the same rule, and finally multiplied by the slope of y.
 template <class Real>
 class Polynomial<Dual<Real>> {
  public:

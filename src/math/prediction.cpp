@@ -34,7 +34,8 @@ double prediction_bound(std::span<const double> values, double probability) {
   const auto n = static_cast<double>(values.size());
   if (n < 2) return std::numeric_limits<double>::infinity();
   const Estimate m = mean(values);
-  return m.value + t_quantile(probability, n - 1) * m.error * std::sqrt(n + 1);  // s = error √n
+  return m.value +
+         t_quantile(probability, n - 1) * m.error * std::sqrt(n + 1);  // scatter s = error √n
 }
 
 double size_bound(std::span<const double> values, double probability) {

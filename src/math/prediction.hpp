@@ -7,7 +7,7 @@
 
 namespace polhode {
 
-/// Quantile of Student's t distribution: a deviate is below it with this probability.
+/// Quantile of Student's t distribution: a deviate is below it with the given probability.
 double t_quantile(double probability, double degrees_of_freedom);
 
 /// A standard error with its degrees of freedom.
@@ -19,16 +19,16 @@ struct ErrorPart {
 /// Satterthwaite: (Σ e²)² / Σ e⁴/ν.
 ErrorPart summed(std::initializer_list<ErrorPart> parts);
 
-/// Half of the two-sided 95 % confidence interval; infinite without degrees of freedom.
+/// Half-width of the two-sided 95 % confidence interval; infinite without degrees of freedom.
 double confidence_half_width(const ErrorPart& part);
 
-/// One-sided prediction interval: a further value of the same normal distribution is below mean + t
-/// s √(1 + 1/n) with this probability. Accounts for the scatter of that value and for the
-/// uncertainty of mean and scatter estimated from n values. Infinite for fewer than two values.
+/// One-sided prediction bound: a further value of the same normal distribution is below mean + t s
+/// √(1 + 1/n) with the given probability. The bound accounts for the scatter of this value, and for
+/// the uncertainty of the mean and scatter of n values. It is infinite for fewer than two values.
 double prediction_bound(std::span<const double> values, double probability);
 
-/// Confidence bound on the magnitude of the mean of the distribution: |mean| + t s/√n. Infinite for
-/// fewer than two values.
+/// Confidence bound on the magnitude of the mean of a distribution: |mean| + t s/√n. It is infinite
+/// for fewer than two values.
 double size_bound(std::span<const double> values, double probability);
 
 }  // namespace polhode

@@ -17,7 +17,7 @@ Shape centre_at_origin(Shape shape) {
   return shape;
 }
 
-// The shape rotated onto `onto`; both are centred.
+// A shape after rotation onto the shape `onto`; both are centred.
 Shape rotate_onto(Shape shape, const Shape& onto) {
   const std::vector<double> weight(shape.size(), 1.0);
   const Quaternion<double> turn = best_rotation(shape, onto, weight);
@@ -77,8 +77,8 @@ Shape principal_shape(Shape shape, std::span<const double> mass) {
     const auto along = [&](const Vec3<double>& r) { return dot(axes[k], r); };
     double extent = 0;
     for (const Vec3<double>& r : shape) extent = std::max(extent, std::abs(along(r)));
-    constexpr double far =
-        0.6;  // symmetric shapes have points at 1/2 and at the square root of 3/4
+    constexpr double far = 0.6;  // no point of a symmetric shape is near this value, because its
+                                 // points are at 1/2 and √(3/4)
     const auto first = std::find_if(shape.begin(), shape.end(), [&](const Vec3<double>& r) {
       return std::abs(along(r)) > far * extent;
     });

@@ -15,14 +15,14 @@
 
 namespace polhode {
 
-/// Items sorted by cells that are at least as wide as a range: those closer than the range are in
-/// the same cell or in neighbouring ones.
+/// Items sorted by cells that are at least as wide as a range. Items closer than the range are in
+/// the same cell or in neighbouring cells.
 ///
-/// @tparam Item  has a position `r` [nm], which may be outside the box
+/// @tparam Item  type with a position `r` [nm], which may be outside the box
 template <class Item>
 class CellList {
  public:
-  /// At most as many cells as items, or 27.
+  /// Sorts items into cells. There are at most as many cells as items, or 27.
   CellList(const std::vector<Item>& items, const Box& box, double range) : items_(items.size()) {
     const double width = cell_width(box, range, std::max(27.0, static_cast<double>(items.size())));
     for (std::size_t d = 0; d < 3; ++d)
@@ -38,7 +38,7 @@ class CellList {
   }
 
   /// Calls visit(a, b) once for each pair in the same or in neighbouring cells.
-  /// @param share, shares  visits only this one of several shares of the pairs
+  /// @param share, shares  only part `share` of `shares` parts of the pairs is visited
   template <class Visit>
   void each_pair(const Visit& visit, std::size_t share = 0, std::size_t shares = 1) const {
     for (std::size_t cell = 0; cell < ends_.size(); ++cell)
@@ -61,7 +61,8 @@ class CellList {
     return cell;
   }
 
-  // The cell itself and its neighbours with higher numbers, each once even if a small box has few.
+  // Visits the cell itself and its neighbours with higher numbers. Each is visited once, even in a
+  // small box with few cells.
   std::vector<std::size_t> later_neighbours(std::size_t cell) const {
     const std::array at = {cell % cells_[0], cell / cells_[0] % cells_[1],
                            cell / (cells_[0] * cells_[1])};
@@ -82,7 +83,7 @@ class CellList {
   std::array<std::size_t, 3> cells_;
   std::vector<Item> items_;
   std::vector<std::uint32_t> ends_;              // one past the last item of each cell
-  std::vector<std::vector<std::size_t>> later_;  // neighbours of each cell
+  std::vector<std::vector<std::size_t>> later_;  // neighbours of each cell with higher numbers
 };
 
 }  // namespace polhode

@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// `width` [nm], increased until the box has no more than `max_cells` whole cells, at least one
-/// along each edge: a large, sparsely filled box has large cells.
+/// The width of cells [nm]: `width`, increased until the box has at most `max_cells` whole cells,
+/// and at least one along each edge. A large, sparsely filled box therefore has large cells.
 inline double cell_width(const Box& box, double width, double max_cells) {
   const auto along = [&](double edge) { return std::max(1.0, std::floor(edge / width)); };
   while (along(box.edge.x) * along(box.edge.y) * along(box.edge.z) > std::max(max_cells, 1.0))

@@ -9,13 +9,14 @@
 namespace polhode {
 namespace {
 
-// Blocks depend only on the number of bodies; they are few, so that their sums fit on the stack.
+// Blocks depend only on the number of bodies. There are few blocks, so that their sums fit on the
+// stack.
 constexpr std::size_t max_blocks = 64;
 std::size_t block_of(std::size_t size) {
   return std::max<std::size_t>(4096, blocks(size, max_blocks));
 }
 
-/// Σ v, summed over blocks in order.
+/// The sum Σ v, computed block by block in a fixed order.
 Vec3<double> total(const Vec3Column& v, Workers& workers = Workers::serial()) {
   std::array<Vec3<double>, max_blocks> sums{};
   const std::size_t block = block_of(v.size());
@@ -29,7 +30,8 @@ Vec3<double> total(const Vec3Column& v, Workers& workers = Workers::serial()) {
   return all;
 }
 
-/// v ← v − (m/M) u; exactly v − u for a single body.
+/// Subtracts u in proportion to mass: v ← v − (m/M) u. For a single body the result is exactly v −
+/// u.
 void subtract_by_mass(Vec3Column& v, const Bodies& bodies, const Vec3<double>& u,
                       Workers& workers = Workers::serial()) {
   const double mass = total_mass(bodies);

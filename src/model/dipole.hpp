@@ -6,10 +6,10 @@
 
 namespace polhode {
 
-/// Σ q r about the centre of mass [e nm], body frame.
+/// The dipole moment Σ q r about the centre of mass [e nm], in the body frame.
 Vec3<double> dipole_moment(const Molecule& molecule);
 
-/// Whether the dipole exceeds the rounding of the site positions.
+/// Whether the dipole moment exceeds the round-off of the site positions.
 bool has_dipole(const Molecule& molecule);
 
 }  // namespace polhode

@@ -8,17 +8,17 @@
 
 namespace polhode {
 
-/// The symbol of an atomic number, 1 to 118; empty for all others.
+/// The symbol of the element with an atomic number from 1 to 118; empty for all other numbers.
 std::string element_of_number(int number);
 
-/// The symbol of the element whose standard mass [u] is nearest; empty if none up to radon lies
-/// within 0.1 u.
+/// The symbol of the element whose standard mass [u] is nearest; empty if the mass of no element up
+/// to radon is within 0.1 u.
 std::string element_of_mass(double mass);
 
 /// Whether a text is the symbol of an element, or D or T.
 bool is_element(std::string_view symbol);
 
-/// All symbols, for suggestions.
+/// The symbols of all elements, for suggestions.
 std::vector<std::string> element_symbols();
 
 }  // namespace polhode

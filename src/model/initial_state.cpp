@@ -15,10 +15,11 @@
 namespace polhode {
 namespace {
 
-// Uses of random numbers: each has its own stream.
+// Purposes of random numbers; each has a separate stream.
 enum Stream : std::uint64_t { shuffling, orientations, momenta };
 
-// Cells along each edge: the edge with the longest cells gets one more until all bodies fit.
+// Numbers of lattice cells along each edge. The edge with the longest cells gets one more cell
+// until all bodies fit.
 std::array<std::size_t, 3> cells(std::size_t bodies, const Vec3<double>& edge) {
   std::array<std::size_t, 3> n = {1, 1, 1};
   while (n[0] * n[1] * n[2] < bodies) {
@@ -31,9 +32,9 @@ std::array<std::size_t, 3> cells(std::size_t bodies, const Vec3<double>& edge) {
   return n;
 }
 
-// A lattice point for every body. The assignment of points to components is random (Fisher and
-// Yates); the bodies of each component are in lattice order, so that neighbours in the box are
-// neighbours in memory.
+// Assigns a lattice point to every body. The assignment of points to components is random
+// (Fisher-Yates shuffle). The bodies of each component are in lattice order, so that neighbours in
+// the box are neighbours in memory.
 std::vector<std::size_t> draw_lattice_points(const Topology& topology, std::size_t places,
                                              Random random) {
   std::vector<std::size_t> place(places);

@@ -14,12 +14,12 @@
 namespace polhode {
 namespace {
 
-// Moments that differ by less than this, relative to the largest, count as equal, or as zero:
-// geometries have at least 10 digits, and their squares carry a few times that rounding.
+// Relative tolerance of moments of inertia: smaller differences are treated as zero. Geometries
+// have at least 10 digits, and their squares have a few times this round-off.
 constexpr double same_moment = 1e-9;
 
-// More sites than a rigid molecule needs: the pair loops allow 64 interacting ones, and the size of
-// a molecule is found by looping over all pairs.
+// Maximum number of sites, which is more than a rigid molecule needs. The pair loops allow 64
+// interacting sites, and the size of a molecule is found by looping over all pairs.
 constexpr std::size_t max_sites = 1024;
 
 void check(const Site& site, const std::string& molecule) {
@@ -39,10 +39,10 @@ void check(const Site& site, const std::string& molecule) {
   }
 }
 
-// Two mass points at one place are a copied line, or positions that were left out; a charge or a
-// short-range law without mass may well be at the place of another site.
+// Two sites with mass at the same position are an error in the input, such as a copied line or
+// missing positions. A massless charge or short-range site may have the position of another site.
 void check_apart(const std::vector<Site>& sites, const std::string& molecule) {
-  constexpr double same_place = 1e-3;  // [nm]: a hundredth of a bond
+  constexpr double same_place = 1e-3;  // one percent of a bond length [nm]
   for (std::size_t k = 1; k < sites.size(); ++k)
     for (std::size_t i = 0; i < k; ++i)
       if (sites[i].mass > 0 && sites[k].mass > 0 &&
@@ -53,7 +53,7 @@ void check_apart(const std::vector<Site>& sites, const std::string& molecule) {
                     "make one site of both");
 }
 
-// `rounding` is an upper bound of the moments that a single mass point has due to rounding.
+// `rounding` is an upper bound on the moments that round-off gives to a single point mass.
 Top kind(Vec3<double>& J, double rounding) {
   const double tiny = same_moment * J.z;
   if (J.z <= rounding) {
@@ -70,8 +70,8 @@ Top kind(Vec3<double>& J, double rounding) {
   return low || high ? Top::symmetric : Top::asymmetric;
 }
 
-// Whether the frame of these moments is a principal one; their off-diagonal elements are then the
-// rounding of the sites.
+// Whether the frame of a moment of inertia tensor is a principal frame, so that its off-diagonal
+// elements are only round-off of the site positions.
 bool is_principal(const Mat3<double>& inertia) {
   const double rounding = 1e-14 * (inertia[0][0] + inertia[1][1] + inertia[2][2]);
   const auto none = [&](double x) { return std::abs(x) <= rounding; };
@@ -84,8 +84,8 @@ Eigen3 axes_of_frame(const Mat3<double>& inertia) {
   return {{inertia[0][0], inertia[1][1], inertia[2][2]}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 }
 
-// A body without inertia about an axis cannot take up a torque about it: all its sites must lie on
-// that axis.
+// A body with no moment of inertia about an axis cannot respond to a torque about this axis. All
+// its sites must therefore lie on the axis.
 void check_lever(Site& site, Top top, const std::string& molecule) {
   if (top != Top::linear && top != Top::atom) return;
   double& along = site.r.x;
@@ -151,7 +151,7 @@ Molecule build(std::string name, std::vector<Site> sites,
   check_apart(sites, name);
   Molecule molecule;
   Vec3<double> centre{};
-  double far = 0;  // Σ m r² before the centre is known
+  double far = 0;  // upper bound Σ m r², before the centre is known
   for (const Site& site : sites) {
     check(site, name);
     molecule.mass += site.mass;

@@ -9,10 +9,11 @@
 
 namespace polhode {
 
-/// The molecule of rigid_molecule(), except that sites in a principal frame keep it: a molecule
-/// made of its own sites is the same to rounding. Of equal moments the axes are arbitrary, and of
-/// all axes the signs, so that rigid_molecule() may choose others.
-/// @throws Error  as rigid_molecule()
+/// Builds a molecule like rigid_molecule(), but keeps the frame of the sites if it is a principal
+/// frame. A molecule built from the sites of another molecule is therefore the same up to
+/// round-off. rigid_molecule() may choose other axes, because axes with equal moments and the signs
+/// of all axes are arbitrary.
+/// @throws Error  under the same conditions as rigid_molecule()
 Molecule molecule_in_frame(std::string name, std::vector<Site> sites);
 
 }  // namespace polhode

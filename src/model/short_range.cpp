@@ -11,16 +11,17 @@
 namespace polhode {
 namespace {
 
-constexpr double max_deviation = 0.01;  // of a force of the table from that of the spline
+constexpr double max_deviation = 0.01;  // largest relative deviation of a tabulated force from the
+                                        // force of the spline
 
-// Slopes of the clamped cubic spline at the knots, in units of energy per interval: those at the
-// ends are given, and continuity of the second derivative requires s₋ + 4 s + s₊ = 3 (u₊ − u₋).
+// Slopes of the clamped cubic spline at the knots, in units of energy per interval. The slopes at
+// the ends are given, and continuity of the second derivative requires s₋ + 4 s + s₊ = 3 (u₊ − u₋).
 std::vector<double> spline_slopes(const std::vector<double>& u, double first, double last) {
   const std::size_t n = u.size();
   std::vector<double> slope(n), factor(n);
   slope.front() = first;
   slope.back() = last;
-  for (std::size_t k = 1; k + 1 < n; ++k) {  // elimination from the left
+  for (std::size_t k = 1; k + 1 < n; ++k) {  // forward elimination
     factor[k] = 1 / (4 - factor[k - 1]);
     slope[k] = (3 * (u[k + 1] - u[k - 1]) - slope[k - 1]) * factor[k];
   }
@@ -90,7 +91,7 @@ void check(double sigma, double epsilon, const ShortRangeLaw& law) {
           "the law has A = {} kJ/mol, B = {} 1/nm and C = {} kJ/mol nm6; A and B must be above 0 "
           "and C 0 or more",
           A, B, C));
-    // u' = 0 where (B r)⁷ exp(−B r) = 6 C B⁶/A; the left side is largest at B r = 7.
+    // The slope u' is 0 where (B r)⁷ exp(−B r) = 6 C B⁶/A. The left side is largest at B r = 7.
     if (6 * C * std::pow(B, 6) / A >= std::pow(7 * std::exp(-1), 7))
       refuse(fmt::format(
           "with A = {} kJ/mol, B = {} 1/nm and C = {} kJ/mol nm6 the sites attract each "

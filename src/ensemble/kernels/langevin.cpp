@@ -19,9 +19,9 @@ using Real = Pack<double>;
 
 namespace {
 
-constexpr std::size_t words = 8;  // of 32 bits per body: two blocks of Philox
+constexpr std::size_t words = 8;  // random words of 32 bits per body: two blocks of Philox
 
-/// Uniform deviates in (0, 1) of the bodies of a pack: (w + 1/2)/2³² for each word w.
+/// Uniform deviates in (0, 1) for the bodies of a pack: (w + 1/2)/2³² for each random word w.
 std::array<Real, words> uniforms(const LangevinTerms& terms, std::size_t first) {
   const std::uint64_t seed = terms.seed, stream = terms.stream;
   const auto number = [&](std::size_t i) {
@@ -46,8 +46,8 @@ struct TwoNormals {
   Real first, second;
 };
 
-/// Two independent normal deviates of two uniform ones [box1958]. The largest is 6.8: one in 10¹¹
-/// should be larger.
+/// Two independent normal deviates, from two uniform deviates [box1958]. The largest possible value
+/// is 6.8; ideally, one in 10¹¹ deviates would be larger.
 TwoNormals normals(Real radius, Real angle) {
   const Real r = sqrt(Real(-2) * log(radius));
   const Real a = Real(2 * units::pi) * angle;
@@ -65,7 +65,7 @@ LangevinSums langevin(State& state, const Bodies& bodies, const LangevinTerms& t
   Real heat(0), mass(0);
   Vec3<Real> momentum{Real(0), Real(0), Real(0)};
   for (std::size_t i = first; i < end; i += Real::width) {
-    const auto here = first_lanes<double>(std::min(Real::width, end - i));  // excludes padding
+    const auto here = first_lanes<double>(std::min(Real::width, end - i));  // excludes the padding
     const auto without_padding = [&](Real term) { return select(here, term, Real(0)); };
     const std::array<Real, words> u = uniforms(terms, i);
     const TwoNormals a = normals(u[0], u[4]), b = normals(u[1], u[5]), c = normals(u[2], u[6]);

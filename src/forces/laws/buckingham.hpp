@@ -10,9 +10,9 @@
 
 namespace polhode {
 
-/// u = A exp(−B r) − c6/r⁶ [buckingham1938]. It has a maximum at a short distance, the inner limit,
-/// and falls to −∞ below it. Sites that come closer would fall into each other: there u and s are
-/// not a number, and the run stops.
+/// The Buckingham law u = A exp(−B r) − c6/r⁶ [buckingham1938]. It has a maximum at a short
+/// distance, the inner limit, and falls to −∞ below it. Sites closer than the inner limit would
+/// fall into each other. There u and s are NaN, so that the run stops.
 template <class T = double>
 struct Buckingham {
   T A = 0;             ///< [kJ/mol]
@@ -21,7 +21,8 @@ struct Buckingham {
   T inner_limit2 = 0;  ///< square of the inner limit [nm²]
 
   using Parameters = BuckinghamLaw;
-  /// Those of two sites mixed: A and C geometric, 1/B arithmetic, as in GROMACS, whatever the rule.
+  /// Mixes the parameters of two sites as GROMACS does, whatever the mixing rule: geometric means
+  /// of A and C, arithmetic mean of 1/B.
   template <class Mean>
   static std::optional<Parameters> mixed(const Parameters& x, const Parameters& y, const Mean&) {
     return Parameters{std::sqrt(x.A * y.A), 2 / (1 / x.B + 1 / y.B), std::sqrt(x.C * y.C)};
@@ -36,11 +37,11 @@ struct Buckingham {
             static_cast<float>(inner_limit2)};
   }
 
-  /// The distance of the maximum of u [nm]: the smaller solution of (B r)⁷ exp(−B r) = 6 C B⁶/A,
-  /// by bisection; 0 if C is 0.
+  /// The distance at which u has its maximum [nm], or 0 if C is 0. It is the smaller solution of (B
+  /// r)⁷ exp(−B r) = 6 C B⁶/A, found by bisection.
   static double inner_limit(const BuckinghamLaw& law) {
     const double target = 6 * law.C * std::pow(law.B, 6) / law.A;
-    double low = 0, high = 7;  // B r; the left side rises up to 7
+    double low = 0, high = 7;  // bounds of B r; the left side of the equation rises up to B r = 7
     while (high - low > 1e-14 * high && high > 1e-300) {
       const double x = (low + high) / 2;
       (std::pow(x, 7) * std::exp(-x) < target ? low : high) = x;
@@ -61,7 +62,7 @@ struct Buckingham {
                    C(B) * repulsion * one_over_r - constant<Real>(6) * attraction * inverse_r2)};
   }
 
-  /// ∫ u r² dr from a to infinity [kJ/mol nm³].
+  /// The integral ∫ u r² dr from a to infinity [kJ/mol nm³].
   double integral_beyond(double a) const {
     const double x = B * a;
     return A * std::exp(-x) * (x * x + 2 * x + 2) / (B * B * B) - c6 / (3 * a * a * a);

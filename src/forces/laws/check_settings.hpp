@@ -10,20 +10,21 @@
 
 namespace polhode {
 
-/// A setting outside its domain.
+/// A force setting outside its domain.
 struct SettingFault {
-  std::string_view key;   ///< its name in run files: "switch"
-  std::string value;      ///< "0.9 nm"
-  std::string complaint;  ///< "must be shorter than ..."
+  std::string_view key;   ///< name of the setting in run files, such as "switch"
+  std::string value;      ///< value with its unit, such as "0.9 nm"
+  std::string complaint;  ///< description of the error, such as "must be shorter than ..."
 
-  std::string message() const;  ///< "switch = 0.9 nm must be shorter than ..."
+  std::string message() const;  ///< The complete message: "switch = 0.9 nm must be shorter than
+                                ///< ...".
 };
 
-/// The first setting outside its domain, if there is one.
+/// The first setting outside its domain; empty if all are valid.
 std::optional<SettingFault> find_fault(const ForceSettings& settings);
 
-/// Returns the settings.
-/// @throws Error  if one of them is outside its domain
+/// Returns the settings after checking them.
+/// @throws Error  if a setting is outside its domain
 const ForceSettings& checked(const ForceSettings& settings);
 
 }  // namespace polhode

@@ -13,21 +13,22 @@
 
 namespace polhode {
 
-/// The largest α a. The powers of y left out of erf(α r)/r are then below 3e-7/a, and below 1e-10/a
-/// for α a ≤ 2.4.
+/// The largest value of α a. The omitted powers of y in erf(α r)/r are then below 3e-7/a, and below
+/// 1e-10/a for α a ≤ 2.4.
 inline constexpr double max_damping = 3;
 
-/// The polynomial subtracted from 1/r. With 1/r = erf(α r)/r + erfc(α r)/r, it is the full Taylor
-/// series of the first term in y plus that of the second up to y^n: the terms up to y^n are those
-/// of 1/r, the higher ones those of erf(α r)/r. Without damping it is the force shifted in r².
-/// @param cutoff      a [nm]
-/// @param damping     α [1/nm], 0 ≤ α a ≤ max_damping
-/// @param smoothness  n, at least 1: then the force, too, vanishes at a
+/// The polynomial that the damped shifted force subtracts from 1/r = erf(α r)/r + erfc(α r)/r. It
+/// consists of the full Taylor series of the first term in y, and the series of the second term up
+/// to y^n. Its terms up to y^n are therefore the terms of 1/r, and its higher terms are the terms
+/// of erf(α r)/r. Without damping it gives the force shifted in r².
+/// @param cutoff      cutoff a [nm]
+/// @param damping     α [1/nm] with 0 ≤ α a ≤ max_damping
+/// @param smoothness  n, at least 1, so that the force also vanishes at a
 inline SmoothPolynomial damped_shifted_force(double cutoff, double damping, int smoothness) {
   constexpr double negligible = 1e-12;
   const double x = damping * cutoff;
   std::vector<double> terms = inverse_distance_terms(smoothness);
-  // g = a erf(α r)/r satisfies (1 − y) g' = g/2 − x/√π e^(−x² (1 − y)), where x = α a.
+  // The function g = a erf(α r)/r satisfies (1 − y) g' = g/2 − x/√π e^(−x² (1 − y)), where x = α a.
   double g = std::erf(x), gauss = x / std::sqrt(units::pi) * std::exp(-x * x);
   constexpr auto max_degree = static_cast<int>(SmoothPolynomial::max_degree);
   for (int k = 0; k < max_degree; ++k) {

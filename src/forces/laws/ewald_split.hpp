@@ -14,11 +14,12 @@ namespace polhode {
 
 /// A Fourier transform and its slope.
 struct TransformValue {
-  double value;  ///< 1 at k = 0
-  double slope;  ///< k d/dk of the transform
+  double value;  ///< value, which is 1 at k = 0
+  double slope;  ///< slope k d/dk of the transform
 };
 
-/// Ewald's split: a Gaussian density of width 1/(√2 α); u(r) = erfc(α r)/r is positive at all r.
+/// Ewald's split of 1/r with a Gaussian density of width 1/(√2 α). The short-range part u(r) =
+/// erfc(α r)/r is positive at all r.
 struct GaussianSplit {
   double alpha;  ///< [1/nm]
 
@@ -38,20 +39,21 @@ struct GaussianSplit {
     const double x = k * k / (4 * alpha * alpha), value = std::exp(-x);
     return {value, -2 * x * value};
   }
-  /// ∫ u dV over all space [nm²].
+  /// The integral ∫ u dV over all space [nm²].
   double integral() const { return units::pi / (alpha * alpha); }
 };
 
-/// A density C (1 − r²/a²)^m that is zero beyond a, and so is u(r): the smooth part is the Taylor
-/// polynomial of 1/r in y = 1 − r²/a² up to y^(m+1) [skeel2002; hardy2009]. u is of class C^(m+1)
-/// at a, and nothing is truncated.
+/// Split of 1/r with a density C (1 − r²/a²)^m, which is zero beyond a. The smooth part is the
+/// Taylor polynomial of 1/r in y = 1 − r²/a² up to y^(m+1) [skeel2002; hardy2009]. The short-range
+/// part u(r) is also zero beyond a. It is of class C^(m+1) at a, so nothing is truncated.
 class CompactSplit {
  public:
   static constexpr int max_exponent =
-      static_cast<int>(SmoothPolynomial::max_degree) - 1;  ///< the largest m
+      static_cast<int>(SmoothPolynomial::max_degree) - 1;  ///< the largest exponent m
 
-  /// @param cutoff    a [nm]
-  /// @param exponent  m, from 0 to `max_exponent`
+  /// Constructs the split.
+  /// @param cutoff    cutoff a [nm]
+  /// @param exponent  exponent m, from 0 to `max_exponent`
   CompactSplit(double cutoff, int exponent)
       : polynomial_(cutoff, inverse_distance_terms(exponent + 1)) {}
 
@@ -62,24 +64,24 @@ class CompactSplit {
   RadialValue pair(double r) const { return polynomial_.pair(r); }
   double smooth_at_zero() const { return polynomial_.smooth_at_zero(); }
 
-  /// (2n+1)!! j_n(x)/xⁿ with n = m + 1, x = k a, and j_n a spherical Bessel function; its
-  /// derivative is −(2n+1)!! j_(n+1)(x)/xⁿ.
+  /// The Fourier transform of the density: (2n+1)!! j_n(x)/xⁿ with n = m + 1, x = k a, and the
+  /// spherical Bessel function j_n. Its derivative is −(2n+1)!! j_(n+1)(x)/xⁿ.
   TransformValue transform(double k) const {
     const double x = k * cutoff();
     const auto [now, next] = reduced_bessel(degree(), x);
     return {now, -x * x / (2 * degree() + 3) * next};
   }
-  /// ∫ u dV over all space [nm²].
+  /// The integral ∫ u dV over all space [nm²].
   double integral() const { return 2 * units::pi * cutoff() * cutoff() / (2 * degree() + 3); }
 
  private:
   int degree() const { return static_cast<int>(polynomial_.degree()); }
 
   struct ReducedBessel {
-    double now, next;  // of degrees n and n + 1
+    double now, next;  // functions of degrees n and n + 1
   };
-  // (2n+1)!! j_n(x)/xⁿ: by its power series where that loses no digits, otherwise by upward
-  // recurrence in n.
+  // Computes (2n+1)!! j_n(x)/xⁿ by its power series if this loses no digits, and otherwise by
+  // upward recurrence in n.
   static ReducedBessel reduced_bessel(int n, double x) {
     if (x < n + 1) return {bessel_series(n, x), bessel_series(n + 1, x)};
     const double inverse = 1 / (x * x);

@@ -13,18 +13,19 @@
 namespace polhode {
 namespace {
 
-// Powers of y have large coefficients that nearly cancel in Chebyshev polynomials of a high degree;
-// with those of long double, 1e-15 of the sum remains.
+// In Chebyshev polynomials of a high degree, the coefficients of powers of y are large and nearly
+// cancel. With long double, the error of the sum is 1e-15.
 using Real = long double;
 constexpr std::size_t degree = SmoothPolynomial::max_degree, nodes = 3 * degree;
 
-// erf(x √t)/√t with t = 1 − y.
+// The function erf(x √t)/√t with t = 1 − y.
 Real smooth(Real x, Real y) {
   const Real root = std::sqrt(1 - y);
   return root > 0 ? std::erf(x * root) / root : 2 * x * std::numbers::inv_sqrtpi_v<Real>;
 }
 
-// Coefficients c of Σ c_n T_n(2 y − 1) for y from 0 to 1, the first one halved.
+// Coefficients c of the series Σ c_n T_n(2 y − 1) for y from 0 to 1, where the first coefficient is
+// halved.
 std::array<Real, degree + 1> chebyshev_series(Real x) {
   std::array<Real, degree + 1> c{};
   for (std::size_t k = 0; k < nodes; ++k) {
@@ -37,7 +38,8 @@ std::array<Real, degree + 1> chebyshev_series(Real x) {
   return c;
 }
 
-// The terms that the value and its derivative, whose terms are up to n² times as large, need.
+// The number of terms that the value and its derivative need. The terms of the derivative are up to
+// n² times as large.
 std::size_t terms_needed(const std::array<Real, degree + 1>& c) {
   constexpr Real negligible = 1e-11L;
   std::size_t last = degree;
@@ -56,7 +58,7 @@ SmoothPolynomial gaussian_smooth_part(double cutoff, double alpha) {
                     x, max_gaussian));
   const auto c = chebyshev_series(x);
   const std::size_t count = terms_needed(c);
-  // T_(n+1) = 2 (2 y − 1) T_n − T_(n−1), as coefficients of powers of y.
+  // The recursion T_(n+1) = 2 (2 y − 1) T_n − T_(n−1), for coefficients of powers of y.
   std::vector<Real> sum(count), before(count), now(count), next(count);
   before[0] = 1;
   now[0] = -1, now[1] = 2;

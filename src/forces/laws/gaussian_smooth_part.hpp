@@ -6,14 +6,14 @@
 
 namespace polhode {
 
-/// The largest α a. The error of the polynomial is then below 1e-9/a, and for α a ≤ 4 below
-/// 1e-12/a; that of −u'/r is below 1e-8/a³ and 1e-9/a³.
+/// The largest value of α a. The error of the polynomial is then below 1e-9/a, and the error of
+/// −u'/r below 1e-8/a³. For α a ≤ 4 these errors are below 1e-12/a and 1e-9/a³.
 inline constexpr double max_gaussian = 4.5;
 
-/// A polynomial that approximates erf(α r)/r up to the cutoff a: its Chebyshev series in r²/a².
-/// 1/r minus the polynomial is Ewald's erfc(α r)/r, which jumps to zero at a.
-/// @param cutoff  a [nm]
-/// @param alpha   α [1/nm]
+/// A polynomial that approximates erf(α r)/r up to the cutoff a by a Chebyshev series in r²/a². The
+/// difference of 1/r and this polynomial is Ewald's erfc(α r)/r, which jumps to zero at a.
+/// @param cutoff  cutoff a [nm]
+/// @param alpha   Ewald parameter α [1/nm]
 /// @throws Error  if α a is larger than max_gaussian
 SmoothPolynomial gaussian_smooth_part(double cutoff, double alpha);
 

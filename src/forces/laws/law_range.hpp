@@ -9,16 +9,18 @@
 
 namespace polhode {
 
-/// The distance below which a law is not defined [nm]: the maximum of Buckingham's, the start of a
-/// table; 0 for the others.
+/// The distance below which a law is not defined [nm]: the maximum of the Buckingham law, or the
+/// start of a table. It is 0 for other laws.
 double inner_limit(const ShortRangeLaw& law);
 
-/// A possible cause of an energy that is not finite: "; a pair of argon.Ar may have come closer
-/// than 0.0775 nm, the inner limit of its law". Empty if all laws are defined at all distances.
+/// A note on a possible cause of an energy that is not finite, such as "; a pair of argon.Ar may
+/// have come closer than 0.0775 nm, the inner limit of its law". It is empty if all laws are
+/// defined at all distances.
 std::string inner_limit_note(const Topology& topology);
 
+/// Checks that tabulated laws cover all distances up to the cutoff.
 /// @throws Error  if a table ends before the cutoff or, with a molecule switch, before the largest
-///                distance of two sites of molecules within the cutoff
+///   distance between two sites of molecules within the cutoff
 void check_tables(const Topology& topology, const ForceSettings& settings);
 
 }  // namespace polhode

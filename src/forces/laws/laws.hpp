@@ -17,8 +17,8 @@
 namespace polhode {
 
 /// Coulomb's law with the reaction field of a dielectric continuum beyond the cutoff: u = K q₁ q₂
-/// (1/r + k r² − c) with k = (ε − 1)/((2 ε + 1) r_c³) and c = 1/r_c + k r_c² [tironi1995].
-/// k = c = 0 gives the plain Coulomb law. The factor K q₁ q₂ is applied by the caller.
+/// (1/r + k r² − c). The constants are k = (ε − 1)/((2 ε + 1) r_c³) and c = 1/r_c + k r_c²
+/// [tironi1995]. The plain Coulomb law has k = c = 0. The caller multiplies by the factor K q₁ q₂.
 template <class T = double>
 struct ReactionField {
   T k = 0;  ///< [1/nm³]
@@ -38,20 +38,21 @@ struct ReactionField {
   }
 };
 
-/// The smooth step w: 1 up to `from`, 0 beyond `to`; in between, with x = (r − from)/(to − from),
-/// the polynomial of lowest degree whose first `smoothness` derivatives vanish at both ends.
-/// With y = x − ½ and b = ¼ − y² = x (1 − x), w = ½ − y Σ B_k bᵏ for k from 0 to n and
-/// dw/dx = −(2n + 1) B_n bⁿ, where B_k = (2k)!/k!² is 1, 2, 6, 20: the same operations for all n,
-/// without branches, and exact at both ends, where b = 0.
+/// The switching function w, which is 1 up to `from` and 0 beyond `to`. In between, it is the
+/// polynomial of lowest degree in x = (r − from)/(to − from) whose first `smoothness` derivatives
+/// vanish at both ends. With y = x − ½ and b = ¼ − y² = x (1 − x), w = ½ − y Σ B_k bᵏ for k from 0
+/// to n, and dw/dx = −(2n + 1) B_n bⁿ. Here B_k = (2k)!/k!² is 1, 2, 6, 20. This form needs the
+/// same operations for all n and no branches. It is exact at both ends, where b = 0.
 template <class T = double>
 class Switch {
  public:
   template <class Real>
   struct Value {
-    Real w;      ///< from 1 to 0
-    Real slope;  ///< w'(r) [1/nm]
+    Real w;      ///< value, from 1 to 0
+    Real slope;  ///< derivative w'(r) [1/nm]
   };
 
+  /// Constructs the switching function.
   /// @param smoothness  n, from 1 to 3
   Switch(double from, double to, int smoothness)
       : inverse_width_(static_cast<T>(1 / (to - from))), middle_(static_cast<T>((from + to) / 2)) {
@@ -78,14 +79,15 @@ class Switch {
   std::array<T, 4> p_{}, slope_{};  // coefficients of the powers of b in w and w'
 };
 
-/// The polynomial subtracted from 1/r inside the cutoff a, in the form the kernels use: powers of
-/// y = 1 − r²/a². u = 1/r minus the polynomial goes smoothly to zero at a. The factor K q₁ q₂ is
-/// applied by the caller.
+/// The polynomial subtracted from 1/r inside the cutoff a, as powers of y = 1 − r²/a², which is the
+/// form that the kernels use. The difference u of 1/r and the polynomial goes smoothly to zero at
+/// a. The caller multiplies by the factor K q₁ q₂.
 template <class T = double>
 struct SmoothPart {
-  std::size_t degree = 0;  ///< of −u'/r; that of u is one higher
+  std::size_t degree = 0;  ///< degree of −u'/r; the degree of u is one higher
   T inverse_a2 = 0;        ///< 1/a² [1/nm²]
-  std::array<T, SmoothPolynomial::max_degree + 1> u{}, s{};  ///< coefficients [1/nm], [1/nm³]
+  std::array<T, SmoothPolynomial::max_degree + 1> u{}, s{};  ///< coefficients of u [1/nm] and of
+                                                             ///< −u'/r [1/nm³]
 
   SmoothPart() = default;
   explicit SmoothPart(const SmoothPolynomial& polynomial)
@@ -99,8 +101,8 @@ struct SmoothPart {
   }
 };
 
-/// The polynomial that the force field subtracts from 1/r, if any: the smooth part of the PME
-/// split, that of Ewald's, or that of the damped shifted force.
+/// The polynomial that the force field subtracts from 1/r, if any: the smooth part of the PME split
+/// or of Ewald's split, or the polynomial of the damped shifted force.
 inline std::optional<SmoothPolynomial> smooth_polynomial(const ForceSettings& settings) {
   if (settings.electrostatics == Electrostatics::damped_shifted_force)
     return damped_shifted_force(settings.cutoff, settings.damping, settings.smoothness);
@@ -110,14 +112,14 @@ inline std::optional<SmoothPolynomial> smooth_polynomial(const ForceSettings& se
   return std::nullopt;
 }
 
-/// What the interaction of two sites depends on besides their own parameters.
+/// Settings on which the interaction of two sites depends, besides the parameters of the sites.
 template <class T = double>
 struct PairLaws {
   ReactionField<T> reaction_field;
   SmoothPart<T> smooth;
   Switch<T> switching;
-  T cutoff;             ///< [nm]
-  T cutoff_of_charges;  ///< [nm]
+  T cutoff;             ///< cutoff of the short-range laws [nm]
+  T cutoff_of_charges;  ///< cutoff between charges [nm]
 
   explicit PairLaws(const ForceSettings& settings)
       : reaction_field(settings.electrostatics == Electrostatics::reaction_field

@@ -9,14 +9,14 @@
 
 namespace polhode {
 
-/// u = c12/r¹² − c6/r⁶, with c12 = 4 ε σ¹² and c6 = 4 ε σ⁶.
+/// The Lennard-Jones law u = c12/r¹² − c6/r⁶, with c12 = 4 ε σ¹² and c6 = 4 ε σ⁶.
 template <class T = double>
 struct LennardJones {
   T c6 = 0;   ///< [kJ/mol nm⁶]
   T c12 = 0;  ///< [kJ/mol nm¹²]
 
   using Parameters = LennardJonesLaw;
-  /// Those of two sites mixed, besides σ and ε.
+  /// Mixes the parameters of two sites besides σ and ε, of which this law has none.
   template <class Mean>
   static std::optional<Parameters> mixed(const Parameters& x, const Parameters&, const Mean&) {
     return x;
@@ -37,7 +37,7 @@ struct LennardJones {
             (constant<Real>(12) * repulsion - constant<Real>(6) * C(c6)) * (x * inverse_r2)};
   }
 
-  /// ∫ u r² dr from a to infinity [kJ/mol nm³].
+  /// The integral ∫ u r² dr from a to infinity [kJ/mol nm³].
   double integral_beyond(double a) const {
     return c12 / (9 * std::pow(a, 9)) - c6 / (3 * std::pow(a, 3));
   }

@@ -9,17 +9,17 @@
 
 namespace polhode {
 
-/// u = C ε ((σ/r)ⁿ − (σ/r)ᵐ) with C = n/(n − m) (n/m)^(m/(n − m)), so that the well is ε deep
-/// [mie1903]. Powers are exp(n/2 ln(σ²/r²)): their error is |n ln(σ/r)| times that of ln, which is
-/// small where the law is strong.
+/// The Mie law u = C ε ((σ/r)ⁿ − (σ/r)ᵐ) with C = n/(n − m) (n/m)^(m/(n − m)), so that the well has
+/// the depth ε [mie1903]. Powers are computed as exp(n/2 ln(σ²/r²)). Their error is |n ln(σ/r)|
+/// times the error of the logarithm, which is small where the law is strong.
 template <class T = double>
 struct Mie {
-  T strength = 0;  ///< C ε [kJ/mol]
+  T strength = 0;  ///< strength C ε [kJ/mol]
   T sigma2 = 0;    ///< σ² [nm²]
   T n = 12, m = 6;
 
   using Parameters = MieLaw;
-  /// Those of two sites mixed, besides σ and ε: exponents by the mean that the rule takes for σ.
+  /// Mixes the exponents of two sites by the mean that the mixing rule uses for σ.
   template <class Mean>
   static std::optional<Parameters> mixed(const Parameters& x, const Parameters& y,
                                          const Mean& mean) {
@@ -46,7 +46,7 @@ struct Mie {
     return {repulsion - attraction, (C(n) * repulsion - C(m) * attraction) * inverse_r2};
   }
 
-  /// ∫ u r² dr from a to infinity [kJ/mol nm³]; m is above 3.
+  /// The integral ∫ u r² dr from a to infinity [kJ/mol nm³]; m is above 3.
   double integral_beyond(double a) const {
     const double q = std::sqrt(sigma2) / a, a3 = a * a * a;
     return strength * a3 * (std::pow(q, n) / (n - 3) - std::pow(q, m) / (m - 3));

@@ -15,7 +15,7 @@ double mean_of(double a, double b, MixingRule rule) {
   return rule == MixingRule::geometric ? std::sqrt(a * b) : (a + b) / 2;
 }
 
-/// A law from what it needs of σ, ε and its own parameters.
+/// Builds a law from the parameters among σ, ε and the law's own parameters that it needs.
 template <class Law>
 Law law_of(double sigma, double epsilon, const typename Law::Parameters& own) {
   if constexpr (requires { Law::of(sigma, epsilon, own); })
@@ -26,7 +26,7 @@ Law law_of(double sigma, double epsilon, const typename Law::Parameters& own) {
     return Law::of(sigma, epsilon);
 }
 
-/// Calls f with a null pointer to each law of the list.
+/// Calls f with a null pointer to each law type of the list.
 template <class F, class... Laws>
 void each_law(const F& f, const std::variant<Laws...>*) {
   (f(static_cast<Laws*>(nullptr)), ...);

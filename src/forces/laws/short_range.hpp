@@ -28,7 +28,7 @@ class ShortRange {
   ShortRange<float> rounded() const {
     return std::visit([](const auto& law) { return ShortRange<float>(law.rounded()); }, law_);
   }
-  /// The Lennard-Jones law; the law must be of this kind.
+  /// The parameters of a Lennard-Jones law; other laws are not allowed.
   LennardJones<T> lennard_jones() const { return std::get<LennardJones<T>>(law_); }
 
   template <class Real>
@@ -46,9 +46,9 @@ class ShortRange {
 /// The law with the parameters of a site, or of a pair.
 ShortRange<double> short_range(double sigma, double epsilon, const ShortRangeLaw& law);
 
-/// The law of two sites by mixing their own, where one of them may be zero:
-/// σ and ε by the rule, the parameters of the law as its mixed() says.
-/// @throws Error  if the laws are of different kinds, or have different tables
+/// The law between two sites, mixed from the laws of the sites, one of which may be zero. The
+/// mixing rule gives σ and ε, and mixed() of the law gives its other parameters.
+/// @throws Error  if the laws are of different kinds, or refer to different tables
 ShortRange<double> mix(const Site& a, const Site& b, MixingRule rule);
 
 }  // namespace polhode

@@ -12,17 +12,18 @@ namespace polhode {
 
 /// The value of a radial function and −1/r times its derivative.
 struct RadialValue {
-  double u;  ///< [1/nm]
+  double u;  ///< value u [1/nm]
   double s;  ///< −u'/r [1/nm³]
 };
 
-/// A polynomial in y = 1 − r²/a² for r < a, and 1/r beyond. Subtracted from 1/r, it leaves a
-/// short-range u(r) that vanishes for r ≥ a.
+/// The smooth part of 1/r: a polynomial in y = 1 − r²/a² for r < a, and 1/r beyond. The remainder
+/// u(r) of 1/r is short-range and vanishes for r ≥ a.
 class SmoothPolynomial {
  public:
   static constexpr std::size_t max_degree = 25;  ///< highest power of y
 
-  /// @param cutoff  a [nm]
+  /// Constructs the smooth part.
+  /// @param cutoff  cutoff a [nm]
   /// @param terms   coefficients of 1, y, y², … of a times the smooth part, at least two
   SmoothPolynomial(double cutoff, const std::vector<double>& terms)
       : a_(cutoff), degree_(terms.size() - 1) {
@@ -32,9 +33,9 @@ class SmoothPolynomial {
 
   double cutoff() const { return a_; }
   std::size_t degree() const { return degree_; }
-  /// Coefficient of y^k of a times the smooth part, k ≤ degree.
+  /// The coefficient of y^k in a times the smooth part, for k ≤ degree.
   double coefficient(std::size_t k) const { return u_[k]; }
-  /// Coefficient of y^k of a³ times −smooth'/r, k < degree.
+  /// The coefficient of y^k in a³ times −smooth'/r, for k < degree.
   double slope_coefficient(std::size_t k) const { return s_[k]; }
 
   RadialValue smooth(double r) const {

@@ -11,18 +11,18 @@
 
 namespace polhode {
 
-/// A cubic spline through the energies of a table. Below its first distance u and s are not a
-/// number, and the run stops; beyond its last, which no pair inside the cutoff reaches, u keeps its
-/// last value.
+/// A law given by a cubic spline through the energies of a table. Below the first distance of the
+/// table, u and s are NaN, so that the run stops. Beyond the last distance, which no pair inside
+/// the cutoff reaches, u keeps its last value.
 template <class T = double>
 struct Tabulated {
   std::shared_ptr<const PotentialTable> table;
-  T first = 0;            ///< [nm]
-  T inverse_spacing = 0;  ///< [1/nm]
-  T intervals = 0;        ///< a whole number
+  T first = 0;            ///< first distance [nm]
+  T inverse_spacing = 0;  ///< inverse spacing of the distances [1/nm]
+  T intervals = 0;        ///< number of intervals, as a floating-point number
 
   using Parameters = TabulatedLaw;
-  /// Those of two sites mixed: their table, if it is the same.
+  /// Mixes the tables of two sites: if both have the same table, it is the result.
   template <class Mean>
   static std::optional<Parameters> mixed(const Parameters& x, const Parameters& y, const Mean&) {
     return x == y ? std::optional(x) : std::nullopt;
@@ -40,8 +40,9 @@ struct Tabulated {
   PairValue<Real> operator()(const InversePowers<Real>& inverse_r, Real r2) const {
     using C = Constant<Real>;
     const Real one_over_r = inverse_r.first(), last = constant<Real>(intervals);
-    const Real place = (r2 * one_over_r - C(first)) * C(inverse_spacing);  // in intervals
-    // Comparisons in this order keep the index inside the table even if r is not a number.
+    const Real place =
+        (r2 * one_over_r - C(first)) * C(inverse_spacing);  // distance in units of intervals
+    // Comparisons in this order keep the index inside the table even if r is NaN.
     Real t = select(place < last, place, last);
     t = select(t > Real(0), t, Real(0));
     Real k = floor(t);
@@ -61,7 +62,8 @@ struct Tabulated {
             select(too_close, nothing, select(place < last, s, Real(0)))};
   }
 
-  /// @throws Error  because nothing is known there
+  /// The integral beyond a distance does not exist.
+  /// @throws Error  always, because a table has no values beyond its end
   double integral_beyond(double) const {
     throw Error("dispersion_correction needs the law at all distances, and table '" +
                 table->name() + "' has no values beyond its end; leave the correction out");

@@ -9,8 +9,8 @@
 namespace polhode {
 namespace {
 
-// ∫ (1 − w(r)) u r² dr from the start of the switch to infinity [kJ/mol nm³], by Simpson's rule
-// inside the switch.
+// The integral ∫ (1 − w(r)) u r² dr from the start of the switch to infinity [kJ/mol nm³], by
+// Simpson's rule inside the switch.
 double tail_integral(const ForceSettings& s, const ShortRange<double>& law) {
   const Switch<> w(s.switch_from, s.cutoff, s.smoothness);
   constexpr int steps = 400;  // fourth-order rule: error below 1e-10 of the integral

@@ -7,10 +7,11 @@
 
 namespace polhode {
 
-/// C in the energy C/V of the short-range laws that the switching function removes, for a uniform
-/// density of sites [kJ/mol nm³]: Σ 2π N_a N_b ∫ (1 − w(r)) u(r) r² dr over ordered pairs of sites
-/// [allen2017, section 2.8]. The virial of C/V is isotropic.
-/// Meaningless for a shifted law, which changes the energy at short distances as well.
+/// The coefficient C in the long-range dispersion correction C/V [kJ/mol nm³]. The correction is
+/// the energy of the short-range laws that the switching function removes, for a uniform density of
+/// sites: C = Σ 2π N_a N_b ∫ (1 − w(r)) u(r) r² dr over ordered pairs of sites
+/// [allen2017, section 2.8]. Its virial is isotropic. It is meaningless for a shifted law, which
+/// also changes the energy at short distances.
 /// @throws Error  for a tabulated law, which has no values at longer distances
 double dispersion_tail(const Topology& topology, const ForceSettings& settings);
 

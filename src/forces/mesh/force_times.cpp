@@ -10,14 +10,17 @@
 namespace polhode {
 namespace {
 
-// Measured on one core in mixed precision with AVX-512. The choice depends on ratios of these
-// times, which are much the same in double precision and with other instruction sets.
-constexpr double per_point = 1.3e-9;        // of the grid, transforms in both directions
-constexpr double per_charge = 9.5e-9;       // its place and its weights
-constexpr double per_tile = 1.05e-9;        // tile of the grid that it is spread over
-constexpr double per_pair = 2.3e-9;         // of molecules, its records and sums
-constexpr double per_charges = 0.4e-9;      // pair of charges
-constexpr double per_short_range = 0.6e-9;  // pair of sites with a short-range law
+// These times were measured on one core in mixed precision with AVX-512. The choice of the mesh
+// depends on ratios of the times, which are much the same in double precision and with other
+// instruction sets.
+constexpr double per_point = 1.3e-9;        // time per grid point for the transforms in both
+                                            // directions
+constexpr double per_charge = 9.5e-9;       // time per charge for its place and its weights
+constexpr double per_tile = 1.05e-9;        // time per charge and tile of the grid to which it is
+                                            // spread
+constexpr double per_pair = 2.3e-9;         // time per pair of molecules for its records and sums
+constexpr double per_charges = 0.4e-9;      // time per pair of charges
+constexpr double per_short_range = 0.6e-9;  // time per pair of sites with a short-range law
 
 }  // namespace
 
@@ -27,7 +30,7 @@ double expected_mesh_seconds(const Topology& topology, const MeshSettings& mesh)
     charges += static_cast<double>(part.count) *
                static_cast<double>(InteractionSites(part.molecule).charged);
   for (const std::size_t n : mesh.points) points *= static_cast<double>(n);
-  // A spline overlaps with two tiles along an edge, or with more if it is wide.
+  // Along an edge, a spline overlaps with two tiles, or with more if it is wide.
   const double tiles = mesh.order <= 5 ? 2 : (mesh.order + 4) / 4.0;
   return charges * (per_charge + per_tile * mesh.order * tiles * tiles) + points * per_point;
 }

@@ -8,10 +8,11 @@
 
 namespace polhode {
 
-/// Time of the mesh [s]; without grid points, that of spreading and gathering.
+/// Expected time of the mesh [s]. If there are no grid points, it is the time to spread and gather
+/// charges.
 double expected_mesh_seconds(const Topology& topology, const MeshSettings& mesh);
 
-/// Time of the pairs [s], with a given cutoff of the charges [nm].
+/// Expected time of the pairs [s], for a given cutoff of the charges [nm].
 double expected_pair_seconds(const Topology& topology, ForceSettings settings,
                              double coulomb_cutoff, const Box& box);
 

@@ -12,14 +12,15 @@
 
 namespace polhode {
 
-/// Fourier coefficients of a grid, transformed along x and z. A column of them is a series along y
-/// of packs, real and imaginary parts alternating: `tile.rows` consecutive k_x and `tile.columns`
-/// consecutive k_z ≥ 0, before the transform along y turned by tiles (Tile::transpose_rows).
+/// Fourier coefficients of a grid, transformed along x and z. A column of coefficients is a series
+/// of packs along y, with alternating real and imaginary parts. A pack has `tile.rows` consecutive
+/// k_x and `tile.columns` consecutive k_z ≥ 0. Before the transform along y, tiles are transposed
+/// (Tile::transpose_rows).
 template <class T>
 struct MeshModes {
   std::array<std::size_t, 3> points{};
   MeshTile tile;
-  std::size_t column = 0;  ///< from column to column, in numbers
+  std::size_t column = 0;  ///< distance from column to column, in numbers
   Column<T> values;
 
   MeshModes() = default;
@@ -31,9 +32,10 @@ struct MeshModes {
   std::size_t columns_x() const { return points[0] / tile.rows; }
   std::size_t columns_z() const { return (points[2] / 2 + tile.columns) / tile.columns; }
   std::size_t columns() const { return columns_x() * columns_z(); }
-  /// Column of the x-th group of k_x and the z-th one of k_z.
+  /// Index of the column with group x of k_x and group z of k_z.
   std::size_t index(std::size_t x, std::size_t z) const { return z * columns_x() + x; }
-  /// Indices of k_x and k_z of a lane of a column; the latter may be beyond half of the points.
+  /// Indices of k_x and k_z of a lane of a column. The index of k_z may be beyond half of the
+  /// points.
   std::array<std::size_t, 2> wave(std::size_t column, std::size_t lane) const {
     return {column % columns_x() * tile.rows + lane / tile.columns,
             column / columns_x() * tile.columns + lane % tile.columns};
@@ -56,25 +58,28 @@ struct ConvolveJob {
   const pocketfft::detail::cfftp<T>& along_y;
   T* modes;
   std::size_t length;         ///< points along y
-  const T* influence;         ///< a pack of factors for each k_y ≥ 0
-  const T* slope;             ///< H in virial = ½ Σ |S|² (G + H k ⊗ k)
-  const double *ky, *odd_ky;  ///< of each k_y
+  const T* influence;         ///< factor G: a pack of factors for each k_y ≥ 0
+  const T* slope;             ///< factor H in virial = ½ Σ |S|² (G + H k ⊗ k)
+  const double *ky, *odd_ky;  ///< wave numbers of each k_y
 };
 
-/// Sums over the k_y of a column, lane by lane, of G |S|², and of H |S|² times 1, odd k_y and k_y².
+/// Sums of G |S|², and of H |S|² times 1, odd k_y and k_y², over the k_y of a column, lane by lane.
 struct ModeSums {
   static constexpr std::size_t lanes = pack_bytes / sizeof(float);
   alignas(pack_bytes) double energy[lanes], slope[lanes], slope_y[lanes], slope_yy[lanes];
 };
 
 POLHODE_DECLARE_LOOPS(
-    /// Σ exp(−2πi (k_x x/n_x + k_z z/n_z)) along the rows of stacks; the overhang is added first.
+    /// Transforms rows of stacks along z and x by Σ exp(−2πi (k_x x/n_x + k_z z/n_z)). The overhang
+    /// is added first.
     void rows_to_modes(const FourierRowJob<double>& job);
     void rows_to_modes(const FourierRowJob<float>& job);
-    /// The inverse times n_x n_z, with the overhang.
+    /// Transforms coefficients back to rows of stacks: the inverse transform times n_x n_z,
+    /// including the overhang.
     void modes_to_rows(const FourierRowJob<double>& job);
     void modes_to_rows(const FourierRowJob<float>& job);
-    /// Multiplies by the influence function; with `sums`, also sums the energies.
+    /// Multiplies coefficients by the influence function. If `sums` is given, also sums the
+    /// energies.
     void convolve(const ConvolveJob<double>& job, ModeSums* sums);
     void convolve(const ConvolveJob<float>& job, ModeSums* sums);)
 

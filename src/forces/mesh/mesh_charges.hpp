@@ -13,9 +13,9 @@
 namespace polhode {
 
 /// The charges of all bodies, sorted by slabs. A slab is at least as thick as a spline is wide,
-/// less one point, so that charges of slabs that are not adjacent never touch the same grid point:
-/// all even slabs can be processed at the same time, then all odd ones. Within a slab, charges are
-/// in the order of slots.
+/// less one point. Charges of slabs that are not adjacent therefore never touch the same grid
+/// point. All even slabs are processed in parallel, and then all odd slabs. Within a slab, charges
+/// are in the order of slots.
 template <class T>
 class MeshCharges {
  public:
@@ -24,18 +24,19 @@ class MeshCharges {
   /// Charges of the sites of a molecule type [e]; empty without charges.
   const std::vector<double>& of_part(std::size_t part) const { return parts_[part]; }
 
-  /// Places the charges on the grid and sorts them. With displacements, also those of the charges.
+  /// Places the charges on the grid and sorts them. If displacements are given, their records are
+  /// also computed for each charge.
   void place(const Slots& slots, const SiteRecords<T>& records, const SiteRecords<T>* displacements,
              const Box& box, Workers& workers);
 
   std::size_t slabs() const { return slabs_; }
-  /// Numbers of the charges of a slab.
+  /// Numbers of the charges in a slab.
   std::span<const std::uint32_t> in_slab(std::size_t slab) const;
   const T* records() const { return records_.data(); }
   const T* moves() const { return moves_.data(); }
 
  private:
-  // Slots that a task places, and the number of their first charge.
+  // The slots that a task places, and the number of their first charge.
   struct Block {
     std::size_t part, first, end, charge;
   };
@@ -46,12 +47,12 @@ class MeshCharges {
   MeshSettings settings_;
   std::vector<std::vector<double>> parts_;
   std::size_t slabs_;
-  std::vector<std::uint8_t> slab_of_;  // of each point along y
+  std::vector<std::uint8_t> slab_of_;  // slab of each grid point along y
   std::vector<Block> blocks_;
-  std::size_t numbers_ = 0;  // of charges, those of unused slots included
+  std::size_t numbers_ = 0;  // number of charges, including charges of unused slots
   Column<T> records_, moves_;
-  std::vector<std::int32_t> row_;    // of each charge: the grid point below it along y
-  std::vector<std::uint32_t> next_;  // [block, slab]: place in the order
+  std::vector<std::int32_t> row_;    // for each charge, the grid point below it along y
+  std::vector<std::uint32_t> next_;  // place in the order, by [block, slab]
   std::vector<std::uint32_t> slab_end_;
   std::vector<std::uint32_t> order_;
 };

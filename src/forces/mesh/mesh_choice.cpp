@@ -19,7 +19,8 @@
 namespace polhode {
 namespace {
 
-/// The charges of a system, and ⟨|S(k)|²⟩ for randomly placed bodies [e²].
+/// The charges of a system, and their mean structure factor ⟨|S(k)|²⟩ for randomly placed bodies
+/// [e²].
 class ChargeDistribution {
  public:
   explicit ChargeDistribution(const Topology& topology) {
@@ -57,14 +58,15 @@ class ChargeDistribution {
   std::vector<Pair> pairs_;
 };
 
-/// The desired energy 4 π ρ(k)/k² and the form factor, by k². Where all k² are multiples of a
-/// square, each is computed once.
+/// A table of the desired energy 4 π ρ(k)/k² and of the form factor by k². If all k² are multiples
+/// of a square, each value is computed only once.
 class WaveTable {
  public:
   struct Value {
     double required, form;
   };
-  /// @param unit  k² are multiples of unit²; 0 if they are not
+  /// Constructs the table.
+  /// @param unit  number whose square divides all k²; 0 if there is none
   WaveTable(const ChargeDistribution& distribution, const CompactSplit& split, double unit)
       : distribution_(distribution), split_(split), per_unit2_(unit == 0 ? 0 : 1 / (unit * unit)) {}
 
@@ -87,9 +89,9 @@ class WaveTable {
   std::vector<std::optional<Value>> values_;
 };
 
-/// The mean square error for given grid spacings in a box of 1 nm³; it falls as 1/V, and depends on
-/// the box in no other way: the sum over wave vectors approximates an integral, so a small grid
-/// suffices.
+/// The mean square error for given grid spacings in a box of 1 nm³. It scales as 1/V and does not
+/// otherwise depend on the box, because the sum over wave vectors approximates an integral. A small
+/// grid therefore suffices.
 double mean_square_error(const ChargeDistribution& distribution, const Vec3<double>& spacing,
                          int order, const CompactSplit& split) {
   constexpr std::size_t points = 12, half = points / 2, aliases = 3;
@@ -112,10 +114,10 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
     for (std::size_t y = 0; y <= half; ++y)
       for (std::size_t z = 0; z <= half; ++z) {
         if (x + y + z == 0) continue;
-        if (cubic && (x > y || y > z)) continue;  // once for all orders of the three
+        if (cubic && (x > y || y > z)) continue;  // computed once for all orders of x, y and z
         const int orders = !cubic || (x == y && y == z) ? 1 : x == y || y == z ? 3 : 6;
-        // Sums over aliases of U², U² k², U² k² γ, and of the first and the last two times the form
-        // factor.
+        // Sums over aliases of U², U² k² and U² k² γ, and of the first and the last of these times
+        // the form factor.
         double u = 0, uk = 0, ukg = 0, u_form = 0, ukg_form = 0, kgg_form = 0;
         for (const Alias& a : axis[0][x])
           for (const Alias& b : axis[1][y])
@@ -137,7 +139,7 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
          volume;
 }
 
-/// Sizes suited to the transform: whole tiles, with small prime factors.
+/// Whether a number of points suits the transform: it has whole tiles and only small prime factors.
 bool is_fft_size(std::size_t n) {
   if (n % mesh_multiple != 0) return false;
   for (const std::size_t factor : {2u, 3u, 5u, 7u})
@@ -181,21 +183,23 @@ std::array<std::size_t, 3> grid_of(const Box& box, double spacing) {
   return points;
 }
 
-/// Liquids have 10 to 100 points per charge. In a sparsely filled box, a mesh with this many is
-/// wasted work: there are few pairs even up to a longer cutoff, which allows a coarser mesh.
+/// The maximum number of grid points. Liquids have 10 to 100 points per charge. In a sparsely
+/// filled box a finer mesh is wasteful, because there are few pairs even up to a longer cutoff,
+/// which allows a coarser mesh.
 double max_points_for(double charges) { return std::max(0x1p21, 4096 * charges); }
 
 }  // namespace
 
 namespace {
 
-/// Grid spacings that are tried: a geometric series, so that errors of other boxes can be reused.
+/// Grid spacings that are tried. They form a geometric series, so that errors computed for other
+/// boxes can be reused.
 double spacing_of(int n) { return 0.25 * std::pow(1.03, -n); }
 int index_of(double spacing) {
   return static_cast<int>(std::floor(std::log(0.25 / spacing) / std::log(1.03)));
 }
 
-/// Cutoffs of charges that are tried: about 3 % apart, whole hundredths of a nm.
+/// Cutoffs of charges that are tried. They are about 3 % apart, and multiples of 0.01 nm.
 double cutoff_of(int n) { return std::round(40 * std::pow(1.03, n)) / 100; }
 
 /// The longest cutoff that the neighbour list allows in a box.
@@ -229,7 +233,8 @@ double MeshChoice::error(double cutoff, int spacing, int order, int exponent) {
   return found->second;
 }
 
-/// Index of the coarsest spacing that is fine enough, from half to a fortieth of the cutoff.
+/// Index of the coarsest spacing that is fine enough. Spacings from half to a fortieth of the
+/// cutoff are tried.
 int MeshChoice::coarsest(double cutoff, int order, int exponent, double required_in_unit_box) {
   int coarse = index_of(cutoff / 2), fine = index_of(cutoff / 40);
   while (fine - coarse > 1) {
@@ -240,9 +245,9 @@ int MeshChoice::coarsest(double cutoff, int order, int exponent, double required
 }
 
 void MeshChoice::try_cutoff(double cutoff, Orders orders, const Box& box, Best& best) {
-  // In water the actual error is 0.3 to 1.5 times the expected one: smaller where molecules screen
-  // each other, larger because of the coarse sum over wave vectors. The margin covers the larger
-  // values.
+  // In water the actual error is 0.3 to 1.5 times the expected error. It can be smaller because
+  // molecules screen each other, and larger because the sum over wave vectors is coarse. The margin
+  // covers the larger values.
   constexpr double margin = 1.5;
   const double required = settings_.pme_accuracy * typical_force(topology_, box) / margin;
   const double required_in_unit_box = required * std::sqrt(box.volume());
@@ -250,7 +255,8 @@ void MeshChoice::try_cutoff(double cutoff, Orders orders, const Box& box, Best& 
   for (int order = orders.first; order <= orders.last; ++order) {
     MeshSettings mesh{{}, order, 0, cutoff};
     if (pairs + expected_mesh_seconds(topology_, mesh) > best.seconds) continue;
-    // For each exponent the coarsest sufficient spacing, which has a single maximum over exponents.
+    // For each exponent, find the coarsest sufficient spacing. As a function of the exponent it has
+    // a single maximum.
     int coarse = std::numeric_limits<int>::max();
     for (int m = 3; m <= CompactSplit::max_exponent; ++m) {
       const int spacing = coarsest(cutoff, order, m, required_in_unit_box);
@@ -264,8 +270,8 @@ void MeshChoice::try_cutoff(double cutoff, Orders orders, const Box& box, Best& 
   }
 }
 
-/// Every fourth cutoff is tried first with the usual order, then those around the best one with all
-/// orders.
+/// Finds the cheapest mesh. Every fourth cutoff is tried first with the usual order. Then the
+/// cutoffs around the best one are tried with all orders.
 MeshSettings MeshChoice::cheapest(const Box& box) {
   constexpr int stride = 4;
   constexpr Orders all{MeshSettings::min_order, MeshSettings::max_order}, usual{5, 5};
@@ -286,8 +292,8 @@ MeshSettings MeshChoice::cheapest(const Box& box) {
   return best.mesh;
 }
 
-/// What to do about a mesh that is too fine: use the cutoff, increased in steps of a quarter, at
-/// which it no longer is.
+/// The remedy for a mesh that is too fine: a longer cutoff at which the mesh is coarse enough,
+/// found in steps of 25 %.
 std::string MeshChoice::remedy(const Box& box, const MeshSettings& best) const {
   const double max_points = max_points_for(ChargeDistribution(topology_).charges());
   ForceSettings longer = settings_;

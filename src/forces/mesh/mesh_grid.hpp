@@ -11,25 +11,26 @@
 
 namespace polhode {
 
-/// Points of a grid that a pack holds: `rows` rows along y of `columns` points along x, at one z.
+/// The shape of a tile, which is the set of grid points in a pack: `rows` rows along y, each with
+/// `columns` points along x, at one z.
 struct MeshTile {
   std::size_t columns = 1, rows = 1;
   std::size_t size() const { return columns * rows; }
   friend bool operator==(const MeshTile&, const MeshTile&) = default;
 };
 
-/// Numbers on the points of a grid. The tiles above one another along z are a stack, contiguous in
-/// memory; beyond the last plane it has the periodic continuation of the first ones, so that a
-/// spline can be added at any z. Stacks are ordered by x, then by y.
+/// Numbers on the points of a grid. Tiles at the same x and y form a stack along z, which is
+/// contiguous in memory. Beyond the last plane, a stack has the periodic continuation of its first
+/// planes, so that a spline can be added at any z. Stacks are ordered by x, then by y.
 template <class T>
 struct MeshGrid {
   std::array<std::size_t, 3> points{};
   MeshTile tile;
-  std::size_t overhang = 0;  ///< planes beyond the last
-  std::size_t stack = 0;     ///< from stack to stack along x, in numbers
-  std::size_t row = 0;       ///< from one row of stacks to the next
+  std::size_t overhang = 0;  ///< number of planes beyond the last
+  std::size_t stack = 0;     ///< distance between stacks along x, in numbers
+  std::size_t row = 0;       ///< distance between rows of stacks, in numbers
   Column<T> values;
-  /// Where the stack of a point x and the row of stacks of a point y begin, also up to eleven
+  /// Offsets of the stack of a point x and of the row of stacks of a point y, also for up to eleven
   /// points beyond the end.
   std::vector<std::ptrdiff_t> stack_at, row_at;
 
@@ -39,15 +40,16 @@ struct MeshGrid {
 
   std::size_t stacks() const { return points[0] / tile.columns; }
   std::size_t rows() const { return points[1] / tile.rows; }
-  /// Whether it is larger than a second-level cache, so that it helps to prefetch tiles.
+  /// Whether the grid is larger than a second-level cache, so that prefetching tiles helps.
   bool is_large() const { return values.size() * sizeof(T) > (std::size_t{1} << 20); }
 };
 
-/// Points along x and y are multiples of this number, so that tiles of any shape fill the grid.
+/// The numbers of points along x and y are multiples of this number, so that tiles of any shape
+/// fill the grid.
 inline constexpr std::size_t mesh_multiple = 4;
 
 POLHODE_DECLARE_LOOPS(
-    /// The shape of a tile.
+    /// The shape of a tile for grids of double and of float.
     MeshTile mesh_tile(const MeshGrid<double>*); MeshTile mesh_tile(const MeshGrid<float>*);)
 
 }  // namespace polhode

@@ -18,7 +18,8 @@ double power(double x, int n) {
 
 Influence::Influence(const MeshSettings& settings, const Box& box)
     : split_(settings.cutoff, settings.exponent), volume_(box.volume()) {
-  // Aliases n + l points fall off as l^(2 − 2 order): the sum of those left out is below 1e-9.
+  // Aliases at n + l points decrease as l^(2 − 2 order). The sum of the omitted aliases is below
+  // 1e-9.
   constexpr int aliases = 30;
   for (std::size_t d = 0; d < 3; ++d) {
     const auto points = static_cast<double>(settings.points[d]);
@@ -27,7 +28,7 @@ Influence::Influence(const MeshSettings& settings, const Box& box)
       Wave wave{2 * units::pi * signed_n / box.edge[d], {}, 0, 0};
       const int next = signed_n > 0 ? -1 : 1;
       const double sine =
-          std::sin(units::pi * signed_n / points);  // of all aliases, but for the sign
+          std::sin(units::pi * signed_n / points);  // numerator of all aliases, except for the sign
       for (int l = -aliases; l <= aliases; ++l) {
         const double m = signed_n + l * points, angle = units::pi * m / points;
         const double k = 2 * units::pi * m / box.edge[d];
@@ -49,7 +50,8 @@ InfluenceValue Influence::operator()(const std::array<std::size_t, 3>& n) const 
   const double all = x.all * y.all * z.all;
   const double all_k2 =
       x.all_k2 * y.all * z.all + x.all * y.all_k2 * z.all + x.all * y.all * z.all_k2;
-  // Σ U² ρ and its slope; aliases with small shares do not affect the error.
+  // The sum Σ U² ρ and its slope. Aliases with small shares are omitted, because they do not affect
+  // the error.
   const double min_share = 1e-3 * x.near[0].share * y.near[0].share * z.near[0].share;
   TransformValue density{0, 0};
   for (const Alias& a : x.near)

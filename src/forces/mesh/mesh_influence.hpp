@@ -13,43 +13,44 @@
 namespace polhode {
 
 struct InfluenceValue {
-  double factor;  ///< G: E = ½ Σ G |S|² [kJ/mol/e²]
-  double slope;  ///< H: −dE/dε = ½ Σ |S|² (G + H k ⊗ k) for a strain that moves the charges with it
+  double factor;  ///< factor G in the energy E = ½ Σ G |S|² [kJ/mol/e²]
+  double slope;  ///< factor H in −dE/dε = ½ Σ |S|² (G + H k ⊗ k), for a strain that moves the
+                 ///< charges with it
 };
 
-/// If forces are the gradient of the energy, their mean square error is smallest for the factor
-/// [ballenegger2012]
-///   G = Σ U² k² γ / (Σ U² · Σ U² k²),
-/// with sums over k and its aliases, U(k) the transform of the assignment function, and γ the
-/// desired energy 4 π K ρ(k)/(k² V). U depends on the grid alone, so the volume derivative of G is
-/// that of ρ and k², and the trace of the virial is as exact as the forces.
+/// Computes the optimal influence function of a mesh. If forces are the gradient of the energy,
+/// their mean square error is smallest for the factor G = Σ U² k² γ / (Σ U² · Σ U² k²)
+/// [ballenegger2012]. Sums are over k and its aliases, U(k) is the transform of the assignment
+/// function, and γ is the desired energy 4 π K ρ(k)/(k² V). U depends only on the grid, so the
+/// volume derivative of G follows from the derivatives of ρ and k². The trace of the virial is
+/// therefore as accurate as the forces.
 class Influence {
  public:
   Influence(const MeshSettings& settings, const Box& box);
 
-  /// Wave number of index n along an edge [1/nm]; indices above half the points are negative:
-  /// n − points.
+  /// The wave number of index n along edge d [1/nm]. An index above half the number of points is
+  /// the negative index n − points.
   double k(std::size_t d, std::size_t n) const { return axes_[d][n].k; }
   InfluenceValue operator()(const std::array<std::size_t, 3>& n) const;
 
  private:
   struct Alias {
     double k;
-    double share;  // U²
+    double share;  // share U² of the alias
   };
   struct Wave {
     double k;
-    std::array<Alias, 2> near;  // itself and the alias with the next largest share
-    double all, all_k2;         // Σ U² and Σ U² k² over all aliases
+    std::array<Alias, 2> near;  // the wave and the alias with the next largest share
+    double all, all_k2;         // sums Σ U² and Σ U² k² over all aliases
   };
   CompactSplit split_;
   double volume_;
   std::array<std::vector<Wave>, 3> axes_;
 };
 
-/// The influence of all waves of a mesh. It depends neither on the signs of a wave's numbers nor,
-/// in a cube, on their order: computed once for each set of sizes, because a barostat needs it
-/// again for every box.
+/// The influence function for all waves of a mesh. It depends neither on the signs of the wave
+/// numbers nor, in a cubic box, on their order. It is computed once for each set of magnitudes,
+/// because a barostat needs it for every new box.
 class InfluenceTable {
  public:
   InfluenceTable(const Influence& influence, const std::array<std::size_t, 3>& points,

@@ -15,42 +15,43 @@ namespace polhode {
 
 /// The charged sites of a range of slots of one molecule type.
 struct MeshBodies {
-  const std::vector<double>& charges;  ///< of the sites [e]
+  const std::vector<double>& charges;  ///< charges of the sites [e]
   std::size_t first, end;              ///< slots; `first` is a multiple of slot_block
 };
 
-/// A record of each charge: its place along x, y and z (base/pack_grid.hpp) and the charge [e].
+/// The record of a charge: its place along x, y and z (base/pack_grid.hpp) and the charge [e].
 struct ChargeRecord {
   static constexpr std::size_t stride = 4;
 };
 
-/// Charges to be placed on the grid, in blocks of slot_block bodies: within a block, the bodies of
-/// the first site come first.
+/// A job that places charges on the grid, in blocks of slot_block bodies. Within a block, the
+/// charges of the first site of all bodies come first.
 template <class T>
 struct PlaceChargesJob {
   const Box& box;
   const SiteRecords<T>& records;
   MeshBodies bodies;
   std::array<std::size_t, 3> points;
-  T* charges;         ///< records, also for the slots that fill the last block
-  std::int32_t* row;  ///< of each charge: the grid point below it along y
-  /// For derivatives: displacements laid out as `records`, and for each charge a record of its own
-  /// displacement in grid spacings.
+  T* charges;         ///< records of charges, also for the slots that fill the last block
+  std::int32_t* row;  ///< for each charge, the grid point below it along y
+  /// For derivatives only: displacements with the layout of `records`, and for each charge a record
+  /// of its displacement in grid spacings.
   const SiteRecords<T>* displacements = nullptr;
   T* moves = nullptr;
 };
 
-/// Charges that are spread over the grid. Each grid point receives their contributions in order.
+/// A job that spreads charges over the grid. Each grid point receives their contributions in order.
 template <class T>
 struct SpreadJob {
-  const T* charges;  ///< records
-  const T* moves;    ///< of their displacements: each charge becomes a dipole; null without
+  const T* charges;  ///< records of charges
+  const T* moves;    ///< records of their displacements, which make each charge a dipole; null
+                     ///< without displacements
   const std::uint32_t *order, *end;  ///< numbers of the charges
   int spline;                        ///< order of the spline
   MeshGrid<T>& grid;
 };
 
-/// Bodies on which the potential on the grid acts.
+/// A job that gathers the forces of the potential on bodies.
 template <class T>
 struct GatherJob {
   const Box& box;
@@ -59,15 +60,17 @@ struct GatherJob {
   int order;
   const MeshGrid<T>& grid;  ///< K times the potential of the charges [kJ/mol/e]
   T* sums;                  ///< accumulates force and torque of each slot, as in ChunkSums
-  Mat3<double>* arms;       ///< accumulates Σ arm ⊗ force over sites; null if not needed
+  Mat3<double>* arms;       ///< accumulates Σ arm ⊗ force over all sites; null if not needed
 };
 
-/// Bodies that are displaced while the potential changes.
+/// A job that gathers derivatives of forces, for bodies that are displaced while the potential
+/// changes.
 template <class T>
 struct GatherDerivativeJob {
-  GatherJob<T> forces;  ///< without arms
+  GatherJob<T> forces;  ///< job of the forces, without arms
   const SiteRecords<T>& displacements;
-  const MeshGrid<T>& derivative;  ///< derivative of the grid along the displacement of all charges
+  const MeshGrid<T>& derivative;  ///< derivative of the potential along the displacement of all
+                                  ///< charges
 };
 
 POLHODE_DECLARE_LOOPS(

@@ -15,7 +15,8 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t slots_at_once = 4 * slot_block;  // gathered per task
+constexpr std::size_t slots_at_once = 4 * slot_block;  // number of slots that a task gathers at
+                                                       // once
 
 template <class T>
 void check(const MeshSettings& settings) {
@@ -32,8 +33,8 @@ void check(const MeshSettings& settings) {
                       "least {}, so that a spline does not overlap with itself",
                       points, mesh_multiple, MeshSettings::max_order));
   const auto [nx, ny, nz] = settings.points;
-  // Per grid point: the charges or their potential, its Fourier coefficient, and half a number each
-  // for the influence function and its slope.
+  // Memory per grid point: the charges or their potential, its Fourier coefficient, and half a
+  // number each for the influence function and its slope.
   const double bytes =
       3 * sizeof(T) * static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz);
   require_memory(bytes, fmt::format("{} x {} x {} mesh points", nx, ny, nz),
@@ -200,7 +201,7 @@ MeshLoad ParticleMesh<T>::convolve_on(Field& field, bool energies) {
   return load;
 }
 
-/// All k_y of a few k_x and k_z.
+/// A unit of work: all k_y of a few k_x and k_z.
 template <class T>
 void ParticleMesh<T>::convolve_column(Field& field, std::size_t column, bool energies) {
   MeshModes<T>& modes = field.modes;
@@ -217,7 +218,7 @@ void ParticleMesh<T>::convolve_column(Field& field, std::size_t column, bool ene
   for (std::size_t lane = 0; lane < pack; ++lane) {
     const auto [x, z] = modes.wave(column, lane);
     if (z > settings_.points[2] / 2) continue;
-    // Half the sum over k; those with k_z > 0 represent −k, too.
+    // This is half of the sum over k, because waves with k_z > 0 also represent −k.
     const double half = z == 0 || 2 * z == settings_.points[2] ? 0.5 : 1;
     const double energy = half * sums.energy[lane], slope = half * sums.slope[lane],
                  slope_y = half * sums.slope_y[lane];
@@ -235,7 +236,7 @@ void ParticleMesh<T>::convolve_column(Field& field, std::size_t column, bool ene
   loads_[column] = load;
 }
 
-/// Calls gather(block, bodies) for the bodies of each task.
+/// Calls gather(block, bodies) for the bodies in each task.
 template <class T>
 template <class Gather>
 void ParticleMesh<T>::each_charged_block(const Slots& slots, const Gather& gather) {

@@ -18,9 +18,9 @@ namespace polhode {
 
 /// Total energy and virial of the mesh; 0 if energies are not requested.
 struct MeshLoad {
-  double energy = 0;      ///< of the smooth part, summed over wave vectors [kJ/mol]
-  Mat3<double> virial{};  ///< as in Load: −dE/dε for a strain that moves the centres of bodies
-                          ///< [kJ/mol]
+  double energy = 0;      ///< energy of the smooth part, summed over wave vectors [kJ/mol]
+  Mat3<double> virial{};  ///< virial as in Load: −dE/dε for a strain that moves the centres of
+                          ///< bodies [kJ/mol]
 };
 
 /// Corrections of the smooth part that do not depend on the positions of bodies: self-energy of
@@ -28,55 +28,58 @@ struct MeshLoad {
 /// neutralizes a net charge [kJ/mol].
 struct MeshConstant {
   double self = 0, intramolecular = 0, background = 0;
-  Mat3<double> virial{};  ///< of the background
+  Mat3<double> virial{};  ///< virial of the background
   double energy() const { return self + intramolecular + background; }
 
   MeshConstant(const Topology& topology, const CompactSplit& split, const Box& box);
 };
 
+/// The particle mesh, which computes the smooth part of the electrostatic energy.
 /// @tparam T  precision of the grid: double or float
 template <class T>
 class ParticleMesh {
  public:
-  /// @throws Error  if an edge has fewer grid points than a spline needs or not a multiple of
-  ///                mesh_multiple, or an order or an exponent is out of its domain
+  /// @throws Error  if the number of grid points along an edge is too small for a spline or not a
+  ///   multiple of mesh_multiple, or if an order or exponent is out of its domain
   ParticleMesh(const Topology& topology, const MeshSettings& settings, const Box& box,
                Workers& workers = Workers::serial());
   ~ParticleMesh();
 
-  /// Sets another box, for the same grid points, and discards the potential.
+  /// Sets another box with the same number of grid points, and discards the potential.
   void set_box(const Box& box);
 
-  /// Adds forces and torques to `sums`, one record per slot as in ChunkSums; computes the energy
-  /// and the virial if requested. Bitwise identical for any number of threads. Does not allocate.
+  /// Adds forces and torques to `sums`, which has one record per slot as in ChunkSums. If
+  /// requested, it also computes the energy and the virial. Results are bitwise identical for any
+  /// number of threads. The function does not allocate memory.
   MeshLoad operator()(const Slots& slots, const SiteRecords<T>& records, T* sums, bool energies);
 
-  // Its three steps, in this order:
+  // The three steps of an evaluation follow in their order.
   /// Spreads the charges onto the grid.
   void spread(const Slots& slots, const SiteRecords<T>& records);
-  /// Replaces the charges on the grid by their potential; returns its energy, and the virial of a
+  /// Replaces the charges on the grid by their potential. Returns the energy, and the virial of a
   /// strain that moves charges with the box.
   MeshLoad convolve(bool energies);
   /// Adds forces and torques to `sums`; returns Σ arm ⊗ force over all sites if requested.
   Mat3<double> gather(const Slots& slots, const SiteRecords<T>& records, T* sums, bool arms);
 
   /// Adds the derivatives of forces and torques along a displacement to `sums`.
-  /// @param displacements  of centres and sites, laid out as the records
-  /// @param charges_moved  whether charges moved since their potential was computed, which is then
-  ///                       computed again
+  /// @param displacements  displacements of centres and sites, with the layout of the records
+  /// @param charges_moved  whether charges have moved since their potential was computed, so that
+  ///   it must be computed again
   void derivative(const Slots& slots, const SiteRecords<T>& records,
                   const SiteRecords<T>& displacements, T* sums, bool charges_moved);
 
   const MeshSettings& settings() const { return settings_; }
 
  private:
-  struct Plans;  // of the Fourier transforms
-  struct Field;  // grid with the charges, later with their potential; and its coefficients
+  struct Plans;  // plans of the Fourier transforms
+  struct Field;  // grid with the charges and later with their potential, and its Fourier
+                 // coefficients
   struct Axis {
-    std::vector<double> k, odd;  // wave number; odd: the same, but 0 where k and −k are the same
+    std::vector<double> k, odd;  // wave numbers; `odd` is the same, but 0 if k and −k are the same
                                  // wave
   };
-  // What depends on the box.
+  // Factors that depend on the box.
   struct Factors {
     Box box{};
     std::array<Axis, 3> axes;
@@ -84,7 +87,7 @@ class ParticleMesh {
   };
   void use_tiles();
   Factors factors_of(const Box& box);
-  // With displacements, spreads the derivative of the charges.
+  // Spreads the charges or, if displacements are given, the derivative of the charges.
   void spread_on(Field& field, const Slots& slots, const SiteRecords<T>& records,
                  const SiteRecords<T>* displacements);
   MeshLoad convolve_on(Field& field, bool energies);
@@ -97,12 +100,14 @@ class ParticleMesh {
   MeshCharges<T> charges_;
   std::unique_ptr<Plans> plans_;
   std::unique_ptr<Field> field_;
-  std::unique_ptr<Field> derivative_;  // of the field; allocated when it is first requested
+  std::unique_ptr<Field> derivative_;  // derivative of the field; allocated when it is first
+                                       // requested
   bool has_potential_ = false;
   Factors factors_;
-  Factors earlier_;  // of the box before: after a rejected move, a barostat returns to it
-  std::vector<MeshLoad> loads_;     // of each column
-  std::vector<Mat3<double>> arms_;  // of each task
+  Factors earlier_;  // factors of the previous box, to which a barostat returns after a rejected
+                     // move
+  std::vector<MeshLoad> loads_;     // loads of each column
+  std::vector<Mat3<double>> arms_;  // arms of each task
 };
 
 }  // namespace polhode

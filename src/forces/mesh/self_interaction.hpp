@@ -8,8 +8,9 @@
 
 namespace polhode {
 
-/// The smooth part is summed over all pairs of charges, so the self-interaction of each charge and
-/// the interaction of charges within the same body are subtracted again [kJ/mol].
+/// Self-energy and intramolecular (exclusion) corrections [kJ/mol]. The smooth part is summed over
+/// all pairs of charges, so the self-interaction of each charge and the interactions within a body
+/// are subtracted.
 struct SelfInteraction {
   double self = 0, intramolecular = 0;
   double net = 0;  ///< sum of all charges [e]

@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// The stride for rows of that length, in whole cache lines but not a multiple of four of them: the
-/// same column of successive rows would otherwise map to few sets of the cache.
+/// The stride for rows of a given length. It is a whole number of cache lines, but not a multiple
+/// of four lines. Otherwise the same column of successive rows would map to few sets of the cache.
 template <class T>
 std::size_t spread_lines(std::size_t numbers) {
   constexpr std::size_t line = pack_bytes / sizeof(T);
@@ -18,7 +18,8 @@ std::size_t spread_lines(std::size_t numbers) {
   return (count % 4 == 0 ? count + 1 : count) * line;
 }
 
-/// The same with an odd number of lines: for planes, many more of which are read one after another.
+/// The stride for planes of a given size: an odd number of cache lines, because many planes are
+/// read one after another.
 template <class T>
 std::size_t odd_lines(std::size_t numbers) {
   constexpr std::size_t line = pack_bytes / sizeof(T);

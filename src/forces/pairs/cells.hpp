@@ -14,18 +14,19 @@
 
 namespace polhode {
 
-/// Cells of equal size that fill the box, numbered so that consecutive bodies fill compact blocks:
-/// columns along z, cut into thin cells, are swept up and down in turn, layer by layer along y,
-/// which is also how the points of a mesh are stored.
+/// Cells of equal size that fill the box, numbered so that consecutive bodies fill compact blocks.
+/// Columns along z, which are divided into thin cells, are traversed alternately up and down, layer
+/// by layer along y. Mesh points are stored in the same order.
 struct CellGrid {
-  static constexpr double block = 16;  ///< bodies in a piece of a column that is as long as wide
-  static constexpr double slices = 8;  ///< cells along this piece
+  static constexpr double block = 16;  ///< number of bodies in a piece of a column that is as long
+                                       ///< as wide
+  static constexpr double slices = 8;  ///< number of cells along such a piece
 
-  Vec3<double> edge{1, 1, 1};  ///< of the box [nm]
+  Vec3<double> edge{1, 1, 1};  ///< box edges [nm]
   std::array<std::size_t, 3> cells{1, 1, 1};
 
   CellGrid() = default;
-  /// Cells for a number of bodies, spread over the box.
+  /// Divides the box into cells for a number of bodies.
   CellGrid(const Box& box, std::size_t bodies);
 
   std::size_t size() const { return cells[0] * cells[1] * cells[2]; }
@@ -44,9 +45,9 @@ struct CellGrid {
 /// The slots of each molecule type begin at a multiple of this number: whole packs of any width.
 inline constexpr std::size_t slot_block = 64;
 
-/// Bodies sorted by cell, molecule type by molecule type, each with a grid of its own. A slot is a
-/// position in this order. The slots of a type begin at a multiple of slot_block; unused slots
-/// before the next type repeat a body of the type and are ignored.
+/// Bodies sorted by molecule type and then by cell, where each type has a separate grid of cells. A
+/// slot is a position in this order. The slots of a type begin at a multiple of slot_block. Unused
+/// slots before the next type repeat a body of the type and are ignored.
 struct Slots {
   struct Part {
     std::uint32_t first = 0, count = 0;
@@ -55,9 +56,9 @@ struct Slots {
   std::vector<Part> parts;
   std::vector<std::uint32_t> body;  ///< index of the body in each slot
 
-  // For each slot, when the list was built:
-  Vec3Column built_at;  ///< q [nm], unwrapped
-  Vec3Column place;     ///< q wrapped into the box [nm]
+  // The following columns have a value for each slot, from the time when the list was built:
+  Vec3Column built_at;  ///< unwrapped position q [nm]
+  Vec3Column place;     ///< position q wrapped into the box [nm]
 
   explicit Slots(const Topology& topology);
   std::size_t size() const { return body.size(); }
@@ -66,9 +67,9 @@ struct Slots {
   void sort(const State& state, Workers& workers);
 
  private:
-  std::vector<std::uint32_t> first_body_;  // of each part
-  std::vector<std::uint32_t> cell_of_;     // of each body
-  std::vector<std::uint32_t> cell_end_;    // of the part being sorted
+  std::vector<std::uint32_t> first_body_;  // first body of each part
+  std::vector<std::uint32_t> cell_of_;     // cell of each body
+  std::vector<std::uint32_t> cell_end_;    // ends of the cells of the part that is being sorted
 };
 
 }  // namespace polhode

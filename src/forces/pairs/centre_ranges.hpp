@@ -9,16 +9,18 @@
 
 namespace polhode {
 
-/// Distances of the centres of two molecules [nm].
+/// Ranges of the distance between the centres of two molecules [nm].
 struct CentreRanges {
-  double charges = 0, short_range = 0;  ///< within which these interact; 0 if they never do
-  double inside = 0;                    ///< within which nothing is truncated
+  double charges = 0, short_range = 0;  ///< range within which charges and short-range sites
+                                        ///< interact; 0 if they never do
+  double inside = 0;                    ///< range within which nothing is truncated
 
   double largest() const { return std::max(charges, short_range); }
 };
 
-/// Two sites within a cutoff have centres at most that cutoff plus their own distances from these
-/// centres apart; with the molecule switch, the cutoff is that of the centres.
+/// Computes the ranges of two molecule types. If two sites are within the cutoff, their centres are
+/// at most the cutoff plus both site-to-centre distances apart. With the molecule switch, the
+/// cutoff applies to the centres.
 CentreRanges centre_ranges(const ForceSettings& settings, const Molecule& a, const Molecule& b);
 
 }  // namespace polhode

@@ -9,9 +9,8 @@ namespace polhode {
 
 /// Cutoff treatment of the pairs of a loop. `none` and `smooth_untruncated` are for molecules known
 /// to lie inside the switching distance, where nothing is truncated. With `smooth` (PME, damped
-/// shifted force) the Coulomb energy vanishes at the cutoff by itself, because a polynomial is
-/// subtracted from 1/r, and the short-range law is switched site by
-/// site.
+/// shifted force), a polynomial is subtracted from 1/r, so the Coulomb energy already vanishes at
+/// the cutoff. The short-range law is switched site by site.
 enum class CutoffTreatment {
   none,
   molecule_switch,
@@ -27,7 +26,7 @@ constexpr bool switches_sites(CutoffTreatment treatment) {
 constexpr bool is_smooth(CutoffTreatment treatment) {
   return treatment == CutoffTreatment::smooth || treatment == CutoffTreatment::smooth_untruncated;
 }
-/// The treatment of pairs inside the switching distance: the same laws without truncation.
+/// The cutoff treatment of pairs inside the switching distance: the same laws without truncation.
 constexpr CutoffTreatment without_truncation(CutoffTreatment treatment) {
   return is_smooth(treatment) ? CutoffTreatment::smooth_untruncated : CutoffTreatment::none;
 }
@@ -52,7 +51,7 @@ class SiteTruncation {
     if constexpr (switches_sites(treatment)) switch_ = laws.switching(r2 * inverse_r.first());
   }
 
-  /// u and −u'/r of a law.
+  /// Evaluates u and −u'/r of a law.
   template <class Law>
   POLHODE_INLINE PairValue<Real> operator()(const Law& law) const {
     const PairValue<Real> at_r = with_derivative(law(inverse_r_, r2_), r2_);
@@ -65,17 +64,17 @@ class SiteTruncation {
   }
 
  private:
-  // w u, and −(w u)'/r = w s − w' u/r.
+  // Multiplies by the switch: w u, and −(w u)'/r = w s − w' u/r.
   POLHODE_INLINE PairValue<Real> switched(const PairValue<Real>& at_r) const {
     return {switch_.w * at_r.u, switch_.w * at_r.s - switch_.slope * inverse_r_.first() * at_r.u};
   }
-  // u(r) − u(r_c) − (r − r_c) u'(r_c) for r < r_c, zero beyond [toxvaerd2011].
+  // The shifted law: u(r) − u(r_c) − (r − r_c) u'(r_c) for r < r_c, and zero beyond [toxvaerd2011].
   template <class Law>
   POLHODE_INLINE PairValue<Real> shifted(const PairValue<Real>& at_r, const Law& law) const {
     using C = Constant<Real>;
     const C rc(laws_.cutoff), rc2(laws_.cutoff * laws_.cutoff);
     const PairValue<C> at_cutoff = law(InversePowers<C>(rc2), rc2);
-    const C f = at_cutoff.s * rc;  // −u'(r_c)
+    const C f = at_cutoff.s * rc;  // force −u'(r_c) at the cutoff
     const Real one_over_r = inverse_r_.first(), r = r2_ * one_over_r;
     const auto within = r < Real(rc);
     return {select(within, at_r.u - at_cutoff.u + (r - rc) * f, Real(0)),
@@ -85,7 +84,7 @@ class SiteTruncation {
   const PairLaws<T>& laws_;
   const InversePowers<Real>& inverse_r_;
   const Real& r2_;
-  typename Switch<T>::template Value<Real> switch_{};  // w(r) and w'(r)
+  typename Switch<T>::template Value<Real> switch_{};  // switch w(r) and its derivative w'(r)
 };
 
 }  // namespace polhode

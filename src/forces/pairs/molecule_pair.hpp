@@ -22,16 +22,16 @@ template <class Real>
 struct PairLoad {
   Vec3<Real> f{};                   ///< force on b [kJ/mol/nm]
   Vec3<Real> tau_b{};               ///< torque on b about its centre [kJ/mol]
-  Real van_der_waals{}, coulomb{};  ///< [kJ/mol]; only if requested
+  Real van_der_waals{}, coulomb{};  ///< energies [kJ/mol], only if requested
 
   /// Torque on a about its centre [kJ/mol]. Every force acts along the line between two sites or
   /// between the centres, so the torques about any common point cancel: tau_a + tau_b + R × f = 0.
-  /// If all sites are at the centre, the result is 0 only to rounding.
+  /// If all sites are at the centre, the result is 0 only up to round-off.
   Vec3<Real> tau_a(const Vec3<Real>& R) const { return -(tau_b + cross(R, f)); }
 };
 
-/// The switch between centres of mass: U = w(R) u has the forces w s between sites, and −w'(R) u
-/// between the centres.
+/// The switch between centres of mass. The energy U = w(R) u gives the forces w s between sites,
+/// and −w'(R) u between the centres.
 template <class Real, class T>
 class MoleculeSwitch {
  public:
@@ -51,25 +51,25 @@ class MoleculeSwitch {
  private:
   const Vec3<Real>& R_;
   Real inverse_R_;
-  typename Switch<T>::template Value<Real> at_R_;  // w(R) and w'(R)
+  typename Switch<T>::template Value<Real> at_R_;  // switch w(R) and its derivative w'(R)
 };
 
-/// The pairs of a group of sites a of the first molecule with a group of sites b of the second. A
-/// step of the computation is done for all pairs before the next begins, so that no operation waits
-/// for the result of the one before; the result of each step is a separate variable (the compiler
-/// keeps fewer members of one class in registers).
+/// The site pairs between a group of sites a of the first molecule and a group of sites b of the
+/// second molecule. Each step of the computation is done for all pairs before the next step begins,
+/// so that operations need not wait for each other. The result of each step is a separate variable,
+/// because the compiler keeps fewer members of a class in registers.
 template <class Shape, class Real>
 class SitePairs {
  public:
   static constexpr std::size_t a_at_once = Shape::a_at_once;
   static constexpr std::size_t b_at_once = Shape::template b_at_once<Real>;
-  /// A pair by its sites, and by their places i and k in their groups.
+  /// A site pair, given by its sites and by their places i and k in the groups.
   struct Pair {
     std::size_t i, k, a, b;
   };
   template <class Number>
-  using PerSite = std::array<Number, b_at_once>;  // [k]
-  /// A number of each pair.
+  using PerSite = std::array<Number, b_at_once>;  // number for each site, by k
+  /// A number for each pair.
   template <class Number>
   struct PerPair {
     std::array<std::array<Number, a_at_once>, b_at_once> values;
@@ -80,7 +80,7 @@ class SitePairs {
   POLHODE_INLINE SitePairs(const Shape& shape, std::size_t group_a, std::size_t group_b)
       : shape_(shape), first_a_(group_a * a_at_once), first_b_(group_b * b_at_once) {}
 
-  /// Calls body(pairs) for all groups.
+  /// Calls body(pairs) for each group of pairs.
   template <class Body>
   POLHODE_INLINE static void each_group(const Shape& shape, const Body& body) {
     polhode::each(shape.template groups_b<Real>(), [&](auto group_b) POLHODE_INLINE_LAMBDA {
@@ -90,13 +90,13 @@ class SitePairs {
     });
   }
   template <class Body>
-  POLHODE_INLINE void each_b(const Body& body) const {  // body(k, b)
+  POLHODE_INLINE void each_b(const Body& body) const {  // Calls body(k, b) for each site b.
 #pragma GCC unroll 8
     for (std::size_t k = 0; k < b_at_once; ++k)
       if (first_b_ + k < shape_.sites_b) body(k, first_b_ + k);
   }
   template <class Body>
-  POLHODE_INLINE void each(const Body& body) const {  // body(pair)
+  POLHODE_INLINE void each(const Body& body) const {  // Calls body(pair) for each pair.
 #pragma GCC unroll 8
     for (std::size_t k = 0; k < b_at_once; ++k)
 #pragma GCC unroll 8
@@ -114,7 +114,7 @@ class SitePairs {
   }
 
   template <class Value>
-  POLHODE_INLINE auto compute(const Value& value) const {  // value(pair) of each pair
+  POLHODE_INLINE auto compute(const Value& value) const {  // Computes value(pair) for each pair.
     PerPair<decltype(value(Pair{}))> values;
     each([&](Pair pair) POLHODE_INLINE_LAMBDA { values[pair] = value(pair); });
     return values;
@@ -125,8 +125,9 @@ class SitePairs {
   std::size_t first_a_, first_b_;
 };
 
-/// The polynomial P that is subtracted from 1/r between charges, and its −P'/r, for each pair: by
-/// Horner's rule in y = 1 − r²/a², all pairs one step at a time. Nothing if no polynomial is used.
+/// The polynomial P that is subtracted from 1/r between charges, and −P'/r, for each pair. It is
+/// computed by Horner's rule in y = 1 − r²/a², one step at a time for all pairs. It is empty if no
+/// polynomial is used.
 template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class T>
 POLHODE_INLINE inline auto smooth_parts(
     const SitePairs<Shape, Real>& pairs,
@@ -156,8 +157,8 @@ POLHODE_INLINE inline auto smooth_parts(
   return parts;
 }
 
-/// Two charges, with charge = K q q: 1/r − P(r) up to the cutoff if a polynomial P is subtracted,
-/// otherwise 1/r + k r² − c, truncated.
+/// The interaction of two charges, with charge = K q q. If a polynomial P is subtracted, it is 1/r
+/// − P(r) up to the cutoff, and otherwise the truncated 1/r + k r² − c.
 template <CutoffTreatment treatment, class Real, class T>
 POLHODE_INLINE inline PairValue<Real> coulomb_pair(
     Constant<Real> charge, const SiteTruncation<treatment, Real, T>& truncated,
@@ -177,7 +178,7 @@ POLHODE_INLINE inline PairValue<Real> coulomb_pair(
   }
 }
 
-/// One pair: u and −u'/r of each of its laws. Returns the sum of −u'/r and adds up the energies.
+/// Evaluates the laws of one site pair. It returns the sum of −u'/r and adds up the energies.
 template <bool need_u, class Shape, class Real, class Coulomb, class ShortRange>
 POLHODE_INLINE inline Real sum_of_laws(const Shape& shape, std::size_t a, std::size_t b,
                                        const Coulomb& coulomb, const ShortRange& short_range,
@@ -228,9 +229,8 @@ POLHODE_INLINE inline void add_pairs(const SitePairs<Shape, Real>& pairs, const 
 
 /// Sums over the site pairs of molecules a and b. The cutoff treatments are
 ///
-/// `molecule_switch`:  U = w(R) Σ u(r), R the distance between the centres of mass
-/// `site_switch`:      U = Σ w(r) u(r)
-/// `site_shift`:       U = Σ [u(r) − u(r_c) − (r − r_c) u'(r_c)] for r < r_c
+/// `molecule_switch`:  U = w(R) Σ u(r), R the distance between the centres of mass `site_switch`:
+/// U = Σ w(r) u(r) `site_shift`:       U = Σ [u(r) − u(r_c) − (r − r_c) u'(r_c)] for r < r_c
 ///
 /// with u = u_short + K q q (1/r + k r² − c), where u_short is the short-range law of the two
 /// sites, and k and c describe the reaction field, and
@@ -239,9 +239,11 @@ POLHODE_INLINE inline void add_pairs(const SitePairs<Shape, Real>& pairs, const 
 /// SmoothPolynomial
 ///
 /// @tparam energies  whether energies are computed; the forces are the same either way
-/// @param R       vector from the centre of a to that of b, with its periodic image [nm]
-/// @param site_a  callable: position of the k-th site of a relative to a's centre, lab frame [nm]
-/// @param site_b  the same for b, relative to b's centre
+/// @param R       vector from the centre of a to the centre of b, with its periodic image [nm]
+/// @param site_a  function that returns the position of site k of a relative to the centre of a,
+///   lab frame [nm]
+/// @param site_b  function that returns the position of site k of b relative to the centre of b,
+///   lab frame [nm]
 template <CutoffTreatment treatment, bool energies, class Shape, class Real, class Law, class T,
           class SitesOfA, class SitesOfB>
 POLHODE_INLINE inline PairLoad<Real> molecule_pair(const Shape& shape,

@@ -36,9 +36,9 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
                     cutoff, extent, shortest, round_down(shortest - 2 * extent)));
 }
 
-// The work is divided by the number of bodies alone, so that sums do not depend on the number of
-// threads. Chunks are large enough that their own rows outnumber those of neighbouring chunks they
-// add to.
+// The work is divided according to the number of bodies only, so that sums do not depend on the
+// number of threads. Chunks are so large that they have more rows than they add to in neighbouring
+// chunks.
 std::vector<ListChunk> chunks_of(const Slots& slots, std::size_t parts) {
   std::vector<ListChunk> chunks;
   const std::size_t all = slots.size();
@@ -74,8 +74,8 @@ void check_count(const Topology& topology) {
 }
 
 void check_edges(const Box& box) {
-  // Fixed-point positions have errors of up to 2⁻³⁰ of an edge; the search for partners allows for
-  // rounding of 1e-5 nm.
+  // Fixed-point positions have errors of up to 2⁻³⁰ of an edge. The search for partners allows for
+  // a round-off of 1e-5 nm.
   constexpr double max_range = 8192;  // [nm]
   for (std::size_t d = 0; d < 3; ++d)
     if (!(box.edge[d] <= max_range))
@@ -102,7 +102,8 @@ void NeighbourList::set_box(const Topology& topology, const ForceSettings& setti
   for (const auto& a : topology.parts)
     for (const auto& b : topology.parts)
       max_range = std::max(max_range, centre_ranges(settings, a.molecule, b.molecule).largest());
-  // One image in each direction is enough as long as the range does not exceed the shortest edge.
+  // One periodic image in each direction is enough, provided that the range does not exceed the
+  // shortest edge.
   const double skin = std::min(settings.skin, box.shortest_edge() - max_range);
   if (skin <= 0)
     throw Error(
@@ -123,7 +124,7 @@ void NeighbourList::set_box(const Topology& topology, const ForceSettings& setti
   reserve_rows();
 }
 
-/// Reserves memory for the rows of a uniform density, so that they need not grow.
+/// Reserves memory for the rows of a system with uniform density, so that rows need not grow.
 void NeighbourList::reserve_rows() {
   for (ListChunk& chunk : chunks_) {
     double row = 0;

@@ -24,8 +24,8 @@
 
 namespace polhode {
 
-/// A partner in the list: its slot and its periodic image, packed into one word. The image is a
-/// shift by −1, 0 or 1 box edges in each direction, two bits each.
+/// A partner in the neighbour list: its slot and its periodic image, packed into one word. The
+/// image is a shift by −1, 0 or 1 box edges in each direction, two bits each.
 class Neighbour {
  public:
   using Image = Vec3<int>;
@@ -38,13 +38,13 @@ class Neighbour {
   std::uint32_t slot() const { return word_ & slot_mask; }
   Image image() const { return {edges(0), edges(1), edges(2)}; }
 
-  /// The image given to padding lanes, too far away to interact. Along x, two bodies in the box are
-  /// less than one edge plus the skin apart; shifted by two edges they are more than one edge minus
-  /// the skin apart, which exceeds every range. This also holds in fixed point, which wraps around
-  /// after four edges.
+  /// The periodic image given to padding lanes, which is too far away to interact. Along x, two
+  /// bodies in the box are less than one edge plus the skin apart. After a shift by two edges they
+  /// are more than one edge minus the skin apart, which exceeds every range. This also holds in
+  /// fixed point, which wraps around after four edges.
   static constexpr Image nowhere{-2, 0, 0};
 
-  /// The bits of an image; those of direction d are the two highest bits of word << 2 d.
+  /// The bits of a periodic image. The bits of direction d are the two highest bits of word << 2 d.
   static constexpr std::uint32_t bits(const Image& image) {
     const auto two = [](int edges) { return static_cast<std::uint32_t>(edges) & 3u; };
     return two(image.x) << 30 | two(image.y) << 28 | two(image.z) << 26;
@@ -56,7 +56,8 @@ class Neighbour {
   std::uint32_t word_;
 };
 
-/// Consecutive slots of one molecule type, starting at `first` and wrapping around cyclically.
+/// A window of consecutive slots of one molecule type, which starts at `first` and wraps around
+/// cyclically.
 struct SlotWindow {
   std::uint32_t first = 0, count = 0;
 };
@@ -64,15 +65,15 @@ struct SlotWindow {
 /// Some slots of one molecule type with their rows: the unit of work.
 struct ListChunk {
   struct Row {
-    std::uint32_t begin, truncated, end;  ///< indices of entries; from `ending` on, pairs may need
-                                          ///< truncation
+    std::uint32_t begin, truncated, end;  ///< indices of entries; pairs from `truncated` on may
+                                          ///< need truncation
   };
   std::uint32_t part = 0, first = 0, end = 0;  ///< slots first ≤ s < end
-  std::vector<Row> rows;                       ///< [slot − first, partner part − part]
+  std::vector<Row> rows;                       ///< rows, by [slot − first, partner part − part]
   std::vector<std::uint32_t> entries;          ///< words of Neighbour
-  std::uint32_t max_row = 0;                   ///< entries in the longest row
-  std::vector<SlotWindow> windows;             ///< per part: the slots that occur in this chunk;
-                                               ///< empty for ghosts
+  std::uint32_t max_row = 0;                   ///< number of entries in the longest row
+  std::vector<SlotWindow> windows;             ///< for each part, the slots that occur in this
+                                               ///< chunk; empty for ghosts
   const Row& row(std::size_t slot, std::size_t partner_part, std::size_t parts) const {
     return rows[(slot - first) * (parts - part) + (partner_part - part)];
   }
@@ -80,16 +81,17 @@ struct ListChunk {
 
 /// Ranges of the squared distance between the centres of two molecule types [nm²].
 struct PairRange {
-  double listed2;  ///< pairs within it are listed
-  double inside2;  ///< pairs within it stay inside the switching distance while the list is valid
+  double listed2;  ///< range within which pairs are listed
+  double inside2;  ///< range within which pairs stay inside the switching distance while the list
+                   ///< is valid
 };
 
 class NeighbourList {
  public:
-  /// @param topology     its sites determine the extent of each molecule type about its centre
-  /// @param ghost_parts  how many parts of the topology, the last ones, are ghosts
+  /// @param topology     molecules, whose sites determine the extent of each molecule type
+  /// @param ghost_parts  number of parts at the end of the topology that are ghosts
   /// @throws Error       if the box is too small for the cutoff plus the extent of the molecules,
-  /// or
+  ///   or
   ///                     has more bodies than the list can address
   NeighbourList(const Topology& topology, const ForceSettings& settings, const Box& box,
                 std::size_t ghost_parts = 0);
@@ -99,32 +101,32 @@ class NeighbourList {
   /// @throws Error  if the box is too small; the list is then unchanged
   void set_box(const Topology& topology, const ForceSettings& settings, const Box& box);
 
-  /// Rebuilds the list from the positions, with rows in packs of `width` pairs.
+  /// Rebuilds the neighbour list from the positions, with rows in packs of `width` pairs.
   /// @throws RunError  if a position is not finite
   void build(const State& state, std::size_t width, Workers& workers = Workers::serial());
 
   const Box& box() const { return box_; }
   const Slots& slots() const { return slots_; }
   const std::vector<ListChunk>& chunks() const { return chunks_; }
-  /// Whether the bodies of a part are ghosts.
+  /// Whether the bodies of a part of the topology are ghosts.
   bool is_ghost(std::size_t part) const { return part >= own_parts_; }
 
-  /// Squared displacement since the last build up to which the list is valid [nm²].
+  /// The squared displacement since the last build up to which the list is valid [nm²].
   double allowed2() const { return allowed2_; }
-  /// The pack width it was built for; 0 before the first build in the present box.
+  /// The pack width for which the list was built; 0 before the first build in the present box.
   std::size_t width() const { return width_; }
 
   std::size_t rebuilds() const { return rebuilds_; }
-  std::size_t lanes() const;                   ///< in all packs, padding included
+  std::size_t lanes() const;                   ///< number of lanes in all packs, including padding
   double seconds() const { return seconds_; }  ///< wall-clock time spent in build()
 
  private:
   void reserve_rows();
 
   Box box_{};
-  std::vector<PairRange> ranges_;  // [part a, part b]
+  std::vector<PairRange> ranges_;  // ranges by [part a, part b]
   double allowed2_ = 0;
-  std::size_t own_parts_;  // the others are ghosts
+  std::size_t own_parts_;  // number of parts that are not ghosts
   Slots slots_;
   SlotTree tree_;
   std::vector<ListChunk> chunks_;
@@ -137,10 +139,10 @@ class NeighbourList {
 struct ListJob {
   const Box& box;
   const Slots& slots;
-  const SlotTree& tree;                  ///< of these slots
-  const std::vector<PairRange>& ranges;  ///< [part a, part b]
-  std::size_t width;                     ///< pairs per pack
-  std::size_t own_parts;                 ///< the parts after these are ghosts
+  const SlotTree& tree;                  ///< tree of the slots
+  const std::vector<PairRange>& ranges;  ///< ranges by [part a, part b]
+  std::size_t width;                     ///< number of pairs per pack
+  std::size_t own_parts;                 ///< number of parts that are not ghosts
 };
 
 POLHODE_DECLARE_LOOPS(

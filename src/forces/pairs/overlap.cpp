@@ -20,9 +20,9 @@ namespace polhode {
 namespace {
 
 struct Contact {
-  std::uint32_t number = 0;  // index of the site, in the order of the bodies
+  std::uint32_t number = 0;  // index of the site in the order of the bodies
   std::uint32_t body = 0;
-  Vec3<double> r;  // wrapped
+  Vec3<double> r;  // wrapped position
 };
 
 struct Overlap {
@@ -34,13 +34,13 @@ using Cell = std::array<std::int64_t, 3>;
 
 // Contacts sorted by the bucket of their cell. Cells are at least as wide as the closest contact,
 // so partners are in the same or an adjacent cell. Rows and layers of cells are mapped one after
-// another onto the buckets, wrapping around if there are more cells than buckets: memory scales
-// with the number of sites rather than the volume of the box, and what is close in the box is
-// mostly close in memory.
+// another onto the buckets, and wrap around if there are more cells than buckets. Memory therefore
+// scales with the number of sites rather than the volume of the box, and neighbours in the box are
+// mostly neighbours in memory.
 class Buckets {
  public:
   Buckets(const Topology& topology, const State& state);
-  /// The overlap that comes first in the order of the later site, then of the earlier one.
+  /// The first overlap in the order of the later site, and then of the earlier site.
   std::optional<Overlap> first_overlap() const;
 
  private:
@@ -72,12 +72,12 @@ class Buckets {
   std::uint64_t row_, layer_;        // strides in buckets; odd, so that few cells share a bucket
   std::uint64_t mask_;               // number of buckets, a power of two, minus one
   std::vector<std::uint32_t> ends_;  // one past the last contact of each bucket
-  std::vector<Contact> contacts_;    // within a bucket, in the order of their numbers
+  std::vector<Contact> contacts_;    // contacts; within a bucket, in the order of their numbers
 };
 
 bool can_overlap(const Site& site) { return site.mass != 0 || site.has_short_range(); }
 
-// Calls visit(body, site position) for all sites that can overlap, in the order of the bodies.
+// Calls visit(body, site position) for each site that can overlap, in the order of the bodies.
 template <class Visit>
 void each_site(const Topology& topology, const State& state, Visit visit) {
   std::size_t i = 0;

@@ -7,11 +7,13 @@
 
 namespace polhode {
 
-/// The smallest distance allowed between sites of two molecules that have mass or Lennard-Jones
-/// parameters [nm]: half of the shortest contact in liquids, the hydrogen bond (0.17 nm).
+/// The smallest allowed distance between sites of two molecules that have mass or Lennard-Jones
+/// parameters [nm]. It is half of the shortest contact in liquids, the hydrogen bond (0.17 nm).
 inline constexpr double closest_contact = 0.085;
 
-/// @throws Error  naming the first pair of molecules with closer sites, in the order of sites
+/// Checks that no two molecules overlap.
+/// @throws Error  if sites of two molecules are too close; the message names the first pair in the
+///   order of sites
 void check_overlap(const Topology& topology, const State& state);
 
 }  // namespace polhode

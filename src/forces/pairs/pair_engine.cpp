@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t slots_at_once = 4 * slot_block;  // placed per task
+constexpr std::size_t slots_at_once = 4 * slot_block;  // number of slots that a task places at once
 
 std::size_t max_sites_of(const Topology& topology) {
   std::size_t max_sites = 0;
@@ -104,7 +104,7 @@ void PairEngine<T>::update(const State& state) {
   place(state);
 }
 
-/// Resets a Load to 0 and adds the mesh.
+/// Resets a Load to 0 and adds the contribution of the mesh.
 template <class T>
 void PairEngine<T>::clear(const State& state, Load& load) {
   if (load.f.size() != state.size()) load = Load(state.size());
@@ -126,7 +126,7 @@ void PairEngine<T>::sum_pairs(PairLoop loop, bool energies, const SiteRecords<T>
   }
 }
 
-/// Calls body(part, task, first, end) for the slots of each task.
+/// Calls body(part, task, first, end) for the slots in each task.
 template <class T>
 template <class Body>
 void PairEngine<T>::each_task_of_slots(const Body& body) {
@@ -195,12 +195,12 @@ void PairEngine<T>::sum_chunk(std::size_t c, PairLoop loop, bool energies,
   const std::size_t parts = sites_.size();
   for (std::size_t partner = parts; partner > 0 && list_.is_ghost(partner - 1); --partner)
     sum_partners(partner - 1);
-  halve_energies(sums);  // so far those of pairs with ghosts
+  halve_energies(sums);  // at this point, these are the energies of pairs with ghosts
   for (std::size_t partner = chunk.part; partner < parts && !list_.is_ghost(partner); ++partner)
     sum_partners(partner);
 }
 
-/// Adds the contributions of all chunks to the slots of one of them, in the order of the chunks.
+/// Adds the contributions of all chunks to the slots of one chunk, in the order of the chunks.
 template <class T>
 void PairEngine<T>::collect(std::size_t c, Load& load) const {
   constexpr std::uint32_t block = slot_block;
@@ -215,7 +215,7 @@ void PairEngine<T>::collect(std::size_t c, Load& load) const {
     std::array<double, block * stride> total{};
     if (mesh_) std::copy_n(&mesh_sums_[first * stride], n * stride, total.begin());
     for (std::size_t k = 0; k < sums_.size(); ++k) {
-      // Windows begin at block boundaries, so a block is either contiguous in a window or not in
+      // Windows begin at block boundaries, so a block is either contiguous in a window or outside
       // it.
       const SlotWindow& window = list_.chunks()[k].windows[own.part];
       const std::uint32_t at = first - window.first + (first < window.first ? part.count : 0);

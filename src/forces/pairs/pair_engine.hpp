@@ -18,34 +18,35 @@
 
 namespace polhode {
 
+/// Computes the interactions of all pairs of molecules.
 /// @tparam T  precision of the pairs: double or float
 template <class T>
 class PairEngine {
  public:
-  /// @param ghost_parts  how many parts of the topology, the last ones, are ghosts: copies of
-  ///                     bodies that another engine computes. Ghosts do not interact with each
-  ///                     other, the forces on them are not computed, and of the energy and the
-  ///                     virial of a pair with a ghost half is counted.
+  /// @param ghost_parts  number of parts at the end of the topology that are ghosts: copies of
+  ///   bodies that another engine computes. Ghosts do not interact with each other, and the forces
+  ///   on them are not computed. Half of the energy and virial of a pair with a ghost is included.
   PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
              Workers& workers, std::size_t ghost_parts = 0);
 
-  /// Sets another box, with the topology and settings of the constructor, of which only the mesh
-  /// may differ.
+  /// Sets another box, with the topology and settings of the constructor, where only the mesh of
+  /// the settings may differ.
   /// @throws Error  if the box is too small
   void set_box(const Topology& topology, const ForceSettings& settings, const Box& box);
 
-  /// Forces and torques of a state, whose box must be the one that was set; energies and virial too
-  /// if `energies`, otherwise 0. With PME
-  /// the settings must contain a mesh; terms that do not depend on positions are not included.
+  /// Computes forces and torques of a state, whose box must be the box that was set. If `energies`
+  /// is true, it also computes energies and virial; otherwise they are 0. With PME the settings
+  /// must contain a mesh. Terms that do not depend on positions are not included.
   void operator()(const State& state, Load& load, bool energies);
 
-  /// The derivative of forces and torques along a displacement of all bodies: centres move by dq
-  /// [nm], orientations rotate by dtheta [rad], body frame. Energies and virial are set to 0. The
-  /// list is reused, and so is the mesh potential if this was the state of the last evaluation.
+  /// Computes the derivative of forces and torques along a displacement of all bodies: centres move
+  /// by dq [nm], and orientations rotate by dtheta [rad] in the body frame. Energies and virial are
+  /// set to 0. The list is reused. The mesh potential is reused if the state is the state of the
+  /// last evaluation.
   void derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta, Load& slope);
 
   const NeighbourList& neighbours() const { return list_; }
-  /// Builds the list from the positions of a state.
+  /// Builds the neighbour list from the positions of a state.
   void build_list(const State& state);
 
  private:
@@ -67,30 +68,32 @@ class PairEngine {
   PairTables tables_;
   PairLaws<T> laws_;
   NeighbourList list_;
-  std::vector<std::vector<Vec3<double>>> sites_;  // per part, in the order of InteractionSites
+  std::vector<std::vector<Vec3<double>>> sites_;  // site positions of each part, in the order of
+                                                  // InteractionSites
   SiteRecords<T> records_;
   SiteRecords<T> displacements_, records_before_;  // allocated when derivatives are first requested
   std::unique_ptr<ParticleMesh<T>> mesh_;          // null without PME
-  Column<T> mesh_sums_;                            // of all slots, as in ChunkSums
-  std::vector<ChunkSums<T>> sums_;                 // of each chunk
-  std::vector<double> moved2_;                     // of each task of place()
+  Column<T> mesh_sums_;                            // sums of all slots, as in ChunkSums
+  std::vector<ChunkSums<T>> sums_;                 // sums of each chunk
+  std::vector<double> moved2_;                     // largest squared displacement in each task of
+                                                   // place()
 };
 
-/// An engine in the precision of the settings.
+/// A PairEngine whose precision is chosen by the settings.
 struct AnyPairEngine {
   std::variant<PairEngine<double>, PairEngine<float>> in_precision;
 
   template <class T>
   explicit AnyPairEngine(PairEngine<T>&& engine) : in_precision(std::move(engine)) {}
 
-  /// Calls a function of the engine.
+  /// Calls a function with the engine.
   template <class Function>
   decltype(auto) call(Function&& function) {
     return std::visit(function, in_precision);
   }
 };
 
-/// Arguments as those of PairEngine.
+/// Makes a pair engine; arguments are as for PairEngine.
 std::unique_ptr<AnyPairEngine> pair_engine(const Topology& topology, const ForceSettings& settings,
                                            const Box& box, Workers& workers,
                                            std::size_t ghost_parts = 0);

@@ -11,13 +11,14 @@
 
 namespace polhode {
 
-/// Positions of bodies and their sites, one record per slot: three numbers for the centre in the
-/// box, then x, y, z of each site relative to the centre, lab frame [nm]. In double precision
-/// centres are in nm; in single precision they are in fixed point, 2³⁰ to a box edge, stored as the
-/// bits of a float, so that differences of centres are exact before they are rounded.
+/// Positions of bodies and their sites, with one record per slot. A record has three numbers for
+/// the centre in the box, then x, y, z of each site relative to the centre, in the lab frame [nm].
+/// In double precision centres are in nm. In single precision they are in fixed point with 2³⁰
+/// units to a box edge, stored as the bits of a float. Differences of centres are therefore exact
+/// before they are rounded.
 template <class T>
 struct SiteRecords {
-  std::size_t stride = 0;  ///< numbers per record; records are aligned for packs
+  std::size_t stride = 0;  ///< stride of records in numbers; records are aligned for packs
   Column<T> values;
 
   SiteRecords() = default;
@@ -28,18 +29,19 @@ struct SiteRecords {
 };
 
 /// Sums of forces [kJ/mol/nm] and torques [kJ/mol] from one chunk of the list, for the slots in its
-/// windows, so not for ghosts. They have the precision of the pairs: each sum has a few hundred
-/// terms, whose own rounding outweighs that of the sum. Sums over chunks are in double.
+/// windows, which do not include ghosts. The sums have the precision of the pairs, because each has
+/// a few hundred terms, whose round-off outweighs the round-off of the sum. Sums over chunks are in
+/// double.
 template <class T>
 struct ChunkSums {
   static constexpr std::size_t stride = 8;  ///< force, torque, and two numbers that stay 0
   Column<T> values;
-  std::vector<std::size_t> first;  ///< of each part: its first record
+  std::vector<std::size_t> first;  ///< first record of each part
   double van_der_waals = 0, coulomb = 0;
   Mat3<double> virial{};
 };
 
-/// A chunk and the partners of one molecule type.
+/// A job of the pair loops: a chunk of the list, with the partners of one molecule type.
 template <class T>
 struct PairJob {
   const PairTable& table;
@@ -51,37 +53,39 @@ struct PairJob {
   std::size_t partner_part;
   const SiteRecords<T>& records;
   ChunkSums<T>& sums;
-  /// For derivatives: displacements of centres and of sites relative to them, laid out as the
-  /// records.
+  /// For derivatives only: displacements of centres, and of sites relative to the centres, with the
+  /// layout of the records.
   const SiteRecords<T>* displacements = nullptr;
 };
 
-/// Bodies of one molecule type whose sites are to be placed.
+/// A job that places the sites of bodies of one molecule type.
 template <class T>
 struct PlaceJob {
   const State& state;
   const Slots& slots;
-  const std::vector<Vec3<double>>& sites;  ///< in the order of InteractionSites, body frame [nm]
-  std::size_t first, end;                  ///< slots, multiples of slot_block
+  const std::vector<Vec3<double>>& sites;  ///< site positions in the order of InteractionSites,
+                                           ///< body frame [nm]
+  std::size_t first, end;                  ///< range of slots, multiples of slot_block
   SiteRecords<T>& records;
 };
 
-/// Their displacements.
+/// A job that computes the displacements of sites of bodies of one molecule type.
 template <class T>
 struct DisplaceJob {
   const State& state;
   const Slots& slots;
-  const std::vector<Vec3<double>>& sites;  ///< as in PlaceJob
+  const std::vector<Vec3<double>>& sites;  ///< site positions as in PlaceJob
   std::size_t first, end;
-  const Vec3Column &dq, &dtheta;  ///< of centres [nm], lab; of orientations [rad], body frame
+  const Vec3Column &dq, &dtheta;  ///< displacements of centres [nm], lab frame; rotations [rad],
+                                  ///< body frame
   SiteRecords<T>& displacements;
 };
 
 POLHODE_DECLARE_LOOPS(
-    /// Fills the records of a job's slots; returns the square of the largest displacement since the
-    /// list was built [nm²].
+    /// Fills the records of the slots of a job. Returns the square of the largest displacement
+    /// since the list was built [nm²].
     double place_sites(const PlaceJob<double>& job); double place_sites(const PlaceJob<float>& job);
-    /// Fills the records of displacements of a job's slots.
+    /// Fills the records of displacements of the slots of a job.
     void displace_sites(const DisplaceJob<double>& job);
     void displace_sites(const DisplaceJob<float>& job);
     /// Adds the forces, torques and, if requested, energies and virial of a job's pairs to its

@@ -12,11 +12,12 @@
 
 namespace polhode {
 
-/// Maximum number of interacting sites per molecule: the pair loops keep them on the stack.
+/// Maximum number of interacting sites per molecule; the limit exists because the pair loops keep
+/// the sites on the stack.
 inline constexpr std::size_t max_sites = 64;
 
-/// The interacting sites of a molecule in the order of the pair loops: first those with a charge
-/// only, then those with charge and short-range law, then those with short-range law only.
+/// The interacting sites of a molecule in the order of the pair loops: first sites with only a
+/// charge, then sites with a charge and a short-range law, then sites with only a short-range law.
 struct InteractionSites {
   std::vector<Site> sites;
   std::size_t charged = 0;     ///< number of sites with a charge, at the front
@@ -27,14 +28,14 @@ struct InteractionSites {
   explicit InteractionSites(const Molecule& molecule);
 };
 
-/// The interactions of all pairs of a site of one molecule type with one of another: dense, the
-/// index of the first molecule's site running fastest; 0 for pairs that do not interact.
+/// The interactions of all pairs of sites of two molecule types, as a dense table. The index of the
+/// first molecule's site runs fastest. Entries are 0 for pairs that do not interact.
 /// @tparam Law  LennardJones<T> or, for any law, ShortRange<T>
 template <class Law>
 struct PairStrengths;
 template <template <class> class Law, class T>
 struct PairStrengths<Law<T>> {
-  std::vector<T> charge;  ///< K q_a q_b [kJ/mol nm]
+  std::vector<T> charge;  ///< charge factors K q_a q_b [kJ/mol nm]
   std::vector<Law<T>> law;
 };
 
@@ -46,14 +47,14 @@ class PairTable {
 
   std::size_t sites_a, sites_b, charged_a, charged_b, dispersive_a, dispersive_b;
 
-  /// Whether no other short-range law occurs.
+  /// Whether no other short-range law than Lennard-Jones occurs.
   bool has_lennard_jones_alone() const { return !lennard_jones<double>().law.empty(); }
-  /// For pairs with Lennard-Jones alone, otherwise without laws.
+  /// The interactions of pairs that have only Lennard-Jones laws or no short-range law.
   template <class T>
   const PairStrengths<LennardJones<T>>& lennard_jones() const {
     return std::get<PairStrengths<LennardJones<T>>>(strengths_);
   }
-  /// For pairs with any law.
+  /// The interactions of pairs with any other short-range law.
   template <class T>
   const PairStrengths<ShortRange<T>>& any_law() const {
     return std::get<PairStrengths<ShortRange<T>>>(strengths_);

@@ -14,7 +14,8 @@
 
 namespace polhode {
 
-/// Position and orientation of a body; with dual numbers, their displacement as well.
+/// Position and orientation of a body. With dual numbers, they also hold the displacement of the
+/// body.
 template <class Real>
 struct Pose {
   Vec3<Real> q;
@@ -47,7 +48,8 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
 
   ReferenceLoad<Real> load{std::vector<Vec3<Real>>(n), std::vector<Vec3<Real>>(n), {}};
   const Vec3<Real> edge{Real(box.edge.x), Real(box.edge.y), Real(box.edge.z)};
-  const auto nearest = [](Real x) {  // integer nearest to x, a constant in derivatives
+  const auto nearest = [](Real x) {  // rounds to the nearest integer, which is a constant in
+                                     // derivatives
     double k = 0;
     while (x > Real(k + 0.5)) k += 1;
     while (x < Real(k - 0.5)) k -= 1;
@@ -82,8 +84,9 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
   return load;
 }
 
-/// Forces, torques, energies and virial of all pairs; for PME, only the pairs within the cutoff.
-/// The cost grows with the square of the number of bodies.
+/// Computes forces, torques, energies and virial of all pairs by a direct sum, as a reference for
+/// tests. For PME, only the pairs within the cutoff are included. The cost grows with the square of
+/// the number of bodies.
 template <class Real>
 ReferenceLoad<Real> reference_load(const Topology& topology, const ForceSettings& settings,
                                    const Box& box, const std::vector<Pose<Real>>& poses) {
@@ -99,8 +102,8 @@ ReferenceLoad<Real> reference_load(const Topology& topology, const ForceSettings
   }
 }
 
-/// The derivative of the result along a displacement: centres move by dq, orientations rotate by
-/// dtheta, body frame.
+/// Computes the derivative of the reference forces and torques along a displacement: centres move
+/// by dq, and orientations rotate by dtheta in the body frame.
 inline Load reference_derivative(const Topology& topology, const ForceSettings& settings,
                                  const State& state, const Vec3Column& dq,
                                  const Vec3Column& dtheta) {

@@ -12,8 +12,8 @@
 
 namespace polhode {
 
-/// Partners of a row under construction, with room for a pack past the end, since packs are stored
-/// whole.
+/// Partners of a row that is being built, with room for a pack past the end, because packs are
+/// stored as a whole.
 class RowBuffer {
  public:
   void clear() { first_ = size_ = 0; }
@@ -23,7 +23,7 @@ class RowBuffer {
     if (words_.size() < size_ + n + slot_block) words_.resize(2 * (size_ + n + slot_block));
     return words_.data() + size_;
   }
-  void grow(std::size_t n) { size_ += n; }  ///< n entries were written at the end
+  void grow(std::size_t n) { size_ += n; }  ///< Records that n entries were written at the end.
   void push(Neighbour n) { *end_with_room(1) = n.word(), ++size_; }
   Neighbour pop() { return Neighbour(words_[--size_]); }
   void remove_first(std::size_t n) { first_ += n; }
@@ -36,22 +36,23 @@ class RowBuffer {
   std::size_t first_ = 0, size_ = 0;
 };
 
-/// Pairs that rows have handed to the rows of slots soon after their own.
+/// Surplus pairs that rows have handed over to rows of slots that soon follow.
 class HandedPairs {
  public:
-  static constexpr std::uint32_t window = 256;  ///< slots ahead to which pairs can be handed
-  static constexpr std::uint32_t room = 32;     ///< pairs that a slot can be handed
+  static constexpr std::uint32_t window = 256;  ///< number of slots ahead to which pairs can be
+                                                ///< handed over
+  static constexpr std::uint32_t room = 32;     ///< number of pairs that a slot can receive
 
   HandedPairs() : pairs_(new std::uint32_t[window * room]), counts_(window, 0) {}
 
-  /// Whether the row of a slot, at most `window` − 1 ahead, has room for n more pairs.
+  /// Whether the row of a slot that is at most `window` − 1 ahead has room for n more pairs.
   bool has_room(std::uint32_t slot, std::size_t n) const {
     return counts_[slot % window] + n <= room;
   }
   void give(std::uint32_t slot, Neighbour pair) {
     pairs_[slot % window * room + counts_[slot % window]++] = pair.word();
   }
-  /// Moves the pairs handed to a slot to the end of its row.
+  /// Moves the pairs that a slot has received to the end of its row.
   void take(std::uint32_t slot, RowBuffer& row) {
     const std::uint32_t n = std::exchange(counts_[slot % window], 0);
     std::copy_n(&pairs_[slot % window * room], n, row.end_with_room(n));
@@ -59,13 +60,14 @@ class HandedPairs {
   }
 
  private:
-  // By slot modulo the window.
+  // Both are indexed by slot modulo the window.
   std::unique_ptr<std::uint32_t[]> pairs_;
   std::vector<std::uint32_t> counts_;
 };
 
-/// Hands the surplus of a slot's row over whole packs, its first pairs, to the rows of their
-/// partners, if all of these come later in the chunk, and soon.
+/// Hands the surplus pairs of a row over to the rows of their partners. Surplus pairs are the first
+/// pairs of the row, as many as exceed whole packs. They are handed over only if all their partners
+/// follow soon in the same chunk.
 inline void hand_over(std::uint32_t slot, std::uint32_t chunk_end, std::size_t width,
                       RowBuffer& row, HandedPairs& later) {
   const std::size_t surplus = row.size() % width;

@@ -19,8 +19,9 @@ struct FixedShape {
   static constexpr Count<sites_a_> sites_a{};
   static constexpr Count<sites_b_> sites_b{};
   static constexpr std::size_t max_b = sites_b_;
-  /// How many sites of a and of b are processed together: enough to hide the latency of each
-  /// operation, and few enough to stay in registers, of which dual numbers need twice as many.
+  /// Numbers of sites of a and b that are processed together. They are large enough to hide the
+  /// latency of each operation, and small enough to stay in registers, of which dual numbers need
+  /// twice as many.
   static constexpr std::size_t a_at_once = sites_a_;
   template <class Real>
   static constexpr std::size_t b_at_once = is_dual<Real> ? 1 : std::min<std::size_t>(2, sites_b_);
@@ -43,7 +44,7 @@ struct FixedShape {
   }
 };
 
-/// Numbers of sites known only at run time.
+/// Numbers of sites that are known only at run time.
 struct AnyShape {
   static constexpr std::size_t max_b = max_sites;
   static constexpr std::size_t a_at_once = 4;

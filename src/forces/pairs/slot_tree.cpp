@@ -10,10 +10,10 @@
 namespace polhode {
 namespace {
 
-constexpr float far_away = 1e15F;  // its square is a finite float
+constexpr float far_away = 1e15F;  // a distance whose square is a finite float
 constexpr std::size_t leaves_at_once = 64;
 
-/// The edge of a unit of fixed point [nm].
+/// The length of one unit of fixed point along each edge [nm].
 Vec3<double> unit_of(const Box& box) {
   return 1.0 / static_cast<double>(fixed_point_edge) * box.edge;
 }

@@ -16,12 +16,12 @@ namespace polhode {
 /// Fixed-point units per box edge, chosen so that images on both sides fit into 32 bits.
 inline constexpr std::int64_t fixed_point_edge = 1 << 30;
 
-/// Boxes of one level of a tree. Empty ones, which are in range of nothing, follow the last one up
-/// to a multiple of SlotTree::fanout.
+/// The boxes of one level of a tree. After the last box, empty boxes fill the level up to a
+/// multiple of SlotTree::fanout. They are never in range.
 struct BoxLevel {
   std::size_t size = 0;
-  std::array<std::vector<std::int32_t>, 3> centre;  ///< in fixed point
-  std::array<Column<float>, 3> half;                ///< half of the edges [nm], rounded up
+  std::array<std::vector<std::int32_t>, 3> centre;  ///< centres of the boxes in fixed point
+  std::array<Column<float>, 3> half;                ///< half edges of the boxes [nm], rounded up
 
   explicit BoxLevel(std::size_t boxes);
   void set(std::size_t k, const Vec3<double>& low, const Vec3<double>& high, const Box& box);
@@ -29,18 +29,18 @@ struct BoxLevel {
 
 class SlotTree {
  public:
-  static constexpr std::size_t leaf = 16;    ///< slots in a leaf
-  static constexpr std::size_t fanout = 16;  ///< boxes below a node
+  static constexpr std::size_t leaf = 16;    ///< number of slots in a leaf
+  static constexpr std::size_t fanout = 16;  ///< number of boxes below a node
 
   explicit SlotTree(const Slots& slots);
 
-  /// Bounds the slots where they are now.
+  /// Updates the boxes to the current positions of the slots.
   void update(const Slots& slots, const Box& box, Workers& workers);
 
   /// The levels of the tree of a molecule type, leaves first; the last one has at most `fanout`
   /// boxes.
   const std::vector<BoxLevel>& levels(std::size_t part) const { return trees_[part]; }
-  /// Positions relative to the centre of the slot's leaf [nm]; unused slots are far away.
+  /// Positions of slots relative to the centres of their leaves [nm]; unused slots are far away.
   const std::array<Column<float>, 3>& in_leaf() const { return in_leaf_; }
 
  private:

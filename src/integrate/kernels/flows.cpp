@@ -15,8 +15,8 @@ using Real = Pack<double>;
 
 namespace {
 
-/// Bodies that rotate by more than this in one step are rare, unless the run has blown up: they are
-/// treated one by one, in closed form [1].
+/// Largest rotation in one step for which sub-steps of the series are used [1]. Bodies that rotate
+/// by more are rare, unless the run has blown up. They are treated one by one, in closed form.
 constexpr double max_by_series = 16;
 
 Quaternion<Real> closed_rotations(const Vec3Column& J, const Vec3<Real>& L, double t,
@@ -36,11 +36,11 @@ Quaternion<Real> closed_rotations(const Vec3Column& J, const Vec3<Real>& L, doub
   return {Real::load(lane[3]), Real::load(lane[4]), Real::load(lane[5]), Real::load(lane[6])};
 }
 
-/// Half angles of displacements are about 1e-6; up to this one the terms below are accurate to the
-/// last digit: x^14/15! and x^14/14! are below 5e-20.
+/// Largest half angle for which the series below is accurate to the last digit: x^14/15! and
+/// x^14/14! are below 5e-20. Half angles of displacements are about 1e-6.
 constexpr double max_half_angle = 0.25;
 
-/// R(v) by the series of sin and cos; for larger angles body by body.
+/// The rotation R(v), by the series of sin and cos. Larger angles are treated body by body.
 Quaternion<Real> rodrigues_pack(const Vec3<Real>& v) {
   const Real y = Real(0.25) * norm2(v);  // half angle squared
   if (any(y > Real(max_half_angle * max_half_angle))) {
@@ -77,8 +77,8 @@ void drift(State& state, const Bodies& bodies, double t, std::size_t first, std:
     const Quaternion<Real> P = any(angle2 > Real(max_by_series * max_by_series))
                                    ? closed_rotations(bodies.J, L, t, i)
                                    : series_rotation(inverse_J, L, Real(t));
-    // S <- P(t) S. The product is normalized in every step, so |q| - 1 is one rounding error,
-    // whatever the number of steps.
+    // Rotates the orientation: S <- P(t) S. The product is normalized in every step, so |q| - 1 is
+    // a single round-off error, whatever the number of steps.
     store_pack(normalized(orientation * P), state.orientation, i);
   }
 }
@@ -89,7 +89,8 @@ void kick(State& state, const Bodies& bodies, const Load& load, double t, std::s
   for (std::size_t i = first; i < end; i += Real::width) {
     store_pack(load_pack<Real>(state.p, i) + load_pack<Real>(load.f, i) * Real(t), state.p, i);
     Vec3<Real> ell = load_pack<Real>(state.ell, i) + load_pack<Real>(load.tau, i) * Real(t);
-    const Vec3<Real> inverse_J = load_pack<Real>(bodies.inverse_J, i);  // 0 without inertia
+    const Vec3<Real> inverse_J =
+        load_pack<Real>(bodies.inverse_J, i);  // 0 along an axis without inertia
     const Mask<Real> slim = none >= inverse_J.x || none >= inverse_J.y || none >= inverse_J.z;
     if (any(slim)) {
       const Quaternion<Real> orientation = load_pack<Real>(state.orientation, i);

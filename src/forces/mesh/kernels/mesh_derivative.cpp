@@ -7,8 +7,8 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// The force on a charge is −q ∇φ, its derivative −q (∇φ' + (v·∇) ∇φ), where φ' is the derivative of
-// the potential on the grid.
+// The force on a charge is −q ∇φ. Its derivative is −q (∇φ' + (v·∇) ∇φ), where φ' is the derivative
+// of the potential on the grid.
 template <class Real>
 struct Gradient {
   Vec3<Real> value, change;

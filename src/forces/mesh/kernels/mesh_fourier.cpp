@@ -12,8 +12,9 @@ using pocketfft::detail::arr;
 using pocketfft::detail::cmplx;
 
 // Real and imaginary parts of the coefficients of a stack, one pack each, for k_z from 0 up to
-// whole tiles. pocketfft stores those of a real series as r0, r1, i1, r2, i2 ... From r1 on this is
-// our order; the first imaginary part is missing, and for an even length the last.
+// whole tiles. pocketfft stores the coefficients of a real series as r0, r1, i1, r2, i2, ... From
+// r1 on, this is the order used here. The first imaginary part is missing, and for an even length
+// also the last.
 template <class T>
 class StackSeries {
  public:
@@ -68,7 +69,7 @@ class RowModes {
     return &job_.grid.values[job_.row * job_.grid.row + stack * job_.grid.stack];
   }
 
-  /// Transforms the z-th group of k_z along x.
+  /// Transforms group z of k_z along x.
   void transform_group(std::size_t z) {
     for (std::size_t n = 0; n < job_.grid.stacks(); ++n)
       for (std::size_t part = 0; part < 2; ++part) {
@@ -100,7 +101,7 @@ class RowModes {
   Real* mode(std::size_t stack, std::size_t z, std::size_t k, std::size_t part) {
     return space_.data() + stack * stride_ + 2 * (z * columns + k) + part;
   }
-  // Calls visit(mode, address) for each k_x of the z-th group of k_z.
+  // Calls visit(mode, address) for each k_x of group z of k_z.
   template <class Visit>
   void each_mode(std::size_t z, const Visit& visit) {
     MeshModes<T>& modes = job_.modes;
@@ -131,7 +132,7 @@ void to_rows(const FourierRowJob<T>& job) {
   for (std::size_t n = 0; n < job.grid.stacks(); ++n) row.stack(n).transform_back(row.values(n));
 }
 
-// Calls visit(modes, address) for groups of coefficients that fill tiles.
+// Calls visit(modes, address) for each group of coefficients that fills tiles.
 template <class T, class Visit>
 void each_tile(const ConvolveJob<T>& job, cmplx<Pack<T>>* series, const Visit& visit) {
   constexpr std::size_t rows = Tile<T>::rows;
@@ -169,7 +170,7 @@ void store_turned(const ConvolveJob<T>& job, cmplx<Pack<T>>* series) {
   });
 }
 
-// Sums in double over the modes of a column, lane by lane.
+// Sums over the modes of a column in double precision, lane by lane.
 template <class T>
 class LaneSums {
  public:

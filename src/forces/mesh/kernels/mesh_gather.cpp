@@ -6,7 +6,8 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Σ φ ∇ w_x w_y w_z over the tiles around a charge, element by element; w: a spline, s: its slope.
+// The sum Σ φ ∇ w_x w_y w_z over the tiles around a charge, element by element, where w is a spline
+// and s is its slope.
 template <class T, std::size_t order>
 POLHODE_INLINE inline Vec3<Pack<T>> sum_over_tiles(const MeshGrid<T>& grid,
                                                    const GridIndex<T>& index, std::size_t lane,
@@ -20,7 +21,7 @@ POLHODE_INLINE inline Vec3<Pack<T>> sum_over_tiles(const MeshGrid<T>& grid,
   }
   Vec3<Real> total;
   tiles.each_row([&](std::size_t j) {
-    Vec3<Real> row;  // Σ over z and x of φ times s_x w_z, w_x w_z and w_x s_z
+    Vec3<Real> row;  // sums over z and x of φ times s_x w_z, w_x w_z and w_x s_z
     tiles.each_column([&](std::size_t i) POLHODE_INLINE_LAMBDA {
       const T* const stack = grid.values.data() + tiles.stack(i, j);
       Real by_w, by_s;

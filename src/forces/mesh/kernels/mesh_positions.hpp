@@ -10,7 +10,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Records of consecutive slots, transposed into packs.
+// Loads the records of consecutive slots, transposed into packs.
 template <class T>
 class GridPositions {
  public:
@@ -28,7 +28,7 @@ class GridPositions {
   Vec3<Real> arm(std::size_t site) const {
     return {column_[3 + 3 * site], column_[4 + 3 * site], column_[5 + 3 * site]};
   }
-  // From the records of displacements: the displacement of a site in grid spacings.
+  // Loads the displacement of a site in grid spacings from the records of displacements.
   Vec3<Real> in_spacings(std::size_t site) const {
     Vec3<Real> move = centre() + arm(site);
     for (std::size_t d = 0; d < 3; ++d)
@@ -39,7 +39,8 @@ class GridPositions {
     return grid_place(column_[d], column_[3 + 3 * site + d], static_cast<std::int32_t>(points_[d]),
                       box_.edge[d]);
   }
-  // Index of the grid point below a site along one edge; returns the distance beyond it.
+  // Stores the index of the grid point below a site along one edge, and returns the distance beyond
+  // it.
   Real beyond(std::size_t site, std::size_t d, std::int32_t* index) const {
     return beyond_point(place(site, d), static_cast<std::int32_t>(points_[d]), index);
   }
@@ -51,7 +52,7 @@ class GridPositions {
   std::array<Real, 3 + 3 * max_sites + Real::width> column_;
 };
 
-// Records of four numbers: packs of them, one per lane, to and from any addresses.
+// Loads and stores records of four numbers at any addresses, one record for each lane of a pack.
 template <class T, class Records>
 void load_four(const Records& record, Pack<T> (&number)[4]) {
   using Tiles = Tile<T>;

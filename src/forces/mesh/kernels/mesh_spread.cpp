@@ -7,7 +7,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Charges by their numbers, as packs.
+// Loads charges by their numbers, as packs.
 template <class T>
 class ListedCharges {
  public:
@@ -16,7 +16,7 @@ class ListedCharges {
   Vec3<Real> u;  // distances beyond the grid points
   Real q;
 
-  // Where fewer charges are left, the last one replaces those that are missing.
+  // If fewer charges than lanes are left, the last charge fills the missing lanes.
   void load(const SpreadJob<T>& job, const std::uint32_t* from) {
     Real number[4];
     load_four<T>(record_of(job, job.charges, from), number);
@@ -24,7 +24,7 @@ class ListedCharges {
       u[d] = beyond_point(number[d], static_cast<std::int32_t>(job.grid.points[d]), index[d]);
     q = number[3];
   }
-  // The records that are loaded later.
+  // Prefetches records that are loaded later.
   static void prefetch(const SpreadJob<T>& job, const std::uint32_t* from) {
     const auto record = record_of(job, job.charges, from);
     for (std::size_t lane = 0; lane < Real::width; ++lane) __builtin_prefetch(record(lane));
@@ -85,8 +85,9 @@ void spread(const SpreadJob<T>& job) {
   }
 }
 
-// Per unit of a displacement along v, in grid spacings, a charge q adds to a grid point at u
-// q (v·∇) w_x w_y w_z = q [(v_x s_x w_y + w_x v_y s_y) w_z + w_x w_y v_z s_z], s the slopes of w.
+// Per unit of a displacement along v, in grid spacings, a charge q adds to a grid point at u q
+// (v·∇) w_x w_y w_z = q [(v_x s_x w_y + w_x v_y s_y) w_z + w_x w_y v_z s_z], where s are the slopes
+// of w.
 template <class T, std::size_t order>
 POLHODE_INLINE inline void add_dipole(MeshGrid<T>& grid, const GridIndex<T>& index,
                                       std::size_t lane, const Vec3<T>& v,

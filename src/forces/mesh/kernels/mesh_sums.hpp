@@ -8,7 +8,8 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Vectors of packs to be summed over their elements, one of each charge of a pack.
+// Vectors of packs that are to be summed over their elements, with one vector for each charge of a
+// pack.
 template <class T, std::size_t vectors>
 class TileSums {
  public:
@@ -17,7 +18,7 @@ class TileSums {
   void set(std::size_t vector, std::size_t lane, const Vec3<Real>& tile) {
     for (std::size_t d = 0; d < 3; ++d) tile[d].store(values_[vector][d] + lane * Real::width);
   }
-  // The sums of each charge in its lane.
+  // The sums, with the sum of each charge in its lane.
   Vec3<Real> operator()(std::size_t vector) const {
     Vec3<Real> sum;
     for (std::size_t d = 0; d < 3; ++d) {
@@ -36,7 +37,8 @@ class TileSums {
   alignas(pack_bytes) T values_[vectors][3][Real::width * Real::width];
 };
 
-// The force on a charge from the gradient of the potential, per grid spacing; 0 where no body is.
+// The force on a charge from the gradient of the potential, per grid spacing. It is 0 for slots
+// without a body.
 template <class T>
 POLHODE_INLINE inline Vec3<Pack<T>> force_of(const Vec3<Pack<T>>& gradient, const GatherJob<T>& job,
                                              std::size_t site, const Mask<Pack<T>>& present) {

@@ -10,8 +10,9 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Weights of `order` grid points along an edge, for each charge of a pack, between zeros: the
-// first tile begins up to three points before the first weighted point, the last one ends as late.
+// Weights of `order` grid points along an edge for each charge of a pack, padded with zeros. The
+// first tile begins up to three points before the first weighted point, and the last tile ends up
+// to three points after the last.
 template <class T>
 class TileWeights {
  public:
@@ -24,7 +25,7 @@ class TileWeights {
                  values_ + lane * stride + before + part * record_part_width<T>);
     });
   }
-  // From the first weighted point of a charge on.
+  // Returns the weights from the first weighted point of a charge on.
   const T* operator()(std::size_t lane) const { return values_ + lane * stride + before; }
 
  private:
@@ -32,11 +33,12 @@ class TileWeights {
   alignas(pack_bytes) T values_[Pack<T>::width * stride] = {};
 };
 
-// The weights of the splines along all edges, and `derivatives` of their derivatives.
+// The weights of the splines along all edges, and of their first `derivatives` derivatives.
 template <class T, std::size_t order, std::size_t derivatives>
 class ChargeWeights {
  public:
-  // From the distances beyond grid points; the splines along x are multiplied by a factor.
+  // Computes the weights from the distances beyond grid points. The splines along x are multiplied
+  // by a factor.
   void set(const Vec3<Pack<T>>& u, const Pack<T>& factor = Pack<T>(1)) {
     for (std::size_t d = 0; d < 3; ++d) {
       Pack<T> w[3][order];
@@ -48,7 +50,7 @@ class ChargeWeights {
       }
     }
   }
-  // Along edge d, the n-th derivative.
+  // The weights of the n-th derivative along edge d.
   const T* operator()(std::size_t d, std::size_t n, std::size_t lane) const {
     return weights_[d][n](lane);
   }
@@ -57,9 +59,9 @@ class ChargeWeights {
   TileWeights<T> weights_[3][derivatives + 1];
 };
 
-// The number of tiles along an edge that `order` points overlap with; `length` points to a tile,
-// the first of which begins `offset` points before the first of them. Where it varies little, it is
-// the largest number, so that it is constant.
+// The number of tiles along an edge that overlap with `order` points. A tile has `length` points,
+// and the first tile begins `offset` points before the first weighted point. If the number varies
+// little, its largest value is used, so that it is a constant.
 template <std::size_t order, std::size_t length>
 struct TileCount {
   static constexpr std::size_t max = (order + 2 * length - 2) / length;
@@ -69,7 +71,7 @@ struct TileCount {
   }
 };
 
-// Grid indices of the first point of each charge of a pack.
+// The grid indices of the first weighted point of each charge of a pack.
 template <class T>
 using GridIndex = std::int32_t[3][Pack<T>::width];
 
@@ -95,14 +97,14 @@ struct TilesAround {
   std::ptrdiff_t stack(std::size_t i, std::size_t j) const {
     return row_at[j * Tile<T>::rows] + stack_at[i * Tile<T>::columns] + z;
   }
-  // Weights along x in tile i and along y in tile j.
+  // Weights along x in tile i times weights along y in tile j.
   Pack<T> along_x(const T* weights, std::size_t i) const {
     return Tile<T>::each_column(weights + i * Tile<T>::columns - offset_x);
   }
   Pack<T> along_y(const T* weights, std::size_t j) const {
     return Tile<T>::each_row(weights + j * Tile<T>::rows - offset_y);
   }
-  // The loops over tiles, unrolled where their number is constant.
+  // Loops over tiles. They are unrolled if the number of tiles is constant.
   template <class Body>
   POLHODE_INLINE void each_column(const Body& body) const {
     if constexpr (Columns::varies)
@@ -116,7 +118,7 @@ struct TilesAround {
   }
 };
 
-// Prefetches the tiles around a charge that comes later.
+// Prefetches the tiles around a charge that is processed later.
 template <class T, std::size_t order, bool write>
 POLHODE_INLINE inline void prefetch_tiles(const MeshGrid<T>& grid, const GridIndex<T>& index,
                                           std::size_t lane) {

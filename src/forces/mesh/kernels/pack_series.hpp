@@ -13,7 +13,8 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-/// An array of numbers that are not initialized. The last one allocated is released first.
+/// An array of uninitialized numbers. Arrays must be released in the reverse order of their
+/// allocation.
 template <class Number>
 class PackSeries {
  public:
@@ -30,7 +31,8 @@ class PackSeries {
   Number* data() { return numbers_; }
 
  private:
-  // For two arrays of a caller and the scratch space that pocketfft needs to transform a series.
+  // Memory for two arrays of a caller, and for the scratch space that pocketfft needs to transform
+  // a series.
   static inline thread_local std::array<Column<std::byte>, 3> kept;
   static inline thread_local std::size_t in_use = 0;
   Number* numbers_;

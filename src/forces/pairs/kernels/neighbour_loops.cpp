@@ -19,20 +19,21 @@ SlotWindow window_of(const Slots::Part& part, const std::vector<std::uint8_t>& m
     if (gap > max_gap) max_gap = gap, after = (k + 1) % blocks;
   }
   if (max_gap >= blocks) return {part.first, 0};
-  const std::uint32_t kept = blocks - max_gap;  // starting at `after`
+  const std::uint32_t kept = blocks - max_gap;  // kept blocks start at `after`
   const bool holds_last = (2 * blocks - 1 - after) % blocks < kept;
   const std::uint32_t missing = blocks * block - part.count;  // the last block may be partly empty
   return {part.first + after * block, kept * block - (holds_last ? missing : 0)};
 }
 
-// The square of the distance within which pairs are certain to stay inside the switching distance,
-// whatever the rounding.
+// The square of the distance within which pairs are certain to stay inside the switching distance
+// in spite of round-off.
 float inside_of(const PairRange& range) {
   const double inside = std::max(0.0, std::sqrt(range.inside2) - rounding);
   return static_cast<float>(inside * inside);
 }
 
-// Makes rows of whole packs of the partners of body after body, and appends them to a chunk.
+// Makes rows of whole packs from the partners of one body after the other, and appends the rows to
+// a chunk.
 class RowWriter {
  public:
   RowWriter(const ListJob& job, ListChunk& chunk)
@@ -40,11 +41,12 @@ class RowWriter {
         end_(std::min(chunk.end, job.slots.parts[chunk.part].end())),
         chunk_(chunk) {}
 
-  // The row of a slot; with partners of the own type, pairs can be handed to later rows.
+  // Makes the row of a slot. If partners have the same molecule type, surplus pairs can be handed
+  // over to later rows.
   void operator()(std::uint32_t slot, const Found& found, float inside2, bool own_type) {
     sort(found, inside2);
     if (own_type) share(slot, inside_, handed_inside_);
-    // The surplus over whole packs joins the pairs that may need truncation.
+    // Pairs in excess of whole packs are moved to the pairs that may need truncation.
     for (std::size_t left = inside_.size() % width_; left > 0; --left)
       truncated_.push(inside_.pop());
     if (own_type) share(slot, truncated_, handed_truncated_);
@@ -62,7 +64,7 @@ class RowWriter {
   }
 
  private:
-  // Separates the partners certain to stay inside the switching distance from the others.
+  // Separates partners that are certain to stay inside the switching distance from all others.
   void sort(const Found& found, float inside2) {
     inside_.clear();
     truncated_.clear();
@@ -93,7 +95,7 @@ class RowWriter {
   }
 
   const std::size_t width_;
-  const std::uint32_t end_;  // of the slots of the chunk
+  const std::uint32_t end_;  // end of the slots of the chunk
   ListChunk& chunk_;
   RowBuffer inside_, truncated_;
   HandedPairs handed_inside_, handed_truncated_;

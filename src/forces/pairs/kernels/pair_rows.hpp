@@ -19,7 +19,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// The difference of one coordinate of two centres [nm], from their records.
+// The difference of one coordinate of two centres [nm], computed from their records.
 inline Pack<double> coordinate_difference(Pack<double> partner, double own, double) {
   return partner - Pack<double>(own);
 }
@@ -29,21 +29,22 @@ inline Pack<float> coordinate_difference(Pack<float> partner, float own, float u
   return fixed_point_difference(partner, bits) * Pack<float>(unit);
 }
 
-// Coordinate d of the partners' centres, shifted to the periodic images given by the list entries.
+// Coordinate d of the centres of partners, shifted to the periodic images given by the list
+// entries.
 inline Pack<double> in_image(Pack<double> c, PackIndex<double> words, std::size_t d, double edge) {
   return c + as_doubles((words << 2 * d) >> 30) * Pack<double>(edge);
 }
 inline Pack<float> in_image(Pack<float> c, PackIndex<float> words, std::size_t d, double) {
-  static_assert(fixed_point_edge == 1 << 30);  // the two highest bits count edges
+  static_assert(fixed_point_edge == 1 << 30);  // the two highest bits count box edges
   return fixed_point_sum(c, (words << 2 * d) & Neighbour::top_bits);
 }
 
-// Works through the rows of a chunk pack by pack, as a software pipeline: while the pairs of one
-// pack are computed, the processor also transposes the records of the next pack's partners, on
-// which nothing depends yet, and adds up the results of the previous pack, which are complete.
-// These two stages mostly shuffle and move data, whereas the pairs mostly multiply, so they overlap
-// well. Each stage is a separate function: inlined into the pair loop, it would be compiled again
-// for each law and kind of result, at a large cost in compile time and no lasting gain in speed.
+// Processes the rows of a chunk pack by pack, as a software pipeline. While the pairs of one pack
+// are computed, the processor also transposes the records of the next pack's partners, and adds up
+// the results of the previous pack. These two stages mostly move data, whereas the pairs mostly
+// multiply, so they overlap well. Each stage is a separate function. If it were inlined into the
+// pair loop, it would be compiled again for each law and kind of result. This would increase the
+// compile time a lot without making the loops faster.
 //
 // If Number is a dual number, the records of displacements are read as well, and the derivatives of
 // forces and torques are added up.
@@ -68,7 +69,7 @@ class PairRows {
       unit_[d] = static_cast<T>(edge_[d] / static_cast<double>(fixed_point_edge));
   }
 
-  // Dual numbers make functions longer than the compiler would inline by itself.
+  // With dual numbers, functions are longer than the compiler would inline on its own.
   template <CutoffTreatment treatment>
   [[gnu::flatten]] void run_with_slopes() {
     run<treatment, false>();
@@ -85,7 +86,7 @@ class PairRows {
       const ListChunk::Row here = row(slot);
       const std::uint32_t following = with_partners(slot + 1);
       const std::uint32_t* const end = entries + here.end;
-      const std::uint32_t* const after =  // after the last pack, any partners will do
+      const std::uint32_t* const after =  // after the last pack, any partners may be loaded
           entries + (following < job_.chunk.end ? row(following).begin : here.begin);
       RowSums sums;
       const auto each_pack = [&]<CutoffTreatment how>(std::uint32_t from,
@@ -115,23 +116,24 @@ class PairRows {
   ListChunk::Row row(std::uint32_t slot) const {
     return job_.chunk.row(slot, job_.partner_part, job_.list.slots().parts.size());
   }
-  // The first slot with partners, starting at `slot`, or the end of the chunk.
+  // The first slot with partners at or after `slot`, or the end of the chunk.
   std::uint32_t with_partners(std::uint32_t slot) const {
     while (slot < job_.chunk.end && row(slot).begin == row(slot).end) ++slot;
     return slot;
   }
 
-  // What the stages of the pipeline leave in memory for a pack; two packs are under way at a time.
+  // Data of one pack that the pipeline stages exchange through memory; two packs are in progress at
+  // a time.
   struct Stage {
     static constexpr std::size_t numbers = (3 + 3 * Shape::max_b + Real::width) * Real::width;
     alignas(pack_bytes) T partners[numbers];
     alignas(pack_bytes) T displacements[slopes ? numbers : 1];
     alignas(pack_bytes) T loads[6 * Real::width] = {};  // forces and torques on the partners
-    std::int32_t places[Real::width] = {};              // of their sums in the window
+    std::int32_t places[Real::width] = {};              // places of their sums in the window
   };
   Stage& stage(std::size_t pack) { return stages_[pack % 4]; }
 
-  // Sums over the partners in a row, for the body the row belongs to.
+  // Sums over the partners in a row, for the body to which the row belongs.
   struct RowSums {
     Vec3<Real> f, tau;
     Real van_der_waals, coulomb;
@@ -141,8 +143,8 @@ class PairRows {
   // Location of the sums for the slots of one molecule type.
   struct Window {
     T* sums;
-    std::int32_t first;  // the window's first slot
-    std::int32_t count;  // slots of the type
+    std::int32_t first;  // first slot of the window
+    std::int32_t count;  // number of slots of the type
     T* at(std::int32_t place) const { return sums + place * std::ptrdiff_t{ChunkSums<T>::stride}; }
     T* of(std::uint32_t slot) const {
       const std::int32_t k = static_cast<std::int32_t>(slot) - first;
@@ -155,7 +157,7 @@ class PairRows {
             static_cast<std::int32_t>(job_.list.slots().parts[part].count)};
   }
 
-  // Prefetches what the packs to come will most likely need.
+  // Prefetches data that the next packs will probably need.
   void prefetch(const std::uint32_t* entry) const {
     constexpr std::size_t packs_ahead = 4;
     const std::uint32_t* const later = entry + packs_ahead * Real::width;
@@ -179,8 +181,8 @@ class PairRows {
       turn(*job_.displacements, entry, to.displacements, [](Real number, auto) { return number; });
   }
 
-  // Transposes the records of partners into packs, one for each of their numbers k, and
-  // stores as(pack, k).
+  // Transposes the records of partners into packs, one for each number k of a record, and stores
+  // as(pack, k).
   template <class As>
   POLHODE_INLINE void turn(const SiteRecords<T>& records, const std::uint32_t* entry, T* to,
                            const As& as) const {
@@ -203,7 +205,7 @@ class PairRows {
     const T* const own_record = job_.records.of(slot);
     [[maybe_unused]] const T* const own_displacement =
         slopes ? job_.displacements->of(slot) : nullptr;
-    // Number k of the body's record, and of its partners' records.
+    // Number k in the record of the body, and in the records of its partners.
     const auto own = [&](std::size_t k) -> Number {
       if constexpr (slopes)
         return {Real(own_record[k]), Real(own_displacement[k])};
@@ -246,7 +248,8 @@ class PairRows {
   static Vec3<Real> value_or_slope(const Vec3<Dual<Real>>& v) { return slope(v); }
 
   // Adds the forces and torques on the partners of a pack to their sums. Before the first pack
-  // these are zero, and it does not matter to which partner they are added. Ghosts have no sums.
+  // these forces are zero, so it does not matter to which partner they are added. Ghosts have no
+  // sums.
   [[gnu::noinline]] void add_up(std::size_t pack) {
     if (with_ghosts_) return;
     const Stage& from = stage(pack);
@@ -278,9 +281,9 @@ class PairRows {
   const PairStrengths<Law>& strengths_;
   const Window own_, partner_;
   const std::size_t numbers_;  // numbers of a partner's record, rounded up to whole packs
-  const Vec3<double> edge_;    // of the box [nm]
-  const bool far_apart_;       // records and sums exceed the second-level cache
-  const bool with_ghosts_;     // the partners are ghosts
+  const Vec3<double> edge_;    // box edges [nm]
+  const bool far_apart_;       // whether records and sums exceed the second-level cache
+  const bool with_ghosts_;     // whether the partners are ghosts
   Vec3<T> unit_;
   Stage stages_[4];
   Pack<double> van_der_waals_, coulomb_;
@@ -310,8 +313,8 @@ void run(const PairJob<T>& job, const PairStrengths<Law>& strengths) {
   }
 }
 
-// Runs the first shape that fits, otherwise the general one, which also serves all laws besides
-// Lennard-Jones.
+// Runs the loop for the first shape that fits. If none fits, the general loop is used, which also
+// serves all laws other than Lennard-Jones.
 template <class Number, class... Shapes, class T>
 void run_fitting(const PairJob<T>& job) {
   if (!job.table.has_lennard_jones_alone())
@@ -321,7 +324,8 @@ void run_fitting(const PairJob<T>& job) {
     run<Number, AnyShape>(job, strengths);
 }
 
-using FourSiteWater = FixedShape<4, 3, 1>;  // sites, charged, dispersive
+using FourSiteWater = FixedShape<4, 3, 1>;  // numbers of sites, charged sites and sites with a
+                                            // short-range law
 using ThreeSiteWater = FixedShape<3, 3, 1>;
 using FiveSiteWater = FixedShape<5, 4, 1>;
 
@@ -330,14 +334,15 @@ void pair_forces_of(const PairJob<T>& job) {
   run_fitting<Pack<T>, FourSiteWater, ThreeSiteWater, FiveSiteWater,
               FixedShape<1, 0, 1>,           // noble gases
               FixedShape<1, 1, 1>,           // ions
-              FixedShape<2, 2, 2>,           // linear, two sites
-              FixedShape<3, 3, 3>,           // linear, three sites
-              FixedShape<3, 3, 2>,           // and with a charge between them
+              FixedShape<2, 2, 2>,           // linear molecules with two sites
+              FixedShape<3, 3, 3>,           // linear molecules with three sites
+              FixedShape<3, 3, 2>,           // two such sites with a charge between them
               FixedShape<4, 3, 1, 1, 1, 1>,  // ions in water
               FixedShape<1, 1, 1, 4, 3, 1>>(job);
 }
 
-// Derivatives are needed less often, and for fewer kinds of molecules.
+// Derivatives have fewer shapes, because they are needed less often and for fewer kinds of
+// molecules.
 template <class T>
 void pair_derivative_of(const PairJob<T>& job) {
   run_fitting<Dual<Pack<T>>, FourSiteWater, ThreeSiteWater, FiveSiteWater>(job);

@@ -16,20 +16,21 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Positions are compared in fixed point and float, with errors of 2⁻³⁰ of an edge and 2⁻²² of a
-// distance; for distances of a few nm this bound is larger.
+// Upper bound on the round-off of distances. Positions are compared in fixed point and float, with
+// errors of 2⁻³⁰ of an edge and 2⁻²² of a distance. For distances of a few nm the bound is larger
+// than these errors.
 constexpr double rounding = 1e-5;  // [nm]
 
 using Real = Pack<float>;
 
-// A number of list entries, each with some numbers: one array for each of these.
+// A table of list entries, with a separate array for each number of an entry.
 template <std::size_t columns>
 struct Table {
   std::size_t size = 0;
   std::vector<std::uint32_t> words;
   std::array<std::vector<float, AlignedAllocator<float>>, columns> numbers;
 
-  // Makes room for n more entries, and a pack past the end, since packs are stored whole.
+  // Makes room for n more entries and for a pack past the end, because packs are stored as a whole.
   void reserve(std::size_t n) {
     if (words.size() >= size + n + Real::width) return;
     words.resize(std::max<std::size_t>(128, 2 * (size + n) + Real::width));
@@ -51,7 +52,7 @@ struct Table {
   }
 };
 
-using Nodes = Table<0>;   // nodes of the tree, in place of slots
+using Nodes = Table<0>;   // nodes of the tree, stored as slots
 using Found = Table<1>;   // partners, with their squared distance [nm²]
 using Leaves = Table<6>;  // first slots of leaves, with centre and half edges of the box [nm]
 using Shifts = Table<3>;  // first slots of leaves, with their centre relative to a body [nm]
@@ -67,11 +68,12 @@ inline Real distance2(const Vec3<Real>& centres, const Vec3<Real>& halves) {
   return sum;
 }
 
-// Finds the partners of one body after the other; the bodies of a leaf share the leaves in range.
+// Finds the partners of bodies one after the other. The bodies of a leaf share the list of leaves
+// in range.
 //
-// Of two leaves of one molecule type, the one that is at most half of all leaves ahead of the other
-// in their cyclic order is ahead. Each pair of bodies is found by the one whose leaf is behind;
-// within a leaf, by the one in the lower slot.
+// Leaves of one molecule type have a cyclic order. A leaf is ahead of another leaf if it follows it
+// by at most half of all leaves. Each pair of bodies is found only once, from the body whose leaf
+// is behind. Within a leaf, the pair is found from the body in the lower slot.
 class Search {
  public:
   Search(const ListJob& job, const ListChunk& chunk, std::size_t partner_part)
@@ -89,7 +91,7 @@ class Search {
       unit_[d] = static_cast<float>(job.box.edge[d] / static_cast<double>(fixed_point_edge));
   }
 
-  // Appends the partners of a slot.
+  // Appends the partners of a slot to its row.
   void operator()(std::uint32_t slot, Found& found) {
     const std::size_t leaf = (slot - own_first_) / SlotTree::leaf;
     if (leaf != leaf_) gather_leaves(leaf_ = leaf);
@@ -103,20 +105,21 @@ class Search {
     scan_near(found);
   }
 
-  // Calls visit(first slot) for the leaves that may have partners of the last slot's leaf.
+  // Calls visit(first slot) for each leaf that may have partners of the leaf that was searched
+  // last.
   template <class Visit>
   void each_leaf(const Visit& visit) const {
     for (std::size_t k = 0; k < leaves_.size; ++k) visit(Neighbour(leaves_.words[k]).slot());
   }
 
  private:
-  // A periodic image of a body's own leaf.
+  // A periodic image of the leaf of a body.
   struct OwnImage {
     std::uint32_t bits;
-    Vec3<float> shift;  // [nm]
+    Vec3<float> shift;  // shift of the image [nm]
   };
 
-  // Collects the leaves in range of a leaf, going down the tree level by level.
+  // Collects the leaves in range of a leaf, by descending the tree level by level.
   void gather_leaves(std::size_t leaf) {
     start(leaf);
     for (std::size_t l = partners_.size(); l-- > 1;) {
@@ -129,8 +132,8 @@ class Search {
     if (same_) bring_takers_to_front();
   }
 
-  // Moves the leaves that come soon after the own one in the chunk to the front: the rows of their
-  // slots can take over surplus pairs.
+  // Moves leaves that soon follow the body's leaf in the chunk to the front, because the rows of
+  // their slots can take over surplus pairs.
   void bring_takers_to_front() {
     const auto own = own_first_ + static_cast<std::uint32_t>(leaf_ * SlotTree::leaf);
     const std::uint32_t end = std::min(chunk_end_, own + HandedPairs::window);
@@ -144,7 +147,8 @@ class Search {
   void start(std::size_t leaf) {
     nodes_.size = 0;
     own_images_.clear();
-    std::array<std::array<double, 3>, 3> root2, own2;  // squared gaps, by direction and image
+    std::array<std::array<double, 3>, 3> root2, own2;  // squared gaps to the root and to the leaf,
+                                                       // by direction and image
     for (std::size_t d = 0; d < 3; ++d) {
       at_[d] = own_.centre[d][leaf], half_[d] = own_.half[d][leaf];
       const double edge = job_.box.edge[d], half = half_[d];
@@ -173,9 +177,9 @@ class Search {
     }
   }
 
-  // Boxes of a level in range of a leaf.
+  // Boxes of a tree level that are in range of a leaf.
   struct InRange {
-    Vec3<Real> centre, half;  // [nm], relative to the centre of the leaf
+    Vec3<Real> centre, half;  // centre and half edges [nm], relative to the centre of the leaf
     Mask<Real> is;
   };
   POLHODE_INLINE InRange in_range(const BoxLevel& level, std::size_t k,
@@ -191,7 +195,7 @@ class Search {
     return boxes;
   }
 
-  // Calls visit(image, index of the first box, boxes) for packs of the boxes below a node.
+  // Calls visit(image, index of the first box, boxes) for each pack of the boxes below a node.
   template <class Visit>
   POLHODE_INLINE void below(const BoxLevel& level, Neighbour node, const Visit& visit) const {
     Vec3<std::int32_t> from;
@@ -222,17 +226,19 @@ class Search {
     });
   }
 
-  // Which of the leaves that begin with the k-th are ahead of the own leaf.
+  // Which lanes of the pack of leaves that begins with leaf k are ahead of the body's leaf.
   POLHODE_INLINE Mask<Real> ahead(std::size_t k) const {
     const std::size_t all = partners_[0].size;
-    const bool even_and_late = all % 2 == 0 && leaf_ >= all / 2;  // of two that are all/2 apart
+    // The body's leaf may be the later of two leaves that are all/2 apart.
+    const bool even_and_late = all % 2 == 0 && leaf_ >= all / 2;
     const auto number = [](std::size_t n) { return Real(static_cast<float>(n)); };
     const Real by = lane_numbers() + (number(k) - number(leaf_));
     const Real cyclic = select(by < Real(0), by + number(all), by);
     return cyclic > Real(0) && cyclic <= number(all / 2 - (even_and_late ? 1 : 0));
   }
 
-  // The leaves in range of a body, whose position relative to the centre of its leaf is `at`.
+  // Finds the leaves in range of a body. `at` is the position of the body relative to the centre of
+  // its leaf.
   void select_leaves(const Vec3<float>& at) {
     near_.size = 0;
     near_.reserve(leaves_.size);
@@ -246,8 +252,8 @@ class Search {
     }
   }
 
-  // Tests the slots of the leaves in range of a body. What the loop needs is in local variables:
-  // the compiler cannot know that storing entries does not change members.
+  // Tests the slots of the leaves in range of a body. The loop uses local variables, because the
+  // compiler cannot know that storing entries does not change members.
   void scan_near(Found& found) const {
     const float *const x = in_leaf(0), *const y = in_leaf(1), *const z = in_leaf(2);
     const Real listed2(listed2_);
@@ -269,7 +275,7 @@ class Search {
     found.size = size;
   }
 
-  // Tests those slots of the own leaf, or its image at `to`, that come after the body's.
+  // Tests the slots of the body's leaf, or of its image at `to`, that follow the slot of the body.
   void scan_later(Neighbour leaf, std::size_t own, const Vec3<float>& to, Found& found) const {
     for (std::uint32_t k = 0; k < SlotTree::leaf; k += Real::width) {
       const auto along = [&](std::size_t d) {
@@ -284,15 +290,15 @@ class Search {
   const float* in_leaf(std::size_t d) const { return job_.tree.in_leaf()[d].data(); }
 
   const ListJob& job_;
-  const BoxLevel& own_;                    // the leaves of the body's type
-  const std::vector<BoxLevel>& partners_;  // the tree of the partners' type
+  const BoxLevel& own_;                    // leaves of the body's molecule type
+  const std::vector<BoxLevel>& partners_;  // tree of the partners' molecule type
   const std::uint32_t own_first_, partner_first_, chunk_end_;
   const bool same_;
   float listed2_;
   Vec3<float> unit_;
 
-  std::size_t leaf_ = ~std::size_t{0};  // the leaf of the following
-  Vec3<std::int32_t> at_;               // its centre in fixed point
+  std::size_t leaf_ = ~std::size_t{0};  // leaf to which the members below belong
+  Vec3<std::int32_t> at_;               // centre of the leaf in fixed point
   Vec3<float> half_;
   std::vector<OwnImage> own_images_;
   Nodes nodes_, next_;

@@ -9,7 +9,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Packs of doubles converted to one pack of T.
+// Converts packs of doubles to one pack of T.
 template <class T, std::size_t parts>
 Pack<T> to_pack(const std::array<Pack<double>, parts>& a) {
   if constexpr (parts == 1 && sizeof(T) == 8)
@@ -30,7 +30,7 @@ void store_records(const Pack<T>* column, std::size_t numbers, std::size_t slot,
   }
 }
 
-// The matrix S of a pack of bodies.
+// The matrix S for each body of a pack.
 inline Mat3<Pack<double>> orientations(const QuaternionColumn& a, const std::uint32_t* body) {
   return matrix_S(
       Quaternion<Pack<double>>{gather_lanes(a.w.data(), body), gather_lanes(a.x.data(), body),
@@ -92,7 +92,7 @@ double place(const PlaceJob<T>& job) {
   return sum(all) < 1e300 ? moved2 : 1e300;  // very large if any position is not finite
 }
 
-// Centres move by dq; a site at r in the body frame moves by Sᵀ (dθ × r) relative to its centre.
+// Centres move by dq. A site at r in the body frame moves by Sᵀ (dθ × r) relative to its centre.
 template <class T>
 void displace(const DisplaceJob<T>& job) {
   using Real = Pack<T>;
