@@ -39,6 +39,7 @@ class Measure(Sandbox):
     def test_a_density_with_its_error(self):
         process = self.measured()
         self.assertIn("plan at 160 K, 500 bar: 4 replicas of 64 molecules", process.err)
+        self.assertRegex(process.err, r"plan at .*, about \d+ s; longer")
         self.assertIn("density", process.out)
         self.assertIn("replicas of 64 molecules", process.out)
         found = json.loads(self.measured("--json").out)["points"][0]
@@ -87,6 +88,9 @@ plot = "none"
         again = self.measured()
         self.assertEqual(self.records(), records)
         self.assertNotIn("a pilot chooses", again.err)
+        self.assertIn("plan at", again.err)
+        self.assertNotIn(", about", again.err)  # no time is known: nothing was computed
+        self.assertNotIn("continues", again.err)
         self.measured("--json", "compressibility", "30 %")  # from the same records, which may grow
         for name, data in self.records().items():
             self.assertGreaterEqual(len(data), len(records[name]))
@@ -114,6 +118,15 @@ plot = "none"
         self.assertEqual(set(self.records()), set(whole))
         common = [name for name in whole if self.records()[name] == whole[name]]
         self.assertIn("out-160K-500bar-pilot.replica", common)
+
+    def test_merge_names_the_replicas_that_are_missing(self):
+        self.measured("--shard", "1/4")
+        self.measured("--shard", "3/4")
+        merged = self.measured("--json", verb="merge")
+        self.assertIn("2 of 4 replicas have no record: 'out-160K-500bar-r1.replica', 'out-160K-500bar-r3.replica'", merged.err)
+        point = json.loads(merged.out)["points"][0]
+        self.assertEqual(point["replicas"], 2)
+        self.assertIsNotNone(point["properties"][0]["value"]["error"])
 
     def test_a_time_limit_reports_what_is_known(self):
         process = self.measured("--time-limit", "0.01 s")

@@ -155,11 +155,10 @@ class Dynamics {
     estimate(m, [this](Means all, const FitWindow& fit) { return D(all, fit); });
     m.value =
         pooled_estimate(runs_, [&](Means all) { return D(all, window) + correction(all, window); });
-    constexpr double nm2_per_ps = 1e-3;  // 1e-9 m²/s
     m.finite_size =
         pooled_estimate(runs_, [&](Means all) { return correction(all, window); }).value /
-        nm2_per_ps;
-    m.value = scaled(m.value, 1 / nm2_per_ps);
+        nm2_per_ns;
+    m.value = scaled(m.value, 1 / nm2_per_ns);
   }
 
   /// Of the slowest axis.
@@ -233,13 +232,12 @@ void estimate_dynamics(MeasuredProperty& m, const PointData& data) {
 }
 
 void estimate_pair(MeasuredProperty& m, const PointData& data) {
-  const double per_mol = 1 / (1e21 / units::avogadro);
   std::size_t points = 1024;
   do {
     const Estimate B = second_virial(data.topology.parts.front().molecule, data.mixing,
                                      data.at.temperature, points)
                            .value;
-    m.value = {B.value * per_mol, B.error * per_mol, Known::yes, 15};
+    m.value = {B.value / cm3_per_mol, B.error / cm3_per_mol, Known::yes, 15};
     points *= 4;
   } while (!m.reached() && points <= 65536);
 }

@@ -2,11 +2,13 @@
 #include "polhode/run/properties/measure.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <span>
 
 #include "base/stopwatch.hpp"
@@ -33,6 +35,8 @@ constexpr std::size_t first_averages = 24, first_dynamics = 4;
 constexpr double growth = 1.5;
 /// Segments after which a replica without equilibrium is not continued.
 constexpr std::size_t max_equilibration = 600;
+/// Records are written no more often: a segment of a small system takes milliseconds [s].
+constexpr double writing_interval = 2;
 
 struct Target {
   std::size_t averages = 0, dynamics = 0;
@@ -93,17 +97,13 @@ class PointMeasurement {
         since_(since),
         system_(settings, settings.points[point]) {
     system_.common.stop = [this] { return stopped(); };
-    if (settings.only_evaluate && !std::filesystem::exists(file_of(0)))
-      throw Error(
-          fmt::format("there is no record '{}'; give the system, state point and output of "
-                      "the measurement",
-                      file_of(0)));
     std::vector<std::string> files;
     for (std::uint64_t k = settings.shard.index; k < settings.replicas; k += settings.shard.count)
       files.push_back(file_of(k));
     remove_drafts(files);
     for (std::uint64_t k = settings.shard.index; k < settings.replicas; k += settings.shard.count)
       replicas_.push_back(read_replica(file_of(k), k, system_.identity));
+    if (settings.only_evaluate) leave_out_missing();
   }
 
   MeasuredPoint perform();
@@ -124,16 +124,31 @@ class PointMeasurement {
                        [&](const auto& p) { return p.property->measured_in == what; });
   }
 
-  void choose_step();
-  void show_plan(const Target& target, double seconds_per_step) const;
+  /// The error that the replicas are to reach: those of one of n shards need reach √n times the
+  /// error requested.
+  double wanted_error(const MeasuredProperty& m) const {
+    return std::sqrt(static_cast<double>(settings_.shard.count)) * m.requested_error();
+  }
+  /// Whether replicas become longer for a property.
+  bool continues(const MeasuredProperty& m) const {
+    return m.request.property->measured_in != MeasuredIn::pair &&
+           !(m.value.known == Known::yes && m.obstacle.empty() && m.value.error <= wanted_error(m));
+  }
+
+  void leave_out_missing();
+  std::optional<double> choose_step();
+  void show_plan(const Target& target, std::optional<double> seconds_per_step) const;
   void extend(const Target& target);
   void extend(Replica& replica, const Target& target);
   void execute(const Target& target);
+  void write(const Replica& replica) const {
+    write_replica(file_of(replica.index), replica, system_.identity);
+  }
   void keep(Replica& replica, Replica changed);
   std::vector<Replica> first_of(const Target& target) const;
   std::vector<MeasuredProperty> evaluate(std::span<const Replica> replicas) const;
   bool next(Target& target, const std::vector<MeasuredProperty>& values, bool equilibrium) const;
-  void show(const std::vector<MeasuredProperty>& values) const;
+  void show(const std::vector<MeasuredProperty>& values, bool equilibrium) const;
   PointData data(std::span<const Replica> replicas) const {
     return {system_.topology, system_.common.config.forces.mixing, at(), replicas};
   }
@@ -157,19 +172,41 @@ std::vector<std::string> PointMeasurement::files() const {
   return files;
 }
 
-void PointMeasurement::choose_step() {
-  Replica first = read_replica(file_of(pilot), pilot, system_.identity);
-  if (!first.prepared()) {
-    callbacks_.note(fmt::format("{}: a pilot chooses the time step", at().text()));
-    if (!prepare(first, system_.common)) return;
-    write_replica(file_of(pilot), first, system_.identity);
-  }
-  system_.common.step = first.step;
+/// Evaluates the replicas that have records, and names those that have none.
+void PointMeasurement::leave_out_missing() {
+  std::vector<std::string> missing;
+  for (const Replica& replica : replicas_)
+    if (!replica.prepared()) missing.push_back(fmt::format("'{}'", file_of(replica.index)));
+  if (missing.size() == replicas_.size())
+    throw Error(
+        fmt::format("there is no record {}; give the system, state point and output of "
+                    "the measurement",
+                    missing.front()));
+  if (missing.empty()) return;
+  callbacks_.note(fmt::format(
+      "{}: {} of {} replicas have no record: {}; run 'polhode measure' with their shards, and "
+      "merge again",
+      at().text(), missing.size(), replicas_.size(), fmt::join(missing, ", ")));
+  std::erase_if(replicas_, [](const Replica& replica) { return !replica.prepared(); });
 }
 
-/// Writes the record of a replica that has changed, and shows how far the round has come.
+/// Takes the time step from the pilot, which is prepared if it has no record.
+/// @return  how long the preparation took [s]
+std::optional<double> PointMeasurement::choose_step() {
+  const Stopwatch watch;
+  Replica first = read_replica(file_of(pilot), pilot, system_.identity);
+  const bool is_new = !first.prepared();
+  if (is_new) {
+    callbacks_.note(fmt::format("{}: a pilot chooses the time step", at().text()));
+    if (!prepare(first, system_.common)) return std::nullopt;
+    write(first);
+  }
+  system_.common.step = first.step;
+  return is_new ? std::optional(watch.seconds()) : std::nullopt;
+}
+
+/// Shows how far the round has come with a replica that has changed.
 void PointMeasurement::keep(Replica& replica, Replica changed) {
-  write_replica(file_of(changed.index), changed, system_.identity);
   const std::lock_guard lock(guard_);
   done_ += changed.averages.size() - replica.averages.size() + changed.dynamics.size() -
            replica.dynamics.size() + (replica.prepared() ? 0 : 1);
@@ -180,11 +217,18 @@ void PointMeasurement::keep(Replica& replica, Replica changed) {
 }
 
 void PointMeasurement::extend(Replica& replica, const Target& target) {
+  Stopwatch since_written;
+  bool written = true;
   while (!has(replica, target) && !stopped()) {
     Replica changed = replica;
-    if (!extend_by_one(changed, target, system_.common)) return;
+    if (!extend_by_one(changed, target, system_.common)) break;
     keep(replica, std::move(changed));
+    written = since_written.seconds() > writing_interval;
+    if (!written) continue;
+    write(replica);
+    since_written.lap();
   }
+  if (!written) write(replica);
 }
 
 /// The same by an executor, a few segments at a time, so that little is lost if it is killed.
@@ -207,9 +251,11 @@ void PointMeasurement::execute(const Target& target) {
     if (records.size() != tasks.size())
       throw Error(fmt::format("the executor returned {} records of {} tasks", records.size(),
                               tasks.size()));
-    for (std::size_t k = 0; k < records.size(); ++k)
+    for (std::size_t k = 0; k < records.size(); ++k) {
       keep(*of[k],
            parse_replica(records[k], "a record of the executor", of[k]->index, system_.identity));
+      write(*of[k]);
+    }
   }
 }
 
@@ -245,71 +291,70 @@ std::vector<MeasuredProperty> PointMeasurement::evaluate(std::span<const Replica
   return values;
 }
 
-/// Longer lengths for what has not reached its error; a shard of n need reach √n times the error.
+/// Longer lengths for what has not reached its error.
 /// @return  whether anything is left to do
 bool PointMeasurement::next(Target& target, const std::vector<MeasuredProperty>& values,
                             bool equilibrium) const {
   const auto longer = [](std::size_t n) {
     return static_cast<std::size_t>(std::ceil(growth * static_cast<double>(n)));
   };
-  const double share = std::sqrt(static_cast<double>(settings_.shard.count));
-  bool averages = false, dynamics = false;
-  for (const MeasuredProperty& m : values) {
-    if (m.value.known == Known::yes && m.obstacle.empty() &&
-        m.value.error <= share * m.requested_error())
-      continue;
-    averages |= m.request.property->measured_in == MeasuredIn::averages;
-    dynamics |= m.request.property->measured_in == MeasuredIn::dynamics;
-  }
-  if (!equilibrium) {
-    if (target.averages >= max_equilibration) return false;
-    averages = true;
-  }
+  const auto any = [&](MeasuredIn what) {
+    return std::any_of(values.begin(), values.end(), [&](const MeasuredProperty& m) {
+      return m.request.property->measured_in == what && continues(m);
+    });
+  };
+  if (!equilibrium && target.averages >= max_equilibration) return false;
+  const bool averages = !equilibrium || any(MeasuredIn::averages),
+             dynamics = any(MeasuredIn::dynamics);
   if (averages) target.averages = longer(target.averages);
   if (dynamics) target.dynamics = longer(target.dynamics);
   return averages || dynamics;
 }
 
-void PointMeasurement::show(const std::vector<MeasuredProperty>& values) const {
+void PointMeasurement::show(const std::vector<MeasuredProperty>& values, bool equilibrium) const {
   for (const MeasuredProperty& m : values)
     callbacks_.note(fmt::format(
         "  {} {}{}", m.request.property->name,
         m.value.known == Known::yes ? fmt::format("{} {}", with_error(m.value.value, m.value.error),
                                                   m.request.property->unit)
                                     : "not known yet",
-        m.reached() ? "" : fmt::format(", continues to ± {:.2g}", m.requested_error())));
+        continues(m) ? fmt::format(", continues to ± {:.2g}", wanted_error(m)) : ""));
+  if (!equilibrium) callbacks_.note("  a replica is not in equilibrium yet and continues");
 }
 
-void PointMeasurement::show_plan(const Target& target, double seconds_per_step) const {
-  constexpr double steps_of_preparation = 25'000;
+void PointMeasurement::show_plan(const Target& target,
+                                 std::optional<double> seconds_per_step) const {
+  constexpr double steps_of_preparation = 8000;  // with as many force evaluations
   const auto n = static_cast<double>(replicas_.size());
   const auto averages = static_cast<double>(target.averages * steps_of_averages),
              dynamics = static_cast<double>(target.dynamics * steps_of_lags * windows_in_segment);
-  const double step = system_.common.step;
+  const double step = system_.common.step, steps = n * (averages + dynamics + steps_of_preparation),
+               at_once = std::min(n, static_cast<double>(workers_.threads()));
   callbacks_.note(fmt::format(
       "plan at {}: {} replicas of {} molecules, hoa2 at {:g} fs; first {:.0f} ps of each at "
-      "constant pressure{}, about {:.0f} s; longer where an error is not reached",
+      "constant pressure{}{}; longer where an error is not reached",
       at().text(), replicas_.size(), system_.topology.size(), step * units::fs_per_ps,
       averages * step,
       dynamics > 0 ? fmt::format(" and {:.0f} ps for dynamics", dynamics * step) : "",
-      n * (averages + dynamics + steps_of_preparation) * seconds_per_step /
-          std::min(n, static_cast<double>(workers_.threads()))));
+      seconds_per_step ? fmt::format(", about {:.0f} s", steps * *seconds_per_step / at_once)
+                       : ""));
 }
 
 MeasuredPoint PointMeasurement::perform() {
   if ((wants(MeasuredIn::averages) || wants(MeasuredIn::dynamics)) && !settings_.only_evaluate) {
-    const Stopwatch of_pilot;
-    choose_step();
+    const std::optional<double> seconds = choose_step();
     Target target{first_averages, wants(MeasuredIn::dynamics) ? first_dynamics : 0};
-    // The pilot has taken about as many force evaluations as 30,000 steps do.
-    if (system_.common.step > 0) show_plan(target, of_pilot.seconds() / 15'000);
+    constexpr double steps_of_pilot = 15'000;  // with as many force evaluations
+    if (system_.common.step > 0)
+      show_plan(target, seconds ? std::optional(*seconds / steps_of_pilot) : std::nullopt);
     while (system_.common.step > 0 && !stopped()) {
       extend(target);
       if (stopped()) break;
       const std::vector<Replica> replicas = first_of(target);
       const std::vector<MeasuredProperty> values = evaluate(replicas);
-      if (!next(target, values, in_equilibrium(data(replicas)))) break;
-      show(values);
+      const bool equilibrium = in_equilibrium(data(replicas));
+      if (!next(target, values, equilibrium)) break;
+      show(values, equilibrium);
     }
   }
   MeasuredPoint point = described(data(replicas_));

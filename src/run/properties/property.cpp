@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/suggest.hpp"
+#include "io/settings/quantity.hpp"
 #include "model/dipole.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
@@ -16,10 +17,6 @@ namespace polhode {
 namespace {
 
 using Means = std::span<const double>;
-
-constexpr double kg_per_m3 = units::gram_per_cm3 / 1000;  // [u/nm³]
-constexpr double cm3_per_mol = 1e21 / units::avogadro;    // of one molecule [nm³]
-constexpr double bar = units::avogadro * 1e-25;           // [kJ/mol/nm³]
 
 double kT(const Conditions& c) { return units::boltzmann * c.at.temperature; }
 double per_molecule(double x, const Conditions& c) { return x / static_cast<double>(c.molecules); }
@@ -36,7 +33,9 @@ double variance_of_enthalpy(Means m, const Conditions& c) {
          p * p * (m[volume_squared] - m[volume] * m[volume]);
 }
 
-double density(Means m, const Conditions& c) { return c.mass / m[volume] / kg_per_m3; }
+double density(Means m, const Conditions& c) {
+  return c.mass / m[volume] / unit("kg/m3", Dimension::density);
+}
 double molar_volume(Means m, const Conditions& c) {
   return per_molecule(m[volume], c) / cm3_per_mol;
 }
@@ -57,7 +56,8 @@ double expansivity(Means m, const Conditions& c) {
   return 1e6 * covariance_with_volume(m, c) / (kT(c) * c.at.temperature * m[volume]);
 }
 double compressibility(Means m, const Conditions& c) {
-  return 1e6 * (m[volume_squared] - m[volume] * m[volume]) / (kT(c) * m[volume]) * bar;
+  return 1e6 * (m[volume_squared] - m[volume] * m[volume]) / (kT(c) * m[volume]) /
+         unit("1/bar", Dimension::compressibility);
 }
 double dielectric_constant(Means m, const Conditions& c) {
   return 1 + 4 * units::pi * units::coulomb * m[dipole_squared] / (3 * m[volume] * kT(c));

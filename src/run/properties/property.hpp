@@ -8,10 +8,15 @@
 #include <string_view>
 #include <vector>
 
+#include "polhode/base/units.hpp"
 #include "polhode/model/topology.hpp"
 #include "polhode/run/properties/measure.hpp"
 
 namespace polhode {
+
+/// Units that only properties have.
+inline constexpr double cm3_per_mol = 1e21 / units::avogadro;  ///< of one molecule [nm³]
+inline constexpr double nm2_per_ns = 1e-3;                     ///< 1e-9 m²/s [nm²/ps]
 
 /// Quantities of the whole system that are averaged at constant pressure.
 enum AverageOf : std::size_t {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/settings/ensemble_names.hpp"
+#include "io/settings/quantity.hpp"
 #include "measure/displacement.hpp"
 #include "measure/equilibration.hpp"
 #include "measure/reorientation.hpp"
@@ -23,6 +24,7 @@
 #include "polhode/run/simulation/system/system.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "run/prepare/compressibility.hpp"
+#include "run/properties/momentum_flux.hpp"
 #include "run/simulation/system/relaxation.hpp"
 #include "run/simulation/system/stable_step.hpp"
 
@@ -122,7 +124,7 @@ void check_liquid(Chain& chain) {
     throw RunError(fmt::format(
         "at {} the molecules evaporate: the density has fallen to {:.0f} kg/m3; give a lower "
         "temperature or a higher pressure, where they are a liquid",
-        chain.settings().at.text(), density / units::gram_per_cm3 * 1000));
+        chain.settings().at.text(), density / unit("kg/m3", Dimension::density)));
 }
 
 /// Constant volume, then constant pressure, with moves of the box that adapt.
@@ -206,36 +208,6 @@ Vec3<double> total_dipole(const State& state, const System& system) {
   }
   return M;
 }
-
-/// The five components of a traceless symmetric tensor, of equal variance in a fluid [daivis1994].
-std::array<double, 5> independent_components(const Mat3<double>& P) {
-  const double xy = (P[0].y + P[1].x) / 2, yz = (P[1].z + P[2].y) / 2, zx = (P[2].x + P[0].z) / 2;
-  return {(2 * P[0].x - P[1].y - P[2].z) / (2 * std::sqrt(3.0)), (P[1].y - P[2].z) / 2, yz, zx, xy};
-}
-
-/// The time integrals of five components of the pressure tensor, as displacements of two bodies:
-/// their mean square grows as that of a diffusing particle.
-class MomentumFlux {
- public:
-  explicit MomentumFlux(double interval) : interval_(interval) {}
-
-  void add(const Mat3<double>& pressure) {
-    const std::array<double, 5> now = independent_components(pressure);
-    for (std::size_t k = 0; k < now.size(); ++k)
-      integral_[k] += first_ ? 0 : (last_[k] + now[k]) / 2 * interval_;
-    last_ = now;
-    first_ = false;
-  }
-  Vec3<double> displacement(std::size_t body) const {
-    return body == 0 ? Vec3<double>{integral_[0], integral_[1], integral_[2]}
-                     : Vec3<double>{integral_[3], integral_[4], 0};
-  }
-
- private:
-  double interval_;
-  bool first_ = true;
-  std::array<double, 5> integral_{}, last_{};
-};
 
 void scale_to(State& state, double volume) {
   const double factor = std::cbrt(volume / state.box.volume());

@@ -26,7 +26,6 @@ using namespace polhode;
 namespace {
 
 constexpr double bar = 0.0602214076;  // [kJ/mol/nm³]
-constexpr double cm3_per_mol = 1e21 / units::avogadro;
 
 /// 64 argon atoms: a segment takes some ten milliseconds.
 MeasureRequest argon(std::vector<std::string> properties = {"density"}) {

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+// Values of properties from records of replicas that are made up here, so that each value is known.
+#include "run/properties/estimates.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "measure/displacement.hpp"
+#include "measure/time_correlation.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/io/topology/molecule_file.hpp"
+#include "polhode/math/random.hpp"
+#include "run/properties/momentum_flux.hpp"
+#include "run/properties/property.hpp"
+#include "run/properties/replica.hpp"
+
+using namespace polhode;
+
+namespace {
+
+// SI, by CODATA 2018, independent of the units of the program.
+constexpr double k_B = 1.380649e-23, N_A = 6.02214076e23, e = 1.602176634e-19,
+                 eps0 = 8.8541878128e-12, u = 1e-3 / N_A, nm = 1e-9, ps = 1e-12, kJ_mol = 1e3 / N_A;
+constexpr double pi = 3.14159265358979323846;
+constexpr double bar = 1e5 * nm * nm * nm / kJ_mol;  // [kJ/mol/nm³]
+
+constexpr double T = 300, p_bar = 200;
+constexpr StatePoint at{T, p_bar* bar};
+constexpr std::size_t waters = 100;
+
+const Topology& water() {
+  static const Topology topology{{{read_molecule("spce"), waters}}};
+  return topology;
+}
+
+/// Potential energy [kJ/mol], volume [nm³] and square of the dipole [e² nm²] of one sample.
+struct Sample {
+  double U, V, M2;
+};
+/// Two values of U and of V with a covariance.
+constexpr std::array samples = {Sample{-4200, 3.01, 4}, Sample{-4100, 3.05, 1},
+                                Sample{-4150, 3.05, 3}, Sample{-4110, 3.01, 2}};
+constexpr std::size_t segments_of_averages = 24;
+
+/// What is added to the potential energies of a segment: noise between segments.
+double offset(std::size_t segment) { return 5 * Random(3, segment).normal(); }
+
+/// A mean over the samples of all segments.
+double mean(const std::function<double(const Sample&)>& f) {
+  double sum = 0;
+  for (std::size_t k = 0; k < segments_of_averages; ++k)
+    for (Sample s : samples) {
+      s.U += offset(k);
+      sum += f(s);
+    }
+  return sum / static_cast<double>(segments_of_averages * samples.size());
+}
+
+/// The error of the step of each of the samples [kJ/mol].
+using StepErrors = std::array<double, 4>;
+
+AveragesSegment segment_with(double offset, const StepErrors& errors) {
+  AveragesSegment segment{.sums = {0, std::vector<double>(averages_count)}, .response = {}};
+  for (const double sign : {1.0, -1.0})  // the kinetic energy is uncorrelated with all others
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      const double U = samples[k].U + offset, V = samples[k].V;
+      const std::array<double, averages_count> x = {U, V, U * U, V * V, U * V, samples[k].M2};
+      segment.sums.weight += 1;
+      for (std::size_t i = 0; i < x.size(); ++i) segment.sums.sum[i] += x[i];
+      const double kinetic = 3 * waters * units::boltzmann * T + sign * 10;
+      segment.response.add({errors[k], U + kinetic, kinetic, at.pressure, V}, x);
+    }
+  segment.response.blocks = {{segment.response.blocks.means().sum()}, 1};
+  for (const double fluctuation : {1, -1, 2, -2, 0}) {  // in equilibrium from the beginning
+    segment.potentials.push_back(-4140 + fluctuation);
+    segment.volumes.push_back(3 + fluctuation / 64);
+  }
+  return segment;
+}
+
+Replica steady(std::uint64_t index, const StepErrors& errors = {}) {
+  Replica replica{.index = index, .step = 0.004, .state = State{1, Box{Vec3<double>{2, 2, 2}}}};
+  for (std::size_t k = 0; k < segments_of_averages; ++k) {
+    replica.averages.push_back(segment_with(offset(k), errors));
+    if (k == 0) continue;
+    StepResponse& response = replica.averages.back().response;
+    response = response.relative_to(replica.averages.front().response.first);
+  }
+  return replica;
+}
+
+std::vector<Replica> four(const std::function<Replica(std::uint64_t)>& make) {
+  return {make(0), make(1), make(2), make(3)};
+}
+
+MeasuredProperty measured(const char* name, const std::vector<Replica>& replicas,
+                          const Topology& topology = water()) {
+  const Mixing mixing;
+  return estimate({&property(name)}, {topology, mixing, at, replicas});
+}
+
+}  // namespace
+
+TEST_CASE("properties of averages are those computed by hand in SI units") {
+  const std::vector<Replica> replicas =
+      four([](std::uint64_t k) { return steady(k, StepErrors{}); });
+  const double mass = waters * (15.9994 + 2 * 1.008) * u;            // [kg]
+  const double U = mean([](auto s) { return s.U; }) * kJ_mol;        // [J]
+  const double V = mean([](auto s) { return s.V; }) * nm * nm * nm;  // [m³]
+  const double p = p_bar * 1e5, n = waters / N_A, kT = k_B * T, K = (6.0 * waters - 3) / 2 * kT;
+  const auto H = [&](const Sample& s) { return s.U * kJ_mol + p * s.V * nm * nm * nm; };
+  const auto deviation = [&](const Sample& s) { return s.V * nm * nm * nm - V; };
+  const double H_mean = mean(H), VV = mean([&](auto s) { return std::pow(deviation(s), 2); }),
+               HV = mean([&](auto s) { return deviation(s) * (H(s) - H_mean); }),
+               HH = mean([&](auto s) { return std::pow(H(s) - H_mean, 2); });
+  const double M2 = mean([](auto s) { return s.M2; }) * std::pow(e * nm, 2);  // [C² m²]
+  struct Case {
+    const char* name;
+    double value;
+  };
+  for (const auto& [name, value] :
+       {Case{"density", mass / V}, Case{"molar-volume", V / n * 1e6},
+        Case{"potential-energy", U / n / 1e3}, Case{"enthalpy", (H_mean + K) / n / 1e3},
+        // The ideal gas has the same kinetic energy, and pV = kT for each molecule.
+        Case{"enthalpy-of-vaporization", (kT * waters - H_mean) / n / 1e3},
+        // The kinetic energy of a canonical ensemble adds k/2 for each degree of freedom.
+        Case{"heat-capacity", (HH / (kT * T) + K / T) / n},
+        Case{"expansivity", HV / (kT * T * V) * 1e6},
+        Case{"compressibility", VV / (kT * V) * 1e5 * 1e6},
+        Case{"dielectric-constant", 1 + M2 / (3 * eps0 * V * kT)}}) {
+    CAPTURE(name);
+    const MeasuredProperty m = measured(name, replicas);
+    REQUIRE(m.value.known == Known::yes);
+    // Squares of U lose log10(U²/var U) = 4 of 16 digits; masses and constants have 10.
+    CHECK(m.value.value == doctest::Approx(value).epsilon(1e-9));
+    CHECK(m.value.error < 0.1 * std::abs(value));
+    CHECK(m.obstacle.empty());
+    REQUIRE(m.bias);
+    CHECK(m.bias->value == 0);
+  }
+}
+
+TEST_CASE("the time-step bias is subtracted") {
+  // States with a higher shadow energy are less probable: an error of the step that is larger where
+  // U is larger lowers ⟨U⟩ by its covariance with U over kT.
+  const StepErrors errors = {-1, 1, -1, 1};
+  const std::vector<Replica> replicas = four([&](std::uint64_t k) { return steady(k, errors); });
+  const double kT = units::boltzmann * T, U = mean([](auto s) { return s.U; });
+  double covariance = 0, with_volume = 0;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    covariance += errors[k] * (samples[k].U - U) / 4;
+    with_volume += errors[k] * (samples[k].V - 3.03) / 4;
+  }
+  REQUIRE(covariance > 10);
+  REQUIRE(std::abs(with_volume) < 1e-12);
+  const MeasuredProperty m = measured("potential-energy", replicas);
+  REQUIRE(m.bias);
+  // kT follows from the kinetic energy of 6 N − 3 degrees of freedom: 0.5 % of it.
+  const double bias = -covariance / kT / waters;
+  CHECK(m.bias->value == doctest::Approx(bias).epsilon(0.006));
+  CHECK(m.value.value == doctest::Approx(U / waters - m.bias->value).epsilon(1e-12));
+}
+
+TEST_CASE("a property of averages is not known before equilibrium") {
+  std::vector<Replica> replicas = four([](std::uint64_t k) { return steady(k); });
+  replicas[1].averages.clear();
+  const MeasuredProperty m = measured("density", replicas);
+  CHECK(m.value.known != Known::yes);
+  CHECK(!m.obstacle.empty());
+}
+
+namespace {
+
+constexpr double viscosity = 400;    // [u/(nm ps)]
+constexpr double D = 2e-3;           // [nm²/ps], in the periodic box
+constexpr double relaxation = 0.5;   // of the pressure and of orientations [ps]
+constexpr double edge = 2;           // [nm]
+constexpr double volume_of_box = 8;  // [nm³]
+constexpr double step = 0.004;       // [ps]
+constexpr double interval = step * steps_of_lags / lags;
+
+/// The variance of a component of the pressure whose autocorrelation is an exponential:
+/// η = V/kT ∫ ⟨P(0) P(t)⟩ dt.
+double pressure_variance() {
+  return viscosity * units::boltzmann * T / (volume_of_box * relaxation);
+}
+
+/// ⟨(∫₀ᵗ P)²⟩ of such a component.
+double flux(double t) {
+  return 2 * pressure_variance() * relaxation * (t - relaxation * (1 - std::exp(-t / relaxation)));
+}
+
+/// Correlation functions of one kind of molecule, for each segment of dynamics, at all lags: the
+/// flux summed over five components, a mean-square displacement, and orientations that relax.
+BlockMeans::Block correlations(const Topology& topology,
+                               const std::function<double(double)>& flux_of_five) {
+  const CorrelationsOfDynamics which(topology);
+  BlockMeans::Block block{1000, std::vector<double>(which.count * lags)};
+  for (std::size_t k = 0; k < lags; ++k) {
+    const double t = static_cast<double>(k) * interval;
+    const auto set = [&](std::size_t correlation, double value) {
+      block.sum[correlation * lags + k] = block.weight * value;
+    };
+    set(CorrelationsOfDynamics::momentum_flux, flux_of_five(t));
+    set(which.displacement.front(), 6 * D * t + 0.01);  // with the offset of a cage
+    for (std::size_t axis = 0; axis < which.rotation.front().size(); ++axis)
+      set(which.rotation.front()[axis], std::exp(-t / (1 + static_cast<double>(axis))));
+  }
+  return block;
+}
+
+Replica moving(std::uint64_t index, const std::vector<BlockMeans::Block>& segments) {
+  return {.index = index,
+          .step = step,
+          .state = State{1, Box{Vec3<double>{3, 3, 3}}},
+          .moving = State{1, Box{Vec3<double>{edge, edge, edge}}},
+          .dynamics = segments};
+}
+
+/// Replicas with the exact correlation functions.
+std::vector<Replica> exact() {
+  const std::vector<BlockMeans::Block> segments(
+      12, correlations(water(), [](double t) { return 5 * flux(t) / 2; }));
+  return four([&](std::uint64_t k) { return moving(k, segments); });
+}
+
+}  // namespace
+
+TEST_CASE("dynamics have the viscosity, diffusion and relaxation of their correlation functions") {
+  const std::vector<Replica> replicas = exact();
+  const MeasuredProperty eta = measured("viscosity", replicas);
+  REQUIRE(eta.value.known == Known::yes);
+  // The window begins after 10 relaxation times: the slope has its limit to exp(−10) = 5e-5.
+  CHECK(eta.value.value ==
+        doctest::Approx(viscosity * u / (nm * ps) * 1e3).epsilon(1e-4));  // [mPa s]
+  const MeasuredProperty diffusion = measured("diffusion", replicas);
+  REQUIRE(diffusion.value.known == Known::yes);
+  REQUIRE(diffusion.finite_size);
+  // Periodic images slow molecules down: the value is larger than D by ξ kT/(6π η L).
+  const double correction =
+      2.837297 * k_B * T / (6 * pi * viscosity * u / (nm * ps) * edge * nm) * 1e9;  // [1e-9 m²/s]
+  CHECK(correction > 0.4);
+  CHECK(*diffusion.finite_size == doctest::Approx(correction).epsilon(1e-4));
+  CHECK(diffusion.value.value ==
+        doctest::Approx(D * 1e-6 * 1e9 + correction).epsilon(1e-4));  // nm²/ps = 1e-6 m²/s
+  // The longest of the times of the axes. The trapezoidal rule at 0.04 ps adds (0.04/τ)²/12.
+  const CorrelationsOfDynamics which(water());
+  const auto slowest = static_cast<double>(which.rotation.front().size());
+  const MeasuredProperty tau = measured("rotational-relaxation", replicas);
+  CHECK(tau.value.value == doctest::Approx(slowest).epsilon(1e-3));
+}
+
+TEST_CASE("the viscosity of sampled pressures agrees within its error, which has 35 or 19 modes") {
+  // Five independent components with the same exponential autocorrelation, between samples of
+  // 0.008 ps as dynamics have them.
+  constexpr double sample = 2 * step;
+  constexpr std::size_t every = 5, segments = 12;
+  const double decay = std::exp(-sample / relaxation), sigma = std::sqrt(pressure_variance());
+  const std::vector<Replica> replicas = four([&](std::uint64_t replica) {
+    Random random(7, replica);
+    std::array<double, 5> c{};
+    for (double& x : c) x = sigma * random.normal();
+    std::vector<BlockMeans::Block> blocks;
+    for (std::size_t segment = 0; segment < segments; ++segment) {
+      MomentumFlux integrals(sample);
+      TimeCorrelation correlation(2, lags, {Product::displacement});
+      for (std::size_t k = 0; k < every * lags * windows_in_segment; ++k) {
+        for (double& x : c) x = decay * x + sigma * std::sqrt(1 - decay * decay) * random.normal();
+        // Of independent_components(), the inverse, with a mean pressure that must not matter.
+        const double a = c[0] * 2 / std::sqrt(3.0), mean = 5;
+        integrals.add({{mean + a, c[4], c[3]},
+                       {c[4], mean - a / 2 + c[1], c[2]},
+                       {c[3], c[2], mean - a / 2 - c[1]}});
+        if (k % every == 0)
+          correlation.add([&](std::size_t body) { return integrals.displacement(body); });
+      }
+      BlockMeans::Block block = correlations(water(), [](double) { return 0; });
+      const BlockMeans::Block found = correlation.means(0).sum();
+      for (std::size_t k = 0; k < lags; ++k)
+        block.sum[k] = block.weight * found.sum[k] / found.weight;
+      blocks.push_back(block);
+    }
+    return moving(replica, blocks);
+  });
+  const MeasuredProperty eta = measured("viscosity", replicas);
+  REQUIRE(eta.value.known == Known::yes);
+  const double expected = viscosity * u / (nm * ps) * 1e3;
+  // Four replicas: 3 deviations of means and 4 slowest modes of each, twice as many if the noise is
+  // white.
+  CHECK((eta.value.modes == 35 || eta.value.modes == 19));
+  CHECK(std::abs(eta.value.value - expected) < three_sigma(eta.value));
+  // 48 segments of 5 components and 4 windows, in each of which the slope of a random walk has a
+  // relative error of about 1: 1/√960 = 3 %, within a factor of 2.
+  CHECK(eta.value.error > 0.016 * expected);
+  CHECK(eta.value.error < 0.065 * expected);
+}
+
+TEST_CASE("dynamics with too few segments, or with slopes that change, are not converged") {
+  std::vector<Replica> short_ones = exact();
+  for (Replica& replica : short_ones) replica.dynamics.resize(2);
+  CHECK(measured("viscosity", short_ones).value.known != Known::yes);
+  const std::vector<BlockMeans::Block> bent(12,
+                                            correlations(water(), [](double t) { return t * t; }));
+  const std::vector<Replica> slow = four([&](std::uint64_t k) { return moving(k, bent); });
+  CHECK(measured("viscosity", slow).obstacle.find("slope still changes") != std::string::npos);
+}
+
+TEST_CASE("five components of an isotropic tensor have equal variance and no covariance") {
+  // An isotropic symmetric random tensor has diagonal elements of twice the variance of the others.
+  // The components are linear: their covariances are sums over the basis of tensors.
+  std::array<std::array<double, 5>, 5> covariance{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      Mat3<double> P{};
+      P[i][j] = P[j][i] = 1;
+      const auto c = independent_components(P);
+      for (std::size_t a = 0; a < 5; ++a)
+        for (std::size_t b = 0; b < 5; ++b) covariance[a][b] += (i == j ? 2 : 1) * c[a] * c[b];
+    }
+  for (std::size_t a = 0; a < 5; ++a)
+    for (std::size_t b = 0; b < 5; ++b)
+      CHECK(covariance[a][b] == doctest::Approx(a == b ? 1 : 0).epsilon(1e-14));
+  // The hydrostatic and the antisymmetric part do not count.
+  for (const double x : independent_components({{3, 1, -2}, {-1, 3, 4}, {2, -4, 3}}))
+    CHECK(std::abs(x) < 1e-15);
+}
+
+TEST_CASE("the integral of a pressure is that of the trapezoidal rule") {
+  constexpr double dt = 0.25;
+  const Mat3<double> shear{{0, 0, 0}, {0, 0, 3}, {0, 3, 0}};
+  MomentumFlux constant(dt);
+  constant.add(shear);
+  CHECK(constant.displacement(0).z == 0);
+  for (int k = 0; k < 8; ++k) constant.add(shear);
+  CHECK(constant.displacement(0).z == 3 * 8 * dt);
+  CHECK(constant.displacement(0).x == 0);
+  CHECK(constant.displacement(1).x == 0);
+  MomentumFlux rising(dt);  // by 1 in a sample: the integral of a line is exact
+  for (int k = 0; k <= 8; ++k) {
+    const double P = k;
+    rising.add({{0, P, 0}, {P, 0, 0}, {0, 0, 0}});
+  }
+  CHECK(rising.displacement(1).y == 0.5 * 8 * 8 * dt);
+}
