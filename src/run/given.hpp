@@ -13,44 +13,47 @@
 
 namespace polhode {
 
-/// The text of an option; empty: the option is not given.
+/// The text of an option; empty if the option is not given.
 struct Given {
   std::string text;
-  std::string name;  ///< in the front end, "--cutoff", for errors
+  std::string name;  ///< name of the option in the front end, such as "--cutoff", for error
+                     ///< messages
 
   explicit operator bool() const { return !text.empty(); }
 };
 
-/// A row of the options of a request: front ends declare and fill options in loops over them.
+/// An entry in the list of options of a request. Front ends declare and fill options in loops over
+/// these lists.
 template <class Request>
 struct RequestOption {
-  const char* name;  ///< "max_force": --max-force, or the keyword max_force
+  const char* name;  ///< "max_force" for the option --max-force or the keyword max_force
   Given Request::*member;
   std::string doc;
-  const char* old_name = nullptr;  ///< which is accepted, too
+  const char* old_name = nullptr;  ///< older name, which is also accepted
 };
 
-/// Throws `cutoff = "-1 nm" complaint`, with the option as its place.
+/// Throws an Error of the form `cutoff = "-1 nm" complaint`, with the option as its place.
 [[noreturn]] void refuse(const Given& given, const std::string& complaint);
 
+/// The value of a quantity given as an option.
 /// @throws Error  unless it is a quantity of the dimension
 double given_quantity(const Given& given, Dimension dimension, std::string_view example = {});
-/// A quantity above 0.
+/// The value of a quantity given as an option, which must be above 0.
 double given_positive(const Given& given, Dimension dimension, std::string_view example = {});
-/// Sets a value above 0 if the option is given.
+/// Sets a value if the option is given; the value must be above 0.
 void take_positive(double& value, const Given& given, Dimension dimension,
                    std::string_view example = {});
-/// A fraction above 0 and below 1, "0.5 %".
+/// The value of a fraction given as an option, such as "0.5 %", which must be above 0 and below 1.
 double given_fraction(const Given& given);
-/// A number from min to max.
+/// The value of a number given as an option, which must be from min to max.
 double given_number(const Given& given, double min, double max);
-/// As many numbers, with commas between them.
+/// The values of several numbers given as an option, separated by commas.
 std::vector<double> given_numbers(const Given& given, std::size_t count, std::string_view example);
 std::uint64_t given_whole_number(const Given& given, std::uint64_t min, std::uint64_t max);
 /// Splits "a, b" into words.
 std::vector<std::string> given_words(const Given& given);
 
-/// The value of a named enumeration.
+/// The value of a named enumeration given as an option.
 template <NamedEnum Enum>
 Enum given_name(const Given& given) {
   if (const auto value = value_of<Enum>(given.text)) return *value;

@@ -8,7 +8,7 @@
 namespace polhode {
 namespace {
 
-// Of several jobs.
+// Settings that several jobs share.
 constexpr JobSetting output{"output", "output.prefix"}, precision{"precision", "forces.precision"},
     scheme{"scheme", "integrator.scheme"}, step{"step", "integrator.step"},
     length{"length", "run.length"}, temperature{"temperature", "system.temperature"},

@@ -12,22 +12,24 @@
 namespace polhode {
 
 struct JobSetting {
-  const char* name;                ///< "hybrid_steps": --hybrid-steps, or the keyword hybrid_steps
-  const char* key;                 ///< "hybrid_monte_carlo.steps"
-  const char* note = "";           ///< what it means besides its key, after the meaning
-  const char* old_name = nullptr;  ///< an option that is accepted, too
+  const char* name;                ///< "hybrid_steps" for the option --hybrid-steps or the keyword
+                                   ///< hybrid_steps
+  const char* key;                 ///< key of the setting, such as "hybrid_monte_carlo.steps"
+  const char* note = "";           ///< note that follows the meaning of the key
+  const char* old_name = nullptr;  ///< older name of the option, which is also accepted
 
-  /// Its meaning in a few words: those of the key, and the note.
+  /// The meaning of the setting in a few words: the meaning of its key, and the note.
   std::string meaning() const;
-  /// Whether it takes one or more texts.
+  /// Whether the setting takes one or more texts.
   bool is_list() const;
 };
 
-/// @param job  "run", "study"
+/// The settings of a job.
+/// @param job  name of the job, such as "run" or "study"
 std::span<const JobSetting> settings_of_job(std::string_view job);
 
-/// What a job changes in a run file before anything is given: a quick study has fewer and shorter
-/// runs, and a preparation a thermostat of its own.
+/// The default changes that a job makes to a run file. A quick study has fewer and shorter runs,
+/// and a preparation has a separate thermostat.
 /// @param quick  whether the quick version is requested
 Overlay overlay_of_job(std::string_view job, bool quick = false);
 

@@ -16,11 +16,11 @@ struct NewRunFileRequest {
   static std::vector<RequestOption<NewRunFileRequest>> options();
 };
 
-/// Writes a run file. Parameters of GROMACS without counterpart are notes.
+/// Writes a new run file. GROMACS parameters without a counterpart become notes.
 /// @param kind  one of run_file_kinds
-/// @param file  empty: KIND.toml
-/// @return      the name of the file
-/// @throws Error  if there is no such kind or ensemble, or the file exists
+/// @param file  path of the file; if empty, KIND.toml
+/// @return      path of the file
+/// @throws Error  if the kind or ensemble does not exist, or the file already exists
 std::string new_run_file(const std::string& kind, const std::string& file,
                          const NewRunFileRequest& request, const Callbacks& callbacks = {});
 

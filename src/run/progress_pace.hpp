@@ -8,13 +8,13 @@
 
 namespace polhode {
 
-/// A line at each tenth of a job, or a minute after the last line, whichever comes first; no two
-/// within a second, so that short jobs have none.
+/// The pace of progress lines in files: a line after each 10 % of a job, or a minute after the last
+/// line, whichever comes first. Lines are at least a second apart, so that short jobs have none.
 class ProgressPace {
  public:
-  /// Whether a line is due; if it is, it counts as written.
-  /// @param done     fraction of the work, if its amount is known
-  /// @param elapsed  since the job began [s]
+  /// Whether a line is due. If it is, the caller must write it.
+  /// @param done     fraction of the work that is done, if it is known
+  /// @param elapsed  time since the job began [s]
   bool due(std::optional<double> done, double elapsed) {
     const double tenths = std::floor(10 * done.value_or(0) + 1e-9);
     const double since = elapsed - last_;
@@ -25,13 +25,14 @@ class ProgressPace {
   }
 
  private:
-  double tenths_ = 0, last_ = 0;  // at the last line
+  double tenths_ = 0, last_ = 0;  // progress and time at the last line
 };
 
-/// Five times a second, and at once when all of the work is done.
+/// The pace of the progress line on a terminal: five times a second, and immediately when all of
+/// the work is done.
 class TerminalPace {
  public:
-  /// Whether the line is due; if it is, it counts as written. The arguments are those of
+  /// Whether the line is due. If it is, the caller must write it. Arguments are as for
   /// ProgressPace::due().
   bool due(std::optional<double> done, double elapsed) {
     const bool complete = done.value_or(0) >= 1;
@@ -42,21 +43,23 @@ class TerminalPace {
   }
 
  private:
-  double last_ = -1;  // when the line was written
+  double last_ = -1;  // time at which the last line was written [s]
   bool complete_ = false;
 };
 
-/// Ten times a second for all threads together, without a lock: for reports after every step.
+/// The pace of reports after every step: ten times a second for all threads together, without a
+/// lock.
 class SharedPace {
  public:
-  /// Whether a report is due; for one of the threads that ask at the same time.
-  /// @param elapsed  since the job began [s]
+  /// Whether a report is due. If several threads call this at the same time, only one receives
+  /// true.
+  /// @param elapsed  time since the job began [s]
   bool due(double elapsed) {
     double next = next_.load(std::memory_order_relaxed);
     return elapsed >= next && next_.compare_exchange_strong(next, elapsed + interval);
   }
 
-  static constexpr double interval = 0.1;  // [s]
+  static constexpr double interval = 0.1;  // interval between reports [s]
 
  private:
   std::atomic<double> next_ = 0;

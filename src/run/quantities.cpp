@@ -19,7 +19,8 @@ namespace {
 
 using nlohmann::json;
 
-/// "_kJ_per_mol_ps" of "kJ/mol/ps", and "_per_bar" of "1/bar".
+/// The suffix of a name in JSON for a unit: "_kJ_per_mol_ps" for "kJ/mol/ps", and "_per_bar" for
+/// "1/bar".
 std::string suffix(const std::string& unit) {
   if (unit.empty() || unit == "%" || unit.starts_with('[')) return "";
   std::string text = "_";
@@ -33,7 +34,7 @@ std::string suffix(const std::string& unit) {
 
 std::string full_key(const Quantity& q) { return q.key + suffix(q.unit); }
 
-/// As the text shows it.
+/// The unit as it is shown in text.
 std::string shown_unit(const Quantity& q) {
   return q.unit.starts_with('[') ? q.unit.substr(1, q.unit.size() - 2) : q.unit;
 }
@@ -41,7 +42,7 @@ std::string shown_unit(const Quantity& q) {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr SeriesEstimate not_finite{nan, nan, Known::not_defined};
 
-/// Not a number if it is none.
+/// The number of a value; NaN if the value is not a number.
 double number_of(const Value& value) {
   if (const auto* x = std::get_if<double>(&value)) return *x;
   if (const auto* count = std::get_if<std::int64_t>(&value)) return static_cast<double>(*count);
@@ -49,10 +50,10 @@ double number_of(const Value& value) {
   return yes ? static_cast<double>(*yes) : nan;
 }
 
-/// Not a number where it is not known.
+/// The standard error; NaN if it is not known.
 double known_error(const SeriesEstimate& e) { return e.known == Known::yes ? e.error : nan; }
 
-/// Numbers that are not finite are null in the text of JSON.
+/// Writes numbers as JSON, where numbers that are not finite are null.
 struct AsJson {
   json operator()(std::monostate) const { return {}; }
   json operator()(const auto& value) const { return value; }
@@ -86,7 +87,8 @@ struct AsJson {
   }
 };
 
-/// A text as it is, a number with some digits; empty if it is not known.
+/// Writes values as text: a text as it is, a number with a few digits. The result is empty if the
+/// value is not known.
 struct AsText {
   double scale;
   int digits;
@@ -113,7 +115,7 @@ std::string number_text(const Quantity& q) {
                     static_cast<const AnyValue&>(q.value));
 }
 
-/// The value, its unit, the note, and why there is no error.
+/// A quantity as text: its value, its unit, the note, and the reason why there is no error.
 std::string value_text(const Quantity& q) {
   const auto* e = std::get_if<SeriesEstimate>(&q.value);
   if (e && !std::isfinite(e->value)) return not_known(e->known) + q.note;
@@ -123,7 +125,7 @@ std::string value_text(const Quantity& q) {
          (e ? missing_error(e->known) : "");
 }
 
-/// Calls visit(quantity) for those of all groups.
+/// Calls visit(quantity) for each quantity of all groups.
 void each(const Quantities& list, const auto& visit) {
   for (const Quantity& q : list)
     if (const auto* group = std::get_if<Quantities>(&q.value))
@@ -132,7 +134,7 @@ void each(const Quantities& list, const auto& visit) {
       visit(q);
 }
 
-/// A table of the quantities with labels, which every record has.
+/// Makes a table of the labelled quantities, which are the same for every record.
 TextRow table_row(const Quantity& of, const std::vector<Quantities>& records, std::size_t level) {
   TextRow row{of.label, "", of.doc, level};
   for (const Quantities& record : records) {
@@ -151,12 +153,13 @@ TextRow table_row(const Quantity& of, const std::vector<Quantities>& records, st
   return row;
 }
 
-/// Whether it is a line of the text without a label.
+/// Whether a quantity is a line of the text without a label.
 bool is_line(const Quantity& q) {
   return q.key.empty() && q.column.empty() && std::holds_alternative<std::string>(q.value);
 }
 
-/// @param details  whether to add details, or what is none
+/// Adds quantities as rows.
+/// @param details  whether to add details and values that do not exist
 void add_rows(std::vector<TextRow>& rows, const Quantities& list, bool details,
               std::size_t level = 0) {
   for (const Quantity& q : list) {
@@ -206,7 +209,7 @@ std::string next_to_label(std::string text) {
   return text;
 }
 
-/// Rows as lines, with a blank line before and after each table.
+/// Writes rows as lines, with a blank line before and after each table.
 std::string lines_of(const std::vector<TextRow>& rows) {
   std::string text;
   bool apart = false;
@@ -225,7 +228,7 @@ std::string lines_of(const std::vector<TextRow>& rows) {
   return text;
 }
 
-/// The columns and cells of a record in a CSV file.
+/// Adds the columns and cells of a record to a table for a CSV file.
 void add_cells(Table& table, const Quantities& record) {
   const bool first = table.rows.empty();
   table.rows.emplace_back();
@@ -247,7 +250,7 @@ void add_cells(Table& table, const Quantities& record) {
       return add_estimate(name, unit, series->value, series->error);
     const auto* list = std::get_if<std::vector<std::optional<SeriesEstimate>>>(&q.value);
     if (list == nullptr) return add(name, unit, number_of(q.value));
-    // One for each principal axis, after the one of translation if there is that.
+    // Quantities for each principal axis, preceded by translation if there is such a quantity.
     for (std::size_t k = 0; k < list->size(); ++k) {
       const std::size_t axis = k + (list->size() == 3 ? 1 : 0);
       const SeriesEstimate one = (*list)[k].value_or(not_finite);
@@ -283,7 +286,7 @@ std::string documented(const Quantities& list, const std::string& prefix) {
 
 }  // namespace
 
-// Here, where the quantities of a group are complete.
+// This is done here, because the quantities of a group are complete at this point.
 Value::Value() = default;
 Value::Value(bool yes) : AnyValue(yes) {}
 Value::Value(std::int64_t count) : AnyValue(count) {}

@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::uint64_t max_count = 100'000'000;
 
-/// A time for help texts: "2 ps", "20 fs".
+/// A time as text for help, such as "2 ps" or "20 fs".
 std::string time_text(double time) {
   return time < 1 ? fmt::format("{:g} fs", time * units::fs_per_ps) : fmt::format("{:g} ps", time);
 }
 
-/// Adds the option as the place of an error.
+/// Calls f, and adds the option as the place of an error.
 template <class F>
 auto at(const Given& given, const F& read) {
   try {

@@ -27,8 +27,9 @@ struct ConversionRequest {
   Given particles, names, every, start, stop;
 
   static std::vector<RequestOption<ConversionRequest>> options();
-  /// @param run  whose molecules the particles of a dump file are; null: the request has its run
-  ///             file, or there is none
+  /// The settings of a conversion.
+  /// @param run  settings of the run whose molecules are the particles of a dump file; if null, the
+  ///   request gives its run file, or there is none
   Conversion conversion(const std::string& from, const std::string& to,
                         const Config* run = nullptr) const;
 };
@@ -38,11 +39,13 @@ struct AdviceRequest {
 
   static std::vector<RequestOption<AdviceRequest>> options();
   std::string prefix() const { return output ? output.text : "advice"; }
-  /// Whether advice for hybrid Monte Carlo is requested, which has no bias to bound.
+  /// Whether advice for hybrid Monte Carlo is requested. Hybrid Monte Carlo has no bias that could
+  /// be bounded.
   bool is_canonical() const;
-  /// @throws Error  also if there is no requirement, neither here nor in the run file, or several
+  /// @throws Error  also if request and run file contain no requirement, or several
   AdviserSettings settings(const Config& config) const;
-  /// @param schemes_given  whether the candidates of the settings are to be used: one
+  /// @param schemes_given  whether to use the candidates of the settings, which must then be a
+  ///   single scheme
   HybridAdviserSettings hybrid_settings(const Config& config, bool schemes_given) const;
 };
 
@@ -57,7 +60,7 @@ struct BenchmarkRequest {
   Given sizes, precision;
 
   static std::vector<RequestOption<BenchmarkRequest>> options();
-  /// @param threads  compared with one
+  /// @param threads  number of threads that is compared with a single thread
   BenchmarkSettings settings(bool is_quick, int threads) const;
 };
 
@@ -66,7 +69,8 @@ struct VerificationRequest {
 
   static std::vector<RequestOption<VerificationRequest>> options();
   int expected_order() const;
-  /// @param scheme  whose gradients have this factor
+  /// The displacement factor λ of gradient kicks.
+  /// @param scheme  scheme whose gradients have this factor
   double gradient_lambda(const NestedScheme& scheme) const;
 };
 

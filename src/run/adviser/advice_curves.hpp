@@ -10,11 +10,11 @@
 
 namespace polhode {
 
-/// The runs of a candidate with one step.
+/// The test runs of a candidate at one step, as a point of a figure.
 EfficiencyPoint efficiency_point(const Candidate& candidate, const AdviserPoint& point);
 
-/// One curve per candidate, ordered by step: the exploratory runs and the confirming ones, as far
-/// as the adviser considered them usable.
+/// The curves of all candidates, with points ordered by step. They contain the exploratory and the
+/// confirming runs that the adviser considered usable.
 std::vector<Curve> curves(const Advice& advice);
 
 }  // namespace polhode

@@ -27,7 +27,7 @@ double in_kJ_per_ns(double power) { return power / unit("kJ/mol/ns", Dimension::
 
 std::string percent(const Estimate& x) { return with_error(100 * x.value, 100 * x.error) + " %"; }
 
-/// What the runs with one step show; not known if one of them blew up.
+/// Results of the runs at one step; not known if one of the runs blew up.
 Quantities of_point(const Candidate& candidate, const AdviserPoint& point) {
   const bool there = !blew_up(point.runs);
   const Estimate unknown{std::nan(""), std::nan("")};

@@ -14,12 +14,13 @@ namespace polhode {
 struct AdviceFiles {
   std::string prefix, points, json, script, figure;
 
-  /// @param plot  "svg", "png" or "none"
+  /// Names the output files of the adviser.
+  /// @param plot  format of the figure: "svg", "png" or "none"
   AdviceFiles(const std::string& common, const std::string& plot);
   std::vector<std::string> all() const;
 };
 
-/// The advice, and the requirement that it answers.
+/// The advice, with the requirement that it meets.
 struct AdviceReport {
   Advice advice;
   Criterion criterion;
@@ -27,26 +28,29 @@ struct AdviceReport {
   AdviceFiles files;
 };
 
-/// Advice for a run file, see advise(), and its outputs; none if it was interrupted.
-/// @param prefix  of the output files
-/// @throws Error  before anything is computed, if outputs exist or a setting does not fit
+/// Runs the adviser for a run file, see advise(), and writes its outputs. Nothing is written if it
+/// is interrupted.
+/// @param prefix  prefix of the output files
+/// @throws Error  before anything is computed, if outputs exist or a setting is invalid
 AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,
                          const std::string& prefix = "advice", const OutputOptions& options = {},
                          const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 
-/// The results as a list, from which text, JSON, the table of points and the manual follow.
+/// The results of the adviser as a list, from which text, JSON, the table of points and the manual
+/// are made.
 Quantities quantities(const AdviceReport& report);
 
-/// A bound on a quality in the unit that users enter: "0.5 %", "0.1 kJ/mol/ns".
+/// A bound as text, in the unit in which users enter it: "0.5 %" or "0.1 kJ/mol/ns".
 std::string bound_text(Quality quality, double bound);
 
-/// "an R of at most 0.5 %".
+/// A criterion as text, such as "an R of at most 0.5 %".
 std::string description(const Criterion& criterion);
 
-/// Why no scheme was found, and what to change.
+/// The reason why no scheme was found, with advice on what to change.
 std::string unreachable(const Advice& advice, const Criterion& criterion);
 
-/// "hoa2 at 4.52 fs, R = 0.44 ± 0.01 % in 8 independent runs of 15 ps"
+/// The chosen scheme and step as text, such as "hoa2 at 4.52 fs, R = 0.44 ± 0.01 % in 8 independent
+/// runs of 15 ps".
 std::string answer(const Advice& advice);
 
 }  // namespace polhode

@@ -30,40 +30,43 @@
 namespace polhode {
 namespace {
 
-/// Initial configurations of the choosing runs, and of each set of confirming runs.
+/// Numbers of initial configurations for the choosing runs, and for each set of confirming runs.
 constexpr std::size_t choosing = 6, confirming = 8;
-/// Sets of runs that may reject a step before the adviser gives up.
+/// Number of rejected sets of confirming runs after which the adviser gives up.
 constexpr std::size_t max_refusals = 10;
-constexpr double preparation = 2;  // of an initial configuration, at most [ps], in steps of 1 fs
-/// Maximum interval of energies: fewer samples would determine R less well than the run could [ps].
+constexpr double preparation = 2;  // maximum length of the preparation of an initial configuration
+                                   // [ps], in steps of 1 fs
+/// Maximum interval between energy samples [ps]. With fewer samples, R would be less accurate than
+/// the length of the run allows.
 constexpr double max_sample_interval = 0.004;
-/// Number of longer steps tried instead of ones well below the bound.
+/// Number of times that a longer step is tried because R is well below the bound.
 constexpr int max_lengthenings = 4;
-/// Fractions of the length of confirming runs after which hopeless sets are stopped.
+/// Fractions of the length of confirming runs at which hopeless sets of runs are stopped.
 constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
-/// The first of them after which a longer step may be tried instead.
+/// The first fraction after which a longer step may be tried.
 constexpr double telling = 1.0 / 3;
-/// Fractions of the time: for choosing runs, for timings, for the response to the temperature where
-/// it is needed, and at least for confirming runs.
+/// Fractions of the computing time for choosing runs, for timings, for the response to the
+/// temperature (if needed), and at least for confirming runs.
 constexpr double choosing_share = 0.35, clock_share = 0.1, response_share = 0.15,
                  min_confirming_share = 0.3;
-/// Length of preliminary runs, relative to that of runs near the final step.
+/// Length of preliminary runs, relative to the length of runs near the final step.
 constexpr double way = 0.5;
-/// The first step to confirm, relative to that proposed by the choosing runs: short runs
-/// underestimate R, more so where R grows as a high power of the step, because the energy begins to
-/// wander.
+/// The first step to confirm, relative to the step that the choosing runs propose. Short runs
+/// underestimate R, especially if R grows as a high power of the step, because the energy then
+/// begins a random walk.
 double reserve(double exponent) { return 1 - 0.015 * std::clamp(exponent, 2.0, 4.0); }
-/// A scheme is postponed while its expected number of force evaluations exceeds that of the second
-/// cheapest by this factor, which differences in speed may compensate.
+/// A scheme is postponed while its expected number of force evaluations exceeds the number of the
+/// second cheapest scheme by this factor. Smaller factors may be compensated by differences in
+/// speed.
 constexpr double hopeless = 1.25;
-/// Cost limit of configurational temperatures relative to the force evaluations of a run, and the
+/// Maximum cost of configurational temperatures relative to the force evaluations of a run, and the
 /// cost of one sample in force evaluations.
 constexpr double temperature_share = 0.03, sample_cost = 2;
-/// p-value below which an energy drift of the choosing runs ends the range of steps; smaller than
-/// that of a verdict, since there are about a dozen tests.
+/// The p-value below which an energy drift of the choosing runs ends the range of steps. It is
+/// smaller than the usual significance level, because there are about a dozen tests.
 constexpr double significance_level = 0.001;
 
-/// A run to be performed.
+/// A test run to be performed.
 struct Job {
   std::size_t candidate;
   double step;
@@ -122,7 +125,8 @@ class Adviser {
     callbacks_.report({"advising", effort_.fraction(), what});
   }
 
-  /// stop(), asked after each step of a run, whose force evaluations it adds to the effort.
+  /// Returns a stop() that is called after each step of a run and adds the force evaluations of the
+  /// step to the effort.
   std::function<bool()> counting_stop(double evaluations, const std::string& what) const {
     return [this, evaluations, what] {
       effort_.add(evaluations);
@@ -131,16 +135,16 @@ class Adviser {
     };
   }
 
-  /// Force evaluations of a choice without rejected steps, by the shortest useful runs: about five
-  /// steps of each scheme, most of them in shortened runs, and one confirmation, with 3.3 ω force
-  /// evaluations per ps.
+  /// Number of force evaluations of a search without rejected steps, with the shortest useful runs.
+  /// It has about five steps per scheme, mostly in shortened runs, and one confirmation, at 3.3 ω
+  /// force evaluations per ps.
   double min_work() const {
     const double search = 5 * way * choosing * static_cast<double>(advice_.candidates.size());
     return confirming * 1000 * preparation_length() +
            (search + confirming) * min_length() * 3.3 * frequency_;
   }
 
-  /// The initial state of the run.
+  /// Prepares the initial state of the run.
   bool prepare_base() {
     report("equilibrating");
     if (config_.run.minimise)
@@ -161,10 +165,12 @@ class Adviser {
     return !stop();
   }
 
-  /// Biases at constant energy are those of the run file's ensemble only without thermostat.
+  /// Prepares the conversion of biases, which the runs measure at constant energy, to the ensemble
+  /// of the run file. Without a thermostat no conversion is needed.
   void prepare_conversion() {
     if (!needs_conversion(settings_.criterion.quality, config_.ensemble)) return;
-    constexpr double cost = 2, part = 0.2 * cost;  // of hoa2; of its step at the Einstein frequency
+    constexpr double cost = 2, part = 0.2 * cost;  // cost of hoa2, and its step in units of the
+                                                   // inverse Einstein frequency
     const double step = three_digits(part / frequency_);
     const ResponseRuns runs{
         step,
@@ -175,7 +181,7 @@ class Adviser {
 
   double preparation_length() const { return std::min(preparation, config_.study.decorrelate); }
 
-  /// Initial configurations with new momenta.
+  /// Draws initial configurations with new momenta.
   std::vector<ResumableRun> fresh_starts(std::size_t count) {
     report("preparing initial configurations");
     std::vector<ResumableRun> starts;
@@ -190,7 +196,7 @@ class Adviser {
     return starts;
   }
 
-  /// Continues a run up to the job's length.
+  /// Continues a run up to the length of the job.
   Outcome advance(ResumableRun& resumable, const Job& job) const {
     const Scheme& scheme = advice_.candidates[job.candidate].scheme;
     Outcome run = advance_run(
@@ -206,7 +212,8 @@ class Adviser {
     return run;
   }
 
-  /// Runs every job from every initial configuration, as many at a time as there are workers.
+  /// Runs every job from every initial configuration, with as many runs at a time as there are
+  /// workers.
   std::vector<AdviserPoint> measure(const std::vector<Job>& jobs) const {
     std::vector<AdviserPoint> points;
     for (const Job& job : jobs)
@@ -224,7 +231,7 @@ class Adviser {
     return points;
   }
 
-  /// Force evaluations of runs.
+  /// The number of force evaluations of runs.
   double work_of(const Job& job, std::size_t runs) const {
     return static_cast<double>(runs) * job.length / job.step *
            advice_.candidates[job.candidate].scheme.cost();
@@ -235,20 +242,22 @@ class Adviser {
     point.usable = !blew_up(point.runs) && !drifts(point.runs, significance_level);
   }
 
-  /// Whether only the bound prevents an answer.
+  /// Whether a point is free of failures and drift, so that only the bound could exclude its step.
   bool calm(const AdviserPoint& point) const {
     return !blew_up(point.runs) &&
            (settings_.criterion.quality == Quality::drift || !drifts(point.runs));
   }
 
-  /// Whether one full run already excludes that its set meets the bound: of eight values none is
-  /// more than 7/√8 = 2.47 standard deviations above their mean, and the bound is 2.51 above it.
+  /// Whether a single full run already shows that its set cannot meet the bound. None of eight
+  /// values can be more than 7/√8 = 2.47 standard deviations above their mean, and the bound is
+  /// 2.51 standard deviations above it.
   bool breaks(const Outcome& run) const {
     return settings_.criterion.quality == Quality::ratio &&
            (!run.failure.empty() || run.ratio > settings_.criterion.bound);
   }
 
-  /// Confirming runs: over the whole length, or the part after which they are hopeless.
+  /// Performs confirming runs over the whole length, or up to the fraction at which they are
+  /// hopeless.
   AdviserPoint confirming_runs(std::vector<ResumableRun> resumable_runs, const Job& whole) const {
     AdviserPoint point{whole.step, whole.length, std::vector<Outcome>(resumable_runs.size())};
     effort_.expect(work_of(whole, resumable_runs.size()));
@@ -258,7 +267,7 @@ class Adviser {
       std::atomic<bool> broken = false;
       std::vector<char> done(resumable_runs.size(), 0);
       workers_.each(resumable_runs.size(), [&](std::size_t r) {
-        // Two is the minimum number for a scatter.
+        // Two values are the minimum for a scatter.
         if (stop() || (broken && r >= 2)) return;
         point.runs[r] = advance(resumable_runs[r], job);
         done[r] = 1;
@@ -279,8 +288,8 @@ class Adviser {
     return point;
   }
 
-  /// A longer step, if the runs are so far below the bound that it is worth further runs. Over a
-  /// part of the length R scatters more, so this underestimates the margin.
+  /// A longer step, if the runs are so far below the bound that further runs are worthwhile. Over a
+  /// part of the length R scatters more, so the margin is underestimated.
   std::optional<double> longer_step(std::size_t c, const AdviserPoint& point) const {
     const Candidate& candidate = advice_.candidates[c];
     if (settings_.criterion.quality != Quality::ratio || !candidate.model || !calm(point) ||
@@ -296,25 +305,27 @@ class Adviser {
                       candidate.model->exponent(point.step), too_long);
   }
 
-  /// Minimum length of useful runs [ps].
+  /// The minimum length of useful runs [ps].
   double min_length() const { return std::min(config_.run.length, 60 / frequency_); }
 
-  /// Total time of all runs, in seconds of one thread.
+  /// The total time of all runs, in seconds of one thread.
   double budget(double share) const { return share * settings_.seconds * workers_.threads(); }
 
-  /// The length of `runs` runs that fit into a time with this number of force evaluations per ps.
+  /// The length of each of `runs` runs that together fit into a time, given the number of force
+  /// evaluations per ps.
   double affordable(double seconds, double runs, double cost) const {
     return seconds / (runs * cost * evaluation_);
   }
 
   StepSearch search_of(const Candidate& candidate) const {
-    // A harmonic degree of freedom of frequency ω is stable up to ω h = 2 for each force evaluation
-    // of a good scheme, and the fastest bodies of a liquid move twice as fast as their mean.
+    // A harmonic degree of freedom of frequency ω is stable up to ω h = 2 per force evaluation of a
+    // good scheme. The fastest bodies of a liquid move twice as fast as their mean.
     const double first = 0.12 * std::min(3.0, candidate.scheme.cost()) / frequency_;
     return {settings_.criterion, candidate.scheme.order(), three_digits(first)};
   }
 
-  /// Force evaluations per ps that a scheme is expected to need, so far; 0 if nothing is known.
+  /// The number of force evaluations per ps that a scheme is expected to need; 0 if nothing is
+  /// known yet.
   double expected_cost(std::size_t c) const {
     const Candidate& candidate = advice_.candidates[c];
     if (settled_[c] && candidate.step == 0) return std::numeric_limits<double>::infinity();
@@ -323,7 +334,8 @@ class Adviser {
                         : max_expected_step(search_of(candidate), candidate.points));
   }
 
-  /// The maximum cost of a scheme worth further runs, which must find an answer and a runner-up.
+  /// The maximum cost of a scheme that deserves further runs. The search must find a best scheme
+  /// and a runner-up.
   double worthwhile() const {
     std::vector<double> costs;
     for (std::size_t c = 0; c < settled_.size(); ++c) costs.push_back(expected_cost(c));
@@ -337,9 +349,10 @@ class Adviser {
         expected_cost(c));
   }
 
-  /// Runs every promising candidate with the steps that are still needed.
+  /// Runs every promising candidate at the steps that are still needed.
   void search_steps() {
-    // Runs with about five steps per scheme; R of 0.5 % costs about 3.3 ω force evaluations per ps.
+    // The estimate assumes runs at about five steps per scheme. An R of 0.5 % costs about 3.3 ω
+    // force evaluations per ps.
     const double runs = 5.0 * choosing * static_cast<double>(advice_.candidates.size());
     const double max_length = std::min(config_.run.length, 600 / frequency_);
     const double length = std::clamp(affordable(budget(choosing_share), runs, 3.3 * frequency_),
@@ -356,7 +369,7 @@ class Adviser {
         }
         const StepSearch search = search_of(candidate);
         const auto step = next_step(search, candidate.points);
-        // At least ten steps, the minimum for R.
+        // A run has at least ten steps, the minimum for R.
         if (step && length >= 10 * *step)
           jobs.push_back({c, *step,
                           decides(search, candidate.points, *step)
@@ -399,12 +412,12 @@ class Adviser {
     return best;
   }
 
-  /// Runs one step after another from the same initial configurations, until one is confirmed and
-  /// no much longer step is possible.
+  /// Tries one step after another from the same initial configurations, until a step is confirmed
+  /// and a much longer step is impossible.
   void confirm() {
     std::vector<ResumableRun> starts;
     while (advice_.refused.size() < max_refusals) {
-      search_steps();  // including those that became promising when another was rejected
+      search_steps();  // includes candidates that became promising when another was rejected
       if (stop()) return;
       time_candidates(
           advice_.candidates, starts_.front().system, config_, clock_share * settings_.seconds,
@@ -413,7 +426,8 @@ class Adviser {
       if (stop()) return;
       const auto c = advice_.best ? advice_.best : cheapest();
       if (!c) return;
-      // The same ones after a rejection: new ones until one is confirmed would select lucky ones.
+      // After a rejection, the same initial configurations are used again. Drawing new ones until a
+      // step is confirmed would select lucky ones.
       if (starts.empty()) starts = fresh_starts(confirming);
       if (stop()) return;
       Candidate& candidate = advice_.candidates[*c];
@@ -438,8 +452,8 @@ class Adviser {
         advice_.surpassed.emplace_back(*c, point);
       } else {
         advice_.refused.emplace_back(*c, point);
-        if (advice_.best) {  // the longer step was rejected, the shorter one confirmed: try one
-                             // between them
+        if (advice_.best) {  // the longer step was rejected and the shorter one confirmed: try a
+                             // step between them
           const auto between = longer_step(*c, advice_.confirmation);
           set_step(candidate, between.value_or(advice_.confirmation.step));
           if (!between) return;
@@ -452,14 +466,14 @@ class Adviser {
     }
   }
 
-  /// Changes the step of a candidate; the computing time per step stays the same.
+  /// Changes the step of a candidate. The computing time per step does not change.
   static void set_step(Candidate& candidate, double step) {
     candidate.seconds *= candidate.step / step;
     candidate.step = step;
   }
 
-  /// After runs that did not confirm a step.
-  /// @param part  of the whole length that they covered
+  /// Shortens the step of a candidate after runs that did not confirm it.
+  /// @param part  fraction of the whole length that the runs covered
   void shorten(Candidate& candidate, const AdviserPoint& point, double part) const {
     const double factor = calm(point) && candidate.model
                               ? shortening(settings_.criterion, point.runs, confirming, part,
@@ -474,18 +488,18 @@ class Adviser {
   Workers& workers_;
   System base_;
   ForceNoise noise_;
-  mutable Effort effort_;  // in force evaluations
-  double frequency_ = 0;   // [1/ps]
-  double evaluation_ = 0;  // seconds of one thread
+  mutable Effort effort_;  // effort in force evaluations
+  double frequency_ = 0;   // Einstein frequency [1/ps]
+  double evaluation_ = 0;  // time of a force evaluation, in seconds of one thread
   std::vector<ResumableRun> starts_;
   std::optional<BiasConversion> conversion_;
-  double last_set_ = 0;        // seconds that the last set of runs took
+  double last_set_ = 0;        // time that the last set of runs took [s]
   std::vector<bool> settled_;  // candidates whose steps are known accurately enough
-  std::size_t drawn_ = 0;      // initial configurations so far
+  std::size_t drawn_ = 0;      // number of initial configurations drawn so far
   Stopwatch since_start_;
   mutable std::mutex reporting_;
   const Stopwatch watch_{};
-  mutable SharedPace pace_;  // of reports after steps
+  mutable SharedPace pace_;  // pace of progress reports after steps
   Advice advice_;
 };
 

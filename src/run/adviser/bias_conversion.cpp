@@ -18,12 +18,13 @@
 namespace polhode {
 namespace {
 
-constexpr double time_constant = 0.2;     // of the thermostat [ps]: U relaxes with it
-constexpr double sample_interval = 0.02;  // [ps]
-constexpr double discarded = 0.25;        // of each run
+constexpr double time_constant = 0.2;     // time constant of the thermostat [ps], with which U
+                                          // relaxes
+constexpr double sample_interval = 0.02;  // interval between samples [ps]
+constexpr double discarded = 0.25;        // fraction of each run that is discarded
 
-/// Sums over samples of U, of the part of the pressure that depends on positions, and of their
-/// products with U, relative to `first`.
+/// Sums over samples of U, of the configurational pressure, and of the products of both with U, all
+/// relative to `first`.
 struct Fluctuations {
   Energies first;
   TimeBlocks blocks;
@@ -66,7 +67,7 @@ Energies energies_of_start(System start) {
   return energies(start.state, start.bodies, load);
 }
 
-/// Nothing is known of a response without an estimate of its error, which is then as large as the
+/// The error of a response. If the error cannot be estimated, it is taken to be as large as the
 /// response.
 double error_of(const SeriesEstimate& estimate) {
   return estimate.known == Known::yes ? estimate.error : std::abs(estimate.value);
@@ -74,7 +75,7 @@ double error_of(const SeriesEstimate& estimate) {
 
 }  // namespace
 
-// cov(A, H) = kT² ∂⟨A⟩/∂T and cov(K, H) = kT ⟨K⟩. A function of positions has no covariance with K,
+// cov(A, H) = kT² ∂⟨A⟩/∂T and cov(K, H) = kT ⟨K⟩. A function of positions is uncorrelated with K,
 // and the kinetic part of the pressure is proportional to T.
 IsochoricResponse isochoric_response(const std::vector<System>& starts, double temperature,
                                      const ResponseRuns& runs, const std::function<bool()>& stop,
@@ -116,12 +117,13 @@ BiasConversion::BiasConversion(const System& system, const EnsembleSettings& ens
 }
 
 void BiasConversion::apply(Outcome& run) const {
-  // The kinetic energy that is missing at constant energy is what the potential energy has gained.
+  // At constant energy, the kinetic energy loses what the potential energy gains.
   const double missing = molecules_ * run.energy_bias;
   double pressure = run.pressure_bias + missing * response_.pressure.value;
   if (fixed_ == FixedMeans::kinetic_energy_and_pressure_of_positions)
     pressure -= 2 * (run.translation_bias + missing * translation_) / (3 * volume_);
-  const double expansion = compressibility_ * volume_;  // for each pressure, 0 without a barostat
+  const double expansion = compressibility_ * volume_;  // expansion per pressure; 0 without a
+                                                        // barostat
   // (∂U/∂V)_T = T (∂P/∂T)_V − P
   const double cohesion = kinetic_ * response_.pressure.value - pressure_;
   const double potential = missing * (1 + response_.energy.value) + expansion * pressure * cohesion;

@@ -15,51 +15,53 @@
 
 namespace polhode {
 
-/// How averages at constant volume change with the kinetic energy, that is with the temperature.
+/// The response of averages at constant volume to a change of the kinetic energy, that is, of the
+/// temperature.
 struct IsochoricResponse {
-  SeriesEstimate energy;    ///< of the potential energy [1]
-  SeriesEstimate pressure;  ///< of the pressure [1/nm³]
+  SeriesEstimate energy;    ///< response of the potential energy [1]
+  SeriesEstimate pressure;  ///< response of the pressure [1/nm³]
 };
 
-/// Measured from the fluctuations of runs at constant temperature.
+/// Settings of the runs at constant temperature from whose fluctuations the response is measured.
 struct ResponseRuns {
-  double step = 0;    ///< of hoa2 [ps]
-  double length = 0;  ///< of each run [ps]
+  double step = 0;    ///< time step of hoa2 [ps]
+  double length = 0;  ///< length of each run [ps]
 };
 
-/// From runs with a rescaling thermostat, one from each initial configuration, about their common
-/// means; the first quarter of each is not counted.
-/// @param stop  ends the runs when it returns true; asked after every step
+/// Measures the response by runs with a rescaling thermostat, one from each initial configuration.
+/// Fluctuations are about the common means of all runs. The first quarter of each run is discarded.
+/// @param stop  function called after every step; the runs end if it returns true
 IsochoricResponse isochoric_response(const std::vector<System>& starts, double temperature,
                                      const ResponseRuns& runs,
                                      const std::function<bool()>& stop = {},
                                      Workers& workers = Workers::serial());
 
-/// Turns the bias at constant energy into that of an ensemble.
+/// Converts a bias at constant energy to the bias in another ensemble.
 class BiasConversion {
  public:
-  /// @param ensemble  for which fixed_means() is known, with a thermostat
+  /// @param ensemble  ensemble with a thermostat, for which fixed_means() is known
   BiasConversion(const System& system, const EnsembleSettings& ensemble,
                  const IsochoricResponse& response);
 
-  /// Replaces the biases of the potential energy and of the pressure. With a barostat the pressure
-  /// is the one that it holds, at constant volume: the bias that the volume takes up.
+  /// Converts the biases of the potential energy and of the pressure. With a barostat, the bias of
+  /// the pressure is the bias at constant volume of the pressure that the barostat controls. The
+  /// volume responds to this bias.
   void apply(Outcome& run) const;
 
  private:
   FixedMeans fixed_;
   IsochoricResponse response_;
   double molecules_, volume_, kinetic_;
-  double translation_;                         // part of the kinetic energy
-  double pressure_ = 0, compressibility_ = 0;  // of the barostat
+  double translation_;                         // translational part of the kinetic energy
+  double pressure_ = 0, compressibility_ = 0;  // pressure and compressibility of the barostat
 };
 
-/// Whether a bias of this quality at constant energy is another one in the ensemble: the difference
-/// of temperatures is the same.
+/// Whether the bias of a quality differs between constant energy and the ensemble. The bias of the
+/// temperature difference is the same in both.
 bool needs_conversion(Quality quality, const EnsembleSettings& ensemble);
 
-/// For the ensemble of a run file, from runs that begin with these initial configurations; a note
-/// gives the response.
+/// Makes the conversion for the ensemble of a run file, from runs that begin with given initial
+/// configurations. A note reports the response.
 BiasConversion bias_conversion(const Config& config, const std::vector<ResumableRun>& starts,
                                const ResponseRuns& runs, const Callbacks& callbacks,
                                const std::function<bool()>& stop, Workers& workers);

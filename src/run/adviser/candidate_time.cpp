@@ -9,14 +9,15 @@
 namespace polhode {
 namespace {
 
-/// With its step [s], measured for about `seconds`.
+/// The wall-clock time per simulated ps of a candidate at its step [s], measured for about
+/// `seconds`.
 double time_of(const Candidate& candidate, System system, const Config& config, double seconds,
                const std::function<bool()>& stop, Workers& workers) {
   const auto stopped = [&] { return stop && stop(); };
   ForceField forces(system.topology, system.forces, system.state.box, workers);
   const Stopwatch watch;
   const auto over = [&] { return stopped() || watch.seconds() > seconds; };
-  // Twenty to a thousand steps at a time, including a few list rebuilds.
+  // Each measurement takes 20 to 1000 steps at a time, including a few list rebuilds.
   const double min_duration = 20 * candidate.step;
   const TrajectorySettings s{candidate.scheme, candidate.step, 1000 * candidate.step,
                              config.run.sample, config.integrator.lambda};

@@ -11,11 +11,11 @@
 namespace polhode {
 
 /// Measures the wall-clock time per simulated ps of the candidates that have a step and no time
-/// yet, under the conditions of the run: all threads on one system, schemes interleaved, so that
-/// changes of the clock rate or of the load affect all schemes equally.
-/// @param seconds  for all candidates, about
-/// @param report   gets the name of each candidate
-/// @param stop     true ends the measurement
+/// yet, under the conditions of the run, with all threads on one system. Schemes are interleaved,
+/// so that changes of the clock rate or of the load affect all schemes equally.
+/// @param seconds  approximate time for all candidates
+/// @param report   receives the name of each candidate
+/// @param stop     ends the measurement if it returns true
 void time_candidates(std::vector<Candidate>& candidates, const System& system, const Config& config,
                      double seconds, const std::function<void(const std::string&)>& report,
                      const std::function<bool()>& stop, Workers& workers);

@@ -74,10 +74,10 @@ Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& e
 
 namespace {
 
-/// A confidence bound on the magnitude of the mean of values with a further error in common.
+/// A confidence bound on the magnitude of the mean of values that have an additional common error.
 double bound_with_common_error(const std::vector<double>& values,
                                const std::vector<double>& errors) {
-  constexpr double factor = 2;  // standard errors, for the probability of the bound
+  constexpr double factor = 2;  // number of standard errors for the probability of the bound
   const double size = std::abs(mean(values).value), common = factor * mean(errors).value;
   return size + std::hypot(size_bound(values, guarantee_probability) - size, common);
 }

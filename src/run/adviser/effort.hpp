@@ -7,8 +7,8 @@
 
 namespace polhode {
 
-/// Work done and still expected, in any unit, such as force evaluations. Work may be added by any
-/// thread.
+/// The work done and the work still expected, in any unit, such as force evaluations. Any thread
+/// may add work.
 class Effort {
  public:
   void add(double work) {
@@ -16,12 +16,13 @@ class Effort {
     while (!done_.compare_exchange_weak(before, before + work, std::memory_order_relaxed)) {
     }
   }
-  /// Replaces the work that is still expected: the fraction may become smaller, as when a step is
-  /// rejected and another one is tried.
+  /// Replaces the work that is still expected. The fraction may then decrease, for example when a
+  /// step is rejected and another step is tried.
   void expect(double left) { planned_.store(done() + left, std::memory_order_relaxed); }
 
   double done() const { return done_.load(std::memory_order_relaxed); }
-  /// 0 while nothing is expected; below 1 until all that is expected is done.
+  /// The fraction of the work that is done. It is 0 if no work is expected, and below 1 until all
+  /// expected work is done.
   double fraction() const {
     const double planned = planned_.load(std::memory_order_relaxed);
     return planned > 0 ? std::min(1.0, done() / planned) : 0;

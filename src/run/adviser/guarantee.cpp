@@ -17,7 +17,8 @@
 namespace polhode {
 namespace {
 
-/// Refuses to resume a run with another guarantee than that with which its step was chosen.
+/// Rejects a resumed run whose required accuracy differs from the accuracy for which its step was
+/// chosen.
 void check_same(const std::string& file, const char* key, const std::string& then,
                 const std::string& now) {
   if (then == now) return;
@@ -102,7 +103,8 @@ std::optional<GuaranteeCheck> check_guarantee(const Guarantee& guarantee,
     case RequiredOf::energy:
       return check(summary.step_bias->potential, static_cast<double>(summary.molecules));
     case RequiredOf::pressure:
-      if (const auto& barostat = summary.ensemble.barostat)  // what the volume has taken up
+      if (const auto& barostat = summary.ensemble.barostat)  // pressure bias to which the volume
+                                                             // has responded
         return check(summary.step_bias->volume,
                      barostat->compressibility.value * barostat->volume.value);
       return check(summary.step_bias->pressure, 1);

@@ -12,13 +12,13 @@ namespace polhode {
 
 struct ResumableRun {
   System system;
-  std::uint64_t seed = 0;           ///< of its initial configuration
-  std::optional<RunState> state{};  ///< nothing before the first step
+  std::uint64_t seed = 0;           ///< seed of its initial configuration
+  std::optional<RunState> state{};  ///< state of the run; empty before the first step
 };
 
-/// Advances the run to the length given by the settings, bitwise as if it had never been suspended,
-/// and returns the result of the whole run. The seed of the run replaces that of the settings.
-/// @param noise  of the forces, for the R due to rounding alone
+/// Advances a run to the length given by the settings, bitwise as if it had never been suspended,
+/// and returns the result of the whole run. The seed of the run replaces the seed of the settings.
+/// @param noise  noise of the forces, which gives the round-off limit of R
 /// @param stop   suspends the run when it returns true
 Outcome advance_run(ResumableRun& resumable, TrajectorySettings settings, const ForceNoise& noise,
                     const std::function<bool()>& stop = {});

@@ -52,7 +52,8 @@ double StepModel::exponent(double step) const {
 }
 
 double StepModel::max_step(double ratio, double probability, double limit) const {
-  // Downwards in small steps: outside its points, the bound may rise again towards small steps.
+  // Search downwards in small decrements, because the bound may increase again towards small steps
+  // outside the measured range.
   constexpr double factor = 0.998;
   double step = limit;
   while (bound(step, probability) > ratio && step > 0.01 * limit) step *= factor;

@@ -9,17 +9,18 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t max_points = 12;
-constexpr double ladder = 1.25;  // ratio of successive steps, where there is no power law to follow
+constexpr double ladder = 1.25;  // ratio of successive steps if there is no power law to follow
 constexpr double min_relative_step = 1.0 / 64;  // smallest step relative to the first one
 constexpr double max_shrinking = 0.25;          // largest reduction of a step
-constexpr double min_slope = 0.5;  // of log R against log h: rounding and kinks flatten it
-constexpr double nearby = 0.7;     // the model uses steps from this fraction of where R equals
-                                   // the bound
+constexpr double min_slope = 0.5;  // smallest slope of log R against log h, which round-off and
+                                   // kinks reduce
+constexpr double nearby = 0.7;     // the model uses steps from this fraction of the step at which R
+                                   // equals the bound
 
-/// The points before the first that is not usable, and the step of that one.
+/// The points before the first unusable point, and the step of this point.
 struct Range {
   std::vector<AdviserPoint> usable;
-  double end = std::numeric_limits<double>::infinity();  // [ps]
+  double end = std::numeric_limits<double>::infinity();  // step of the first unusable point [ps]
 };
 
 Range range_of(const std::vector<AdviserPoint>& points) {
@@ -40,12 +41,12 @@ double exponent(const AdviserPoint& a, const AdviserPoint& b) {
   return (log_ratio(b) - log_ratio(a)) / std::log(b.step / a.step);
 }
 
-/// A step larger than the largest usable one, limited to a safe increase.
+/// A step that is larger than the largest usable step, limited to a safe increase.
 double longer(double proposed, double largest_usable, double end) {
   return std::min({proposed, max_growth * largest_usable, std::sqrt(largest_usable * end)});
 }
 
-/// Where the mean of log R equals the bound, extrapolated with the scheme's order.
+/// The step at which the mean of log R equals the bound, extrapolated with the order of the scheme.
 double meeting(const StepSearch& search, const Range& range) {
   const auto& p = range.usable;
   const double log_bound = std::log(search.criterion.bound);
@@ -63,7 +64,7 @@ double meeting(const StepSearch& search, const Range& range) {
   return last.step * std::exp((log_bound - log_ratio(last)) / slope);
 }
 
-/// The same, limited to a safe increase.
+/// The step at which the mean of log R equals the bound, limited to a safe increase.
 double crossing(const StepSearch& search, const Range& range) {
   const double at = meeting(search, range), largest_usable = range.usable.back().step;
   return at > largest_usable ? longer(at, largest_usable, range.end) : at;
@@ -93,7 +94,7 @@ std::optional<double> next_of_ladder(const StepSearch& search, const Range& rang
   const auto broken =
       std::find_if(p.begin(), p.end(), [&](const AdviserPoint& point) { return !meets(point); });
   if (broken == p.begin()) {
-    // A smaller step helps against a bias, but not against noise: two are tried.
+    // A smaller step reduces a bias, but not noise, so two smaller steps are tried.
     const double step = p.front().step / ladder;
     return step > 0.6 * search.first ? std::optional(step) : std::nullopt;
   }
@@ -122,8 +123,8 @@ double shortening(const Criterion& criterion, const std::vector<Outcome>& runs,
                   std::size_t whole_set, double part, double exponent) {
   double excess = optimistic_bound(runs, part) / criterion.bound;
   if (runs.size() < whole_set) {
-    // The scatter of an incomplete set is poorly known; the bound of eight runs exceeds the
-    // required one by about twice as much as that of the first one that exceeds it.
+    // The scatter of an incomplete set of runs is poorly known. The bound from eight runs exceeds
+    // the required bound by about twice as much as the first run that exceeds it.
     const auto ratios = each(runs, [](const Outcome& run) { return run.ratio; });
     excess = std::pow(*std::max_element(ratios.begin(), ratios.end()) / criterion.bound, 2);
   }
@@ -174,7 +175,7 @@ FoundStep found_step(const StepSearch& search, const std::vector<AdviserPoint>& 
   const double largest_usable = around.back().step;
   const double step =
       found.model->max_step(search.criterion.bound, guarantee_probability, largest_usable);
-  // A model of two or three points is not extrapolated far.
+  // A model with two or three points is not extrapolated far.
   if (step > 0.6 * around.front().step) found.step = step;
   return found;
 }

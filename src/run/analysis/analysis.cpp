@@ -14,15 +14,16 @@
 namespace polhode {
 namespace {
 
-// More than any curve needs, but few enough to be stored for every body.
+// Maximum number of lags. A curve needs fewer, and the lags of every body can still be stored.
 constexpr double max_lags = 1e6;
 
-// Frames read before they are processed: at least two, to determine the interval.
+// Number of frames that are read before any is processed: at least two, to determine the interval.
 std::size_t batch_size(const Workers& workers) {
   return std::max<std::size_t>(2, static_cast<std::size_t>(workers.threads()));
 }
 
-// The next frames, skipping those before `from`. Fewer than requested at the end of the file.
+// Reads the next frames and skips frames before `from`. At the end of the file, there are fewer
+// frames than requested.
 std::size_t read(FrameReader& reader, std::vector<Frame>& batch, double from) {
   std::size_t count = 0;
   while (count < batch.size() && reader.next(batch[count]))
@@ -30,7 +31,8 @@ std::size_t read(FrameReader& reader, std::vector<Frame>& batch, double from) {
   return count;
 }
 
-// Names the atoms of a frame without names after the topology, with or without massless sites.
+// Names the atoms of a frame without names according to the topology, with or without massless
+// sites.
 void name_atoms(Frame& frame, const Topology& topology) {
   if (frame.kinds.size() != 1 || !frame.kinds.front().name.empty()) return;
   for (const MasslessSites massless : {MasslessSites::keep, MasslessSites::omit}) {
@@ -61,7 +63,7 @@ void name_atoms(Frame& frame, const Topology& topology) {
       frame.source);
 }
 
-constexpr double bytes_of_lag = 30;  // of a body, in each TimeCorrelation
+constexpr double bytes_of_lag = 30;  // memory per lag of a body in each TimeCorrelation [bytes]
 
 class Assembly {
  public:
@@ -80,7 +82,7 @@ class Assembly {
       errors_.emplace(*settings_.step_errors, result_.topology);
     }
     FirstFrames frames{result_, settings_};
-    std::string no_times;  // why correlations in time cannot be computed
+    std::string no_times;  // reason why correlations in time cannot be computed
     for (const ObservableKind& kind : observables()) {
       if (!settings_.what.empty() && !settings_.what.contains(kind.name)) continue;
       if (kind.correlates_times && frames.lags == 0 && no_times.empty()) {
@@ -113,8 +115,8 @@ class Assembly {
 
   void end() {
     if (errors_) check_step_errors();
-    if (timed_ && !settings_.interval)  // the mean interval has a smaller rounding error than the
-                                        // first one
+    if (timed_ && !settings_.interval)  // the mean interval has a smaller round-off error than the
+                                        // first interval
       result_.interval = (result_.last - result_.first) / static_cast<double>(result_.frames - 1);
   }
 
@@ -154,7 +156,7 @@ class Assembly {
                       known, result_.frames));
   }
 
-  // Sets the interval between frames, or returns the reason why there is none.
+  // Sets the interval between frames, or returns the reason why it is not defined.
   std::string no_interval(const std::vector<FittedState>& states) {
     if (states.size() < 2) return "time correlations need at least two frames";
     result_.interval = settings_.interval.value_or(states[1].state.time - states[0].state.time);
@@ -164,7 +166,7 @@ class Assembly {
         states[0].state.time, states[1].state.time);
   }
 
-  // At worst, files store times as floats: a relative rounding error of 2⁻²⁴.
+  // In the worst case, files store times as floats, with a relative round-off error of 2⁻²⁴.
   void check_time(double time) const {
     if (settings_.interval) return;
     const double due = result_.first + static_cast<double>(result_.frames) * result_.interval;

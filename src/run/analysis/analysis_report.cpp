@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-/// The files that may be written, depending on what the frames allow.
+/// The files that may be written; the frames determine which are written.
 std::vector<std::string> possible_files(const AnalysisInput& input) {
   const std::set<std::string>& what = input.settings.what;
   std::vector<std::string> files;
@@ -35,7 +35,7 @@ std::optional<Frame> names_of_atoms(const std::string& file) {
   return names;
 }
 
-/// Tables and figures of all curves.
+/// Writes the tables and figures of all curves.
 std::vector<std::string> write_files(AnalysisReport& report, const AnalysisInput& input,
                                      const Provenance& made, const Callbacks& callbacks) {
   std::vector<std::string> written;
@@ -53,7 +53,7 @@ std::vector<std::string> write_files(AnalysisReport& report, const AnalysisInput
   return written;
 }
 
-/// Why no observable could be computed.
+/// The reason why no observable could be computed.
 std::string why_nothing(const AnalysisSummary& s) {
   return fmt::format("nothing was computed: {}", s.notes.empty()
                                                      ? "no observable was requested"

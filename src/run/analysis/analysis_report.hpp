@@ -11,39 +11,42 @@
 
 namespace polhode {
 
-/// What is analyzed, and where the curves are written.
+/// The input of an analysis, and where the curves are written.
 struct AnalysisInput {
-  std::string trajectory;  ///< file of frames, whose extension is that of its format
-  std::string names;       ///< coordinate file with the names of the atoms; empty: none is needed
-  Topology topology;       ///< the molecules of the frames
-  std::string origin;      ///< text that the topology comes from, for the headers of the outputs
-  std::uint64_t seed = 0;  ///< of the run, likewise
+  std::string trajectory;  ///< path of the trajectory, whose extension gives the format
+  std::string names;       ///< coordinate file with the names of the atoms; empty if it is not
+                           ///< needed
+  Topology topology;       ///< molecules of the frames
+  std::string origin;      ///< text from which the topology was made, for the headers of the
+                           ///< outputs
+  std::uint64_t seed = 0;  ///< seed of the run, also for the headers
   AnalysisSettings settings;
   SummarySettings summary;
-  std::string prefix = "polhode-analysis";  ///< of the output files
-  std::string plot = "svg";                 ///< "svg", "png" or "none"
+  std::string prefix = "polhode-analysis";  ///< prefix of the output files
+  std::string plot = "svg";                 ///< format of figures: "svg", "png" or "none"
 };
 
 struct AnalysisReport {
   Analysis analysis;
   AnalysisSummary summary;
-  std::vector<std::string> files;  ///< that were written
+  std::vector<std::string> files;  ///< paths of the files that were written
 };
 
-/// Reads the frames, computes the observables, and writes their curves. What was read before an
-/// interruption is analyzed.
+/// Reads the frames, computes the observables, and writes their curves. After an interruption, the
+/// frames read so far are analyzed.
 /// @throws Error  before anything is computed, if outputs exist; if the frames do not fit the
-///                topology, or do not allow what was requested
+///                topology, or do not allow the requested observables
 AnalysisReport run_analysis(const AnalysisInput& input, const OutputOptions& options = {},
                             const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 
-/// The results as a list.
+/// The results of an analysis as a list.
 Quantities analysis_quantities(const AnalysisReport& report);
 
-/// The results as lines of text, without files.
+/// The results of an analysis as lines of text, without files.
 std::string analysis_text(const AnalysisReport& report);
 
-/// The report as JSON. Names contain units, as in "interval_ps"; unknown values are null.
+/// The report of an analysis as JSON. Names contain units, as in "interval_ps"; unknown values are
+/// null.
 std::string analysis_json(const AnalysisReport& report);
 
 }  // namespace polhode

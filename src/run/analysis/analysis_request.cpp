@@ -20,13 +20,13 @@ namespace {
 
 using Request = AnalysisRequest;
 
-/// "tip4p 512, na 4": models with their counts, in the order of the file.
+/// Parses models with their counts, in the order of the file, such as "tip4p 512, na 4".
 Topology molecules_of(const Given& given) {
   Topology topology;
   for (const std::string& word : given_words(given)) {
     std::istringstream parts(word);
     std::string model;
-    long long count = 0;  // signed, since streams read "-1" as the largest number without a sign
+    long long count = 0;  // signed, because streams read "-1" as the largest unsigned number
     parts >> model;
     if (!(parts >> std::ws).eof() && (!(parts >> count) || !parts.eof() || count <= 0))
       refuse(given, fmt::format("has '{}', which must be a model and its count; write for example "
@@ -44,7 +44,8 @@ Topology molecules_of(const Given& given) {
   return topology;
 }
 
-/// "OW-HW": two selections of sites. Names may contain '-', too: it is split where both exist.
+/// Parses two selections of sites, such as "OW-HW". Names may also contain '-', so the text is
+/// split where both selections exist.
 SitePair pair_of(const Given& given, const std::string& word, const Topology& topology) {
   const auto dash = word.find('-');
   if (dash == word.npos || dash == 0 || word.back() == '-')

@@ -17,10 +17,11 @@ struct AnalysisRequest {
   static std::vector<RequestOption<AnalysisRequest>> options();
 };
 
+/// Makes the input of an analysis from a request.
 /// @param trajectory  file of frames
-/// @param run         settings of the run that wrote it; null: the request has its run file, or the
-///                    molecules
-/// @throws Error  naming the option, if one cannot be understood
+/// @param run         settings of the run that wrote the trajectory; if null, the request gives its
+///   run file or the molecules
+/// @throws Error  if an option cannot be understood; the message names the option
 AnalysisInput analysis_input(const AnalysisRequest& request, const std::string& trajectory,
                              const Config* run = nullptr);
 

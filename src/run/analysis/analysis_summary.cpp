@@ -53,7 +53,7 @@ void SummarySettings::set_surroundings(const ForceSettings& forces) {
 void SummarySettings::set_run(const Config& config) {
   set_surroundings(config.forces);
   constant_energy = config.ensemble.constant_energy();
-  // The default of a run at constant energy says nothing about its velocities.
+  // The default temperature of a run at constant energy is not the temperature of its velocities.
   const bool told = config.gives("system.temperature") || !constant_energy;
   if (told && config.system.temperature > 0) run_temperature = config.system.temperature;
 }

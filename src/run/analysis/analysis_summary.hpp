@@ -14,35 +14,42 @@
 
 namespace polhode {
 
-/// What the frames do not contain.
+/// Settings of a summary that the frames do not contain.
 struct SummarySettings {
-  std::optional<FitWindow> fit;       ///< of the diffusion coefficient; default: from a fifth of
-                                      ///< the lags on
-  std::optional<double> temperature;  ///< [K]; default: that of the velocities
-  /// Of the run file [K], where the frames have no velocities.
+  std::optional<FitWindow> fit;       ///< fit window of the diffusion coefficient; by default, lags
+                                      ///< from a fifth of the longest lag on
+  std::optional<double> temperature;  ///< temperature [K]; by default, the temperature of the
+                                      ///< velocities
+  /// Temperature of the run file [K], which is used if the frames have no velocities.
   std::optional<double> run_temperature{};
-  bool constant_energy = false;     ///< of the run, whose temperature may then be another
-  std::optional<double> viscosity;  ///< [u/(nm ps)]; default: the published one, if there is one
+  bool constant_energy = false;     ///< whether the run is at constant energy, so that its
+                                    ///< temperature may differ from the setting
+  std::optional<double> viscosity;  ///< viscosity [u/(nm ps)]; by default, the published value if
+                                    ///< there is one
   std::optional<double> surroundings_permittivity;  ///< permittivity of the surroundings:
-                                                    ///< `tin_foil`, or that of the reaction field
-  std::string no_surroundings;                      ///< why there is none
+                                                    ///< `tin_foil`, or the permittivity of the
+                                                    ///< reaction field
+  std::string no_surroundings;                      ///< reason why there is no permittivity of the
+                                                    ///< surroundings
 
   /// Takes the permittivity of the surroundings from the forces of the run.
   void set_surroundings(const ForceSettings& forces);
-  /// Takes from the run file the permittivity of the surroundings, and the temperature.
+  /// Takes the permittivity of the surroundings and the temperature from the run file.
   void set_run(const Config& config);
 };
 
-/// Factor of diffusion coefficients in nm²/ps to those in 10⁻⁹ m²/s.
+/// Conversion factor of diffusion coefficients from nm²/ps to 10⁻⁹ m²/s.
 inline constexpr double in_1e9_m2_per_s = 1000;
 
-/// The results of all observables.
+/// The results of all observables of an analysis.
 struct AnalysisSummary {
-  std::optional<double> temperature;  ///< [K]
-  std::string temperature_source;     ///< "as given", "of the velocities", "of the run file"; or ""
-  Quantities quantities;              ///< in text and JSON
-  std::vector<AnalysisFile> files;    ///< curves
-  std::vector<std::string> notes;     ///< those of the analysis, and what could not be computed
+  std::optional<double> temperature;  ///< temperature [K]
+  std::string temperature_source;     ///< source of the temperature: "as given", "of the
+                                      ///< velocities", "of the run file", or ""
+  Quantities quantities;              ///< quantities in text and JSON
+  std::vector<AnalysisFile> files;    ///< files with curves
+  std::vector<std::string> notes;     ///< notes of the analysis, and on results that could not be
+                                      ///< computed
 };
 
 AnalysisSummary summary(const Analysis& analysis, const SummarySettings& settings,

@@ -11,10 +11,10 @@
 namespace polhode {
 namespace {
 
-/// The unit of the second digit of a positive number.
+/// The unit of the second significant digit of a positive number.
 double second_digit(double x) { return std::pow(10, std::floor(std::log10(x)) - 1); }
 
-/// The next number with two digits that is not less; a relative 1e-9 is rounding.
+/// A number rounded up to two digits; an excess of a relative 1e-9 is treated as round-off.
 double rounded_up(double x) {
   return x > 0 ? second_digit(x) * std::ceil(x / second_digit(x) - 1e-8) : x;
 }

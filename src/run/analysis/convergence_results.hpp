@@ -9,7 +9,8 @@
 
 namespace polhode {
 
-/// The relaxation time of a number in a text, and whether it is that of the window of lags.
+/// The name of a relaxation time in texts, and whether it is the relaxation time of the window of
+/// lags.
 struct RelaxationName {
   const char* text;
   bool window = false;
@@ -17,11 +18,12 @@ struct RelaxationName {
 inline constexpr RelaxationName max_lag{"maximum lag", true}, decay_time{"decay to 1/e³ within"},
     dipole_relaxation{"relaxation"};
 
-/// Why a number is not a result, and what to do: "not converged: length 20 ps, relaxation 5.6 ps;
-/// a run of at least 170 ps is needed".
+/// The reason why a number is not converged, with advice, such as "not converged: length 20 ps,
+/// relaxation 5.6 ps; a run of at least 170 ps is needed".
 std::string not_converged(const Convergence& c, const RelaxationName& relaxation);
 
-/// An estimate that has a value only if it is converged; if not, the list gives the reason.
+/// An estimate as a list. If it is converged, the list has its value, and otherwise the reason why
+/// not.
 Quantities converging(const SeriesEstimate& estimate, const Convergence& c,
                       const RelaxationName& relaxation);
 

@@ -11,39 +11,41 @@
 
 namespace polhode {
 
-/// The standard error; an empty field if it is not known.
+/// The standard error of an estimate; if it is not known, NaN, which files show as an empty field.
 double known_error(const SeriesEstimate& estimate);
 
-/// "2.300 ± 0.031", or the value and "± ?".
+/// An estimate as text, such as "2.300 ± 0.031". If the error is not known, it is the value and "±
+/// ?".
 std::string short_text(const SeriesEstimate& estimate);
 
-/// "-0.0123 ± 0.0004, without it 2.912": a bias, and the value without it.
+/// A bias, and the value without the bias, as text such as "-0.0123 ± 0.0004, without it 2.912".
 std::string bias_text(const SeriesEstimate& bias, double value);
 
-/// Adds a column of values, and a column of their errors; returns the curve that they are, without
-/// a name.
+/// Adds a column of values and a column of their errors to a table. Returns the corresponding
+/// curve, without a name.
 CurvesFigure::Curve add(Table& table, const std::string& name, const std::string& unit,
                         const std::vector<SeriesEstimate>& values);
 
-/// Draws a curve in a panel, which grows to hold it with its errors; nothing without a value.
-/// @param name  in the legend; empty: not there
+/// Draws a curve in a panel, whose axes are extended to show it with its errors. Nothing is drawn
+/// if the curve has no value.
+/// @param name  name in the legend; if empty, the curve is not in the legend
 void draw(CurvesFigure::Panel& panel, const std::string& name, CurvesFigure::Curve curve,
           const std::vector<SeriesEstimate>& values);
 
-/// Leaves out panels without curves, and leaves room above and below the others.
-/// @param from_zero  quantities are not negative, and axes begin at 0
+/// Removes panels without curves, and adds space above and below the curves of the other panels.
+/// @param from_zero  true if quantities are not negative, so that axes begin at 0
 void finish(CurvesFigure& figure, bool from_zero);
 
-/// A file whose first column has the values `at(k)`.
+/// A table file whose first column contains the values `at(k)`.
 AnalysisFile file_over(const std::string& name, const std::string& column, const std::string& unit,
                        std::size_t rows, const std::function<double(std::size_t)>& at,
                        CurvesFigure figure);
 
-/// A file whose first column is the lag.
+/// A table file whose first column contains the lags.
 AnalysisFile file_of_lags(const std::string& name, std::size_t lags, double interval,
                           CurvesFigure figure);
 
-/// A file over the time analyzed so far, or over its frames if they have no times.
+/// A table file over the time analyzed so far, or over the frames if they have no times.
 /// @param frames  number of frames so far, for each row
 AnalysisFile file_over_time(const Analysis& analysis, const std::string& name,
                             const std::vector<double>& frames, CurvesFigure figure);
@@ -51,7 +53,7 @@ AnalysisFile file_over_time(const Analysis& analysis, const std::string& name,
 /// The name of the molecules of a part; empty if there is only one part.
 std::string title_of_part(const Analysis& analysis, std::size_t part);
 
-/// The name of a quantity of one part; if there is only one molecule, its name is omitted.
+/// The name of a quantity of one part. If there is only one kind of molecule, its name is omitted.
 std::string of_part(const Analysis& analysis, std::size_t part, const std::string& what);
 
 }  // namespace polhode

@@ -9,7 +9,8 @@
 namespace polhode {
 namespace {
 
-/// Its mean is part of every analysis, so frames are added there.
+/// The density of the frames. The mean density is part of every analysis, so the analysis adds the
+/// frames.
 class Density : public Observable {
  public:
   void add(const State&, const std::optional<StepError>&, Workers&) override {}

@@ -76,7 +76,7 @@ ObservableResults Dielectric::results(const AllFrames& all) {
                      {"mean_over_rms_dipole", "", d.mean_over_rms},
                      row_of(d)};
   if (a.frames_with_step_error > 0) {
-    // Velocities have their own bias, and a given temperature has none.
+    // The temperature of velocities has a separate bias, and a given temperature has none.
     const TotalDipole::StepBias bias = dipole_.step_bias(
         settings.temperature || !a.has_velocities ? all.temperature : std::nullopt, surroundings,
         degrees_of_freedom(a.topology).all(), *a.fixed);

@@ -21,21 +21,23 @@ struct PublishedViscosity {
   std::string_view value;
 };
 
-// At 298 K and 1 bar, gonzalez2010.
+// The published viscosities are from [gonzalez2010], at 298 K and 1 bar.
 constexpr PublishedViscosity published[] = {
     {"tip3p", "0.321 mPa s"}, {"tip4p", "0.494 mPa s"},      {"tip5p", "0.699 mPa s"},
     {"spce", "0.729 mPa s"},  {"tip4p-2005", "0.855 mPa s"},
 };
-constexpr double published_temperature = 298;  // [K]
-constexpr double near = 5;                     // [K]: the viscosity of water changes by 2 % in 1 K
+constexpr double published_temperature = 298;  // temperature of the published viscosities [K]
+constexpr double near = 5;                     // largest difference from it [K]; the viscosity of
+                                               // water changes by 2 % in 1 K
 
-/// The Yeh-Hummer finite-size correction, to be added to diffusion.
+/// The Yeh-Hummer finite-size correction, which is added to the diffusion coefficient.
 struct Correction {
-  std::optional<double> value;  ///< [nm²/ps]
-  std::string source;           ///< of the viscosity, "as given"; else why there is none
+  std::optional<double> value;  ///< correction [nm²/ps]
+  std::string source;           ///< source of the viscosity, such as "as given"; otherwise the
+                                ///< reason why there is none
 };
 
-/// The viscosity [u/(nm ps)] with its source, or why there is none.
+/// The viscosity [u/(nm ps)] with its source, or the reason why there is none.
 Correction viscosity(const AllFrames& all) {
   if (all.settings.viscosity) return {all.settings.viscosity, "as given"};
   const auto& parts = all.analysis.topology.parts;
@@ -80,9 +82,10 @@ std::string why_not(const FirstFrames& f) {
                                           "molecules, and there is only one molecule";
 }
 
-/// The diffusion coefficient of one kind of molecule, and its line through the displacements.
+/// The diffusion coefficient of one kind of molecule, and the line fitted to the mean-square
+/// displacements.
 struct Diffusion {
-  SeriesEstimate value;  ///< in this box [1e-9 m²/s]
+  SeriesEstimate value;  ///< diffusion coefficient in this box [1e-9 m²/s]
   Convergence convergence;
   CurvesFigure::Line line;
 

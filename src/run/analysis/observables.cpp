@@ -3,7 +3,7 @@
 
 namespace polhode {
 
-// Each is defined in the file of its name.
+// Each observable is defined in the file of the same name.
 ObservableKind rdf(), msd(), rotation(), velocity(), dielectric(), density();
 
 const std::vector<ObservableKind>& observables() {

@@ -16,7 +16,8 @@ namespace {
 
 using Peak = RadialDistribution::Peak;
 
-// More than any curve needs, but few enough to be stored for every pair of sites.
+// Maximum number of bins. A curve needs fewer, and the bins of every pair of sites can still be
+// stored.
 constexpr double max_bins = 1e5;
 
 std::vector<SitePair> pairs_of(const FirstFrames& f) {
@@ -27,8 +28,9 @@ std::string why_not(const FirstFrames& f) {
   return pairs_of(f).empty() ? "no two molecules have sites with mass" : "";
 }
 
-/// @throws Error  if only one molecule has the sites of a pair; RadialDistribution knows names that
-///                do not exist
+/// Checks a pair of sites.
+/// @throws Error  if only one molecule has the sites of the pair; RadialDistribution detects names
+///   that do not exist
 void check_pair(const SitePair& pair, const Topology& topology) {
   for (const std::string& word : pair)
     if (molecules_with(topology, word).empty()) return;
@@ -65,7 +67,7 @@ std::string text_of(const SitePair& sites, const std::optional<Peak>& peak) {
   return text;
 }
 
-/// Null for numbers that do not exist without a peak.
+/// The numbers of a peak as quantities; they are null if there is no peak.
 Quantities quantities_of(const SitePair& sites, const std::optional<Peak>& peak) {
   const bool shell = peak && peak->shell;
   return {{"pair", "", std::vector<std::string>{sites[0], sites[1]}},
@@ -77,7 +79,7 @@ Quantities quantities_of(const SitePair& sites, const std::optional<Peak>& peak)
           row(fmt::format("g {}-{}", sites[0], sites[1]), text_of(sites, peak))};
 }
 
-/// What the step changes in the numbers of a peak.
+/// The time-step bias of the numbers of a peak as quantities.
 Quantities bias_of(const Peak& bias, const Peak& peak) {
   return {
       {"step_bias", "",
@@ -105,7 +107,7 @@ class Rdf : public Observable {
   RadialDistribution radial_;
 };
 
-/// Notes sites of several kinds of molecules in one selection.
+/// Adds a note if one selection has sites of several kinds of molecules.
 void note_pooled(const std::vector<SitePair>& pairs, const AllFrames& all) {
   std::set<std::string> noted;
   for (const SitePair& pair : pairs)

@@ -43,7 +43,7 @@ class Rotation : public Observable {
   Reorientation reorientation_;
 };
 
-/// P₁ and P₂ of one kind of molecule, side by side.
+/// Adds the correlation functions P₁ and P₂ of one kind of molecule, side by side.
 Quantities Rotation::add_part(AnalysisFile& file, std::size_t part, const AllFrames& all) {
   const Analysis& a = all.analysis;
   const auto& [molecule, count] = a.topology.parts[part];

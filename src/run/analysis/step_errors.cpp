@@ -12,7 +12,8 @@
 namespace polhode {
 namespace {
 
-/// The rounding of times in files [ps]: six decimals in text, floats in binary formats.
+/// The round-off of times in files [ps]. Text files have six decimals, and binary formats have
+/// floats.
 double rounding(double time) { return 0.6e-6 + 0x1p-22 * std::abs(time); }
 
 }  // namespace
@@ -68,18 +69,20 @@ void StepErrors::check(const EnergyRow& row, const State& frame, bool has_veloci
                     frame.time, what, here, unit, settings_.energies, there, unit));
   };
   const Energies& e = row.energies;
-  constexpr double of_volume = 1e-4;  // edges have five digits at least
+  constexpr double of_volume = 1e-4;  // relative tolerance of the volume: edges have at least five
+                                      // digits
   const double volume = frame.box.volume();
   if (!(std::abs(volume - e.volume) <= of_volume * e.volume))
     refuse("volume", volume, e.volume, "nm3");
-  const double of_energy = 1e-12 * (std::abs(e.potential()) + e.kinetic());  // rounding of sums
+  const double of_energy = 1e-12 * (std::abs(e.potential()) + e.kinetic());  // round-off of sums
   if (settings_.fixed == FixedMeans::energy && !(std::abs(row.conserved - e.total()) <= of_energy))
     throw Error(
         fmt::format("conserved and total energy in '{}' differ at {:.9g} ps, as with a thermostat, "
                     "and the run file has constant energy; give the run file with the thermostat",
                     settings_.energies, e.time));
   if (!has_velocities) return;
-  // Positions rounded to 0.001 nm change the rotational energy of a molecule by a few per cent.
+  // Rounding of positions to 0.001 nm changes the rotational energy of a molecule by a few per
+  // cent.
   const double of_kinetic = 0.01 + 0.05 / std::sqrt(static_cast<double>(frame.size()));
   const double kinetic = energies(frame, bodies_, Load{}).kinetic();
   if (!(std::abs(kinetic - e.kinetic()) <= of_kinetic * e.kinetic()))

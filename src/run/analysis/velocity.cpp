@@ -13,8 +13,9 @@
 namespace polhode {
 namespace {
 
-constexpr double wavenumber = 1e12 / 29979245800.0;  // 1/ps in wavenumbers [1/cm]
-constexpr double max_interval = 0.02;                // of frames for spectra [ps]
+constexpr double wavenumber = 1e12 / 29979245800.0;  // conversion of 1/ps to wavenumbers [1/cm]
+constexpr double max_interval = 0.02;                // maximum interval between frames for spectra
+                                                     // [ps]
 
 struct NamedCorrelation {
   std::size_t part;
@@ -49,7 +50,7 @@ std::vector<NamedCorrelation> Velocity::correlations(const AllFrames& all) {
   return curves;
 }
 
-/// Adds a curve of a part to a table, and to the part's panel.
+/// Adds a curve of a part to a table and to the panel of the part.
 void add_to_panel(AnalysisFile& file, const Analysis& a, const NamedCorrelation& one,
                   const std::string& unit, const std::vector<SeriesEstimate>& values) {
   draw(file.figure.panels[one.part],
@@ -57,7 +58,8 @@ void add_to_panel(AnalysisFile& file, const Analysis& a, const NamedCorrelation&
        add(file.table, of_part(a, one.part, one.name), unit, values), values);
 }
 
-/// Autocorrelation functions divided by their value at lag 0, which has its own column.
+/// The files of autocorrelation functions. The functions are divided by their value at lag 0, which
+/// is in a separate column.
 std::vector<AnalysisFile> files_of(const Analysis& a, const std::vector<NamedCorrelation>& curves) {
   const std::size_t lags = curves.front().curve.mean().size();
   AnalysisFile time = file_of_lags(
@@ -89,7 +91,8 @@ std::vector<AnalysisFile> files_of(const Analysis& a, const std::vector<NamedCor
   return {std::move(time), std::move(spectra)};
 }
 
-/// The diffusion coefficient from the integral over all lags.
+/// The Green-Kubo diffusion coefficient, from the integral of the velocity autocorrelation function
+/// over all lags.
 Quantities green_kubo(const BlockMeans& C, double interval, const std::string& molecule) {
   const SeriesEstimate D =
       scaled(series_estimates(running_integral(C, interval)).back(), in_1e9_m2_per_s);

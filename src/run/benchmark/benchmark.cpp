@@ -23,20 +23,20 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t tile = 512;               // molecules of the built-in configuration
-constexpr std::array switches = {0.765, 0.85};  // [nm]
+constexpr std::size_t tile = 512;               // number of molecules of the built-in configuration
+constexpr std::array switches = {0.765, 0.85};  // start of the switch [nm]
 struct Motion {
   const char* scheme;
-  double step;  // [ps]
+  double step;  // time step [ps]
 };
 constexpr std::array motions = {Motion{"hoa2", 0.004}, Motion{"velocity-verlet", 0.002},
                                 Motion{"gier4-fd", 0.005}};
 
-// Duration and number of repeats of each measurement; large systems are measured less often.
+// Duration and number of repeats of each measurement. Large systems are measured less often.
 struct Effort {
-  double limit, evaluations, steps;  // [s] per repeat
+  double limit, evaluations, steps;  // durations of one repeat [s]
   std::size_t repeats, min_repeats;
-  double max_seconds;  // [s] for one size, after the smallest number of repeats
+  double max_seconds;  // maximum duration for one size, after the smallest number of repeats [s]
 };
 constexpr Effort normal{0.5, 0.02, 0.05, 9, 2, 12}, quick{0.2, 0.01, 0.02, 5, 2, 3};
 
@@ -78,7 +78,7 @@ System liquid_water(std::size_t molecules, const Callbacks& callbacks, Workers& 
   config.system.molecules[0].count = molecules;
   config.system.density = one.topology.mass() / one.state.box.volume();
   config.source = fmt::format("a box of {} waters", molecules);
-  config.given.clear();  // errors are about the box, not about a file
+  config.given.clear();  // errors refer to the box, not to a file
   System water = build_system(config);
   ForceField forces(water.topology, water.forces, water.state.box, workers);
   equilibrate(water, forces, 0.1, {.stop = callbacks.stop}, workers);
@@ -93,7 +93,7 @@ struct EvaluationRepeats {
 
 void repeat(EvaluationRepeats& repeats, const System& water, const ForceSettings& settings,
             Workers& workers, double seconds) {
-  // Uses other addresses each time, since the speed of memory depends on them.
+  // Uses different addresses each time, because the speed of memory depends on the addresses.
   const std::vector<std::byte> elsewhere(1 + 1088 * repeats.list.size());
   ForceField forces(water.topology, settings, water.state.box, workers);
   Load load;
@@ -159,7 +159,8 @@ StepTiming summary_of(const StepRepeats& repeats, const Motion& motion) {
   const auto stages = [&](Flow flow) {
     double n = 0;
     for (const Stage& stage : scheme.stages())
-      n += stage.flow == flow ? (stage.xi != 0 ? 3 : 1) : 0;  // a gradient kick counts as three
+      n += stage.flow == flow ? (stage.xi != 0 ? 3 : 1) : 0;  // a gradient kick is weighted as
+                                                              // three kicks
     return n;
   };
   s.forces = forces.best;
@@ -172,7 +173,7 @@ StepTiming summary_of(const StepRepeats& repeats, const Motion& motion) {
   return s;
 }
 
-// All kinds of evaluations and steps for one size, interleaved.
+// Measures all kinds of evaluations and steps for one size, interleaved.
 class Measurement {
  public:
   Measurement(std::size_t molecules, const BenchmarkSettings& settings, const Effort& effort,
@@ -185,7 +186,7 @@ class Measurement {
       for (const auto& w : workers) kinds_.push_back({limits[p], *w, water_, {}, {}});
   }
 
-  /// Incomplete if the callbacks stop it.
+  /// Runs the measurement. The result is incomplete if the callbacks stop it.
   void run(const std::function<void(double)>& report) {
     const Stopwatch clock;
     for (std::size_t n = 0; n < effort_.repeats; ++n) {
@@ -222,7 +223,7 @@ class Measurement {
   struct Kind {
     const Limit& limit;
     Workers& workers;
-    System moving;  // is advanced from one repeat to the next
+    System moving;  // system that advances from one repeat to the next
     std::array<EvaluationRepeats, switches.size()> evaluations;
     std::array<StepRepeats, motions.size()> steps;
   };

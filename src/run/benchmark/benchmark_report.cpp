@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-constexpr double noisy = 0.1;  // a spread above which the user is warned
+constexpr double noisy = 0.1;  // relative spread of timings above which the user is warned
 
 std::string threads_text(int n) { return fmt::format("{} thread{}", n, n == 1 ? "" : "s"); }
 
@@ -47,7 +47,8 @@ std::vector<std::size_t> sizes(const Benchmark& b) {
 
 double percent(double x) { return 100 * x; }
 
-/// @param label  of the best repeat in a table
+/// A timing as a list.
+/// @param label  label of the best repeat in a table
 Quantities of_timing(const Timing& t, double unit, const char* label = "", const char* in = "") {
   return {{"best", in, unit * t.best, "", label},
           {"median", "", unit * t.median},
@@ -112,7 +113,7 @@ Quantities of_conditions(const SystemTiming& s) {
           {"threads", "", s.threads, "number of threads", "threads"}};
 }
 
-/// Timings of the systems in JSON, and as two tables of the text.
+/// The timings of all systems in JSON, and as two tables in the text.
 Quantities of_systems(const std::vector<SystemTiming>& systems) {
   std::vector<Quantities> all, evaluations, steps;
   const auto add = [&](std::vector<Quantities>& own, std::vector<Quantities>& table,
@@ -141,7 +142,7 @@ std::string join(const std::vector<std::string>& parts, const char* between = ",
   return text;
 }
 
-/// What the numbers mean, one sentence each.
+/// Sentences that explain the results.
 std::vector<std::string> verdict(const Benchmark& b) {
   std::vector<std::string> lines;
   for (const std::size_t molecules : sizes(b)) {

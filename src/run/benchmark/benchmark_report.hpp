@@ -10,13 +10,13 @@
 
 namespace polhode {
 
-/// The computer that was measured.
+/// The computer on which the benchmark ran.
 struct Computer {
   std::string processor, instruction_set;
   std::vector<int> threads;
 };
 
-/// The results as a list, from which text, JSON and the manual follow.
+/// The results of a benchmark as a list, from which text, JSON and the manual are made.
 Quantities quantities(const Benchmark& benchmark, const Computer& computer);
 
 }  // namespace polhode

@@ -10,14 +10,14 @@
 namespace polhode {
 namespace {
 
-constexpr double cutoff = 0.9, switch_from = 0.765;  // [nm]
+constexpr double cutoff = 0.9, switch_from = 0.765;  // cutoff and start of the switch [nm]
 
 // The first molecule of the built-in configuration with partners at realistic distances, repeated
 // until the packs are full.
 template <class T>
 class WaterPairs {
  public:
-  static constexpr std::size_t packs = 16, columns = 16;  // 16 kB of partners for wide packs
+  static constexpr std::size_t packs = 16, columns = 16;  // wide packs have 16 kB of partners
 
   WaterPairs(const System& water, std::size_t width)
       : table_(water.topology.parts[0].molecule, water.topology.parts[0].molecule),
@@ -51,7 +51,7 @@ class WaterPairs {
     }
   }
 
-  /// Time per pair [ns], from sweeps repeated for about 20 µs.
+  /// Measures the time per pair [ns], from sweeps repeated for about 20 µs.
   double operator()(bool truncated, bool energies) {
     const auto pairs =
         POLHODE_CURRENT_OVERLOAD(bare_pairs, void (*)(const PairTable&, const PairLaws<T>&, bool,
@@ -83,8 +83,9 @@ Limit measure(Precision precision, double seconds) {
   Column<T> numbers(chains * limit.lanes, T(1));
   WaterPairs<T> pairs(build_system(default_config()), limit.lanes);
 
-  // All kinds interleaved, so that changes of the clock rate affect them equally.
-  std::vector<double> times, kinds[2][2];  // [energies][truncated]
+  // All kinds of measurements are interleaved, so that changes of the clock rate affect them
+  // equally.
+  std::vector<double> times, kinds[2][2];  // times, and times by [energies][truncated]
   const Stopwatch watch;
   while (times.size() < 5 || watch.seconds() < seconds) {
     times.push_back(seconds_of([&] { multiply_adds(rounds, numbers.data()); }));

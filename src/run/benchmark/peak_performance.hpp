@@ -13,45 +13,46 @@
 
 namespace polhode {
 
-/// Repetitions of one measurement. Disturbances only ever add time, so the minimum is the
-/// undisturbed time, and the median shows how large the disturbances were.
+/// The timing of a repeated measurement. Disturbances only add time, so the minimum is the
+/// undisturbed time. The median shows how large the disturbances were.
 struct Timing {
   double best = 0, median = 0;
   double spread() const { return best > 0 ? median / best - 1 : 0; }
-  /// The same in another unit.
+  /// The timing in another unit.
   Timing operator*(double factor) const { return {factor * best, factor * median}; }
 };
 Timing timing(std::vector<double> repeats);
 
 /// Time per pair of molecules [ns].
 struct BarePair {
-  Timing inside;     ///< inside the switching distance
-  Timing truncated;  ///< within the molecule switch
+  Timing inside;     ///< time of a pair inside the switching distance
+  Timing truncated;  ///< time of a pair within the molecule switch
 };
 
 struct Limit {
   Precision precision = Precision::double_precision;
-  std::size_t lanes = 0;     ///< pairs in a pack
-  double multiply_adds = 0;  ///< per ns
+  std::size_t lanes = 0;     ///< number of pairs in a pack
+  double multiply_adds = 0;  ///< number of multiply-adds per ns
   BarePair forces, energies;
-  /// Time for these numbers of pairs on one core [s].
+  /// The computing time of numbers of pairs on one core [s].
   double seconds(std::size_t inside, std::size_t truncated, bool with_energies) const;
 };
 
-/// The settings of the benchmark: cutoff 0.9 nm, reaction field.
+/// The force settings of the benchmark: a cutoff of 0.9 nm and a reaction field.
 ForceSettings benchmark_forces(Precision precision, double switch_from);
 
-/// Runs the measurement for the given time [s].
+/// Measures the peak performance for a given time [s].
 Limit measure_limit(Precision precision, double seconds);
 
 POLHODE_DECLARE_LOOPS(
     /// The number of lanes in a pack.
     std::size_t pack_width(const double*); std::size_t pack_width(const float*);
-    /// Twelve chains of multiply-adds, each `rounds` long, on the first twelve packs of `numbers`.
+    /// Performs twelve chains of multiply-adds, each `rounds` long, on the first twelve packs of
+    /// `numbers`.
     void bare_multiply_adds(std::size_t rounds, double* numbers);
     void bare_multiply_adds(std::size_t rounds, float* numbers);
-    /// One four-site molecule with `packs` packs of partners.
-    /// @param own       x, y, z of its four sites relative to its centre [nm]
+    /// Computes the pairs of one four-site molecule with `packs` packs of partners.
+    /// @param own       x, y, z of the four sites of the molecule relative to its centre [nm]
     /// @param partners  16 columns per pack: the difference of the centres, four sites, one unused
     /// @param out       6 columns per pack: force and torque; room for at least twelve
     void bare_pairs(const PairTable& table, const PairLaws<double>& laws, bool truncated,

@@ -14,8 +14,8 @@
 namespace polhode {
 namespace {
 
-// Ladders of steps [fs] for water: of schemes with one force evaluation, and of those with two or
-// three. Schemes with more use larger steps, at equal cost.
+// Default steps [fs] for water: one list for schemes with one force evaluation, and one for schemes
+// with two or three. Schemes with more evaluations use longer steps at equal cost.
 std::vector<double> default_steps(const CanonicalMethod& method, bool coarse) {
   std::vector<double> fs;
   if (method.scheme.cost() <= 1)
@@ -38,8 +38,8 @@ CanonicalMethod method_of(const NamedScheme& given) {
           .hybrid = hybrid};
 }
 
-/// Whether the schemes are those that a study of energy conservation has unless it names others, by
-/// itself or in the default run file.
+/// Whether the schemes are the default schemes of a study of energy conservation, given explicitly
+/// or by the default run file.
 bool of_energy_study(const std::vector<NamedScheme>& schemes) {
   return schemes == StudySettings{}.schemes ||
          schemes == std::vector<NamedScheme>{"velocity-verlet", "hoa2", "gier4-fd"};

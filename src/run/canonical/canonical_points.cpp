@@ -11,10 +11,10 @@
 namespace polhode {
 namespace {
 
-/// The temperatures, which are known without a measurement.
+/// Whether a quantity is a temperature, whose reference is known without a measurement.
 constexpr bool is_temperature(std::size_t quantity) { return quantity >= 1 && quantity <= 4; }
 
-/// Over the finite values; nothing with fewer than two.
+/// The mean over the finite values; empty if there are fewer than two.
 std::optional<Estimate> mean_of(std::vector<double> values) {
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
   if (values.size() < 2) return std::nullopt;
@@ -29,8 +29,9 @@ std::optional<Estimate> mean_over(const std::vector<CanonicalRun>& runs, const V
   return mean_of(std::move(values));
 }
 
-/// The mean of a quantity by exact sampling, over all methods but one: of each initial
-/// configuration over the steps, then over the configurations, whose runs are independent.
+/// The mean of a quantity by exact sampling, over all methods except one. For each initial
+/// configuration, the mean over the steps is computed first. Then follows the mean over the
+/// configurations, whose runs are independent.
 std::optional<Estimate> exact_mean(const std::vector<CanonicalMethod>& methods,
                                    const std::vector<CanonicalRun>& runs,
                                    const CanonicalMethod& without, std::size_t quantity) {

@@ -7,7 +7,7 @@
 namespace polhode {
 namespace {
 
-/// A number, or nothing where it is unknown.
+/// A number, or empty if the number is NaN.
 std::optional<double> known(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }

@@ -37,7 +37,7 @@ SeriesEstimate known(const std::optional<Estimate>& e) {
   return nested(e.value_or(Estimate{std::nan(""), std::nan("")}));
 }
 
-/// The k-th quantity of a point: its mean, its bias, and whether that is below its bounds.
+/// The k-th quantity of a point: its mean, its bias, and whether the bias is below its bounds.
 Quantity of_quantity(const CanonicalPoint& p, std::size_t k) {
   const CanonicalQuantity& q = canonical_quantities[k];
   const std::string column = q.name;
@@ -92,7 +92,7 @@ std::vector<Quantities> point_records(const CanonicalReport& report) {
   return records;
 }
 
-/// The sentences on one criterion, below its bounds.
+/// The sentences about one criterion, with its bounds as a title.
 Quantity of_findings(const char* key, const CanonicalReport& report,
                      const CanonicalFindings& findings) {
   std::string bounds;
@@ -105,10 +105,10 @@ Quantity of_findings(const char* key, const CanonicalReport& report,
           fmt::format("{} bounds:{}; with 95 % confidence", in_words(findings.criterion), bounds)};
 }
 
-/// The quantities of the figure, in panels: the cost of a sample is the last one.
+/// The quantities of the figure, one for each panel. The last panel shows the cost of a sample.
 constexpr std::array<std::size_t, 5> drawn = {0, 1, 2, 5, 4};
 
-/// A panel of a column of the table of points.
+/// A panel that shows a column of the table of points.
 CanonicalFigure::Panel panel(const std::string& title, const std::string& column,
                              std::string_view unit) {
   return {title, fmt::format("{} [{}]", column, unit), fmt::format("{}_error [{}]", column, unit)};
@@ -141,7 +141,7 @@ CanonicalFigure figure(const CanonicalReport& report, const std::string& csv) {
   return figure;
 }
 
-/// The study of canonical averages.
+/// A study of canonical averages.
 struct CanonicalStudy {
   using Run = CanonicalRun;
   using Record = CanonicalRecord;

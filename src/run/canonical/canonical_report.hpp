@@ -13,26 +13,26 @@
 
 namespace polhode {
 
-/// What the points say about one scheme: which steps are accurate enough, by the same rule for all
-/// schemes.
+/// The result for one scheme: the steps that are accurate enough, by the same rule for all schemes.
 struct CanonicalClaim {
   std::string scheme;
-  /// The largest step whose biases are all below their bounds, as are those of all shorter ones; an
-  /// index of the points.
+  /// The index of the point with the largest accurate step: its biases, and the biases at all
+  /// shorter steps, are below their bounds.
   std::optional<std::size_t> accurate;
-  /// The first step with a bias above its bound.
+  /// The index of the first point with a bias above its bound.
   std::optional<std::size_t> beyond;
 };
 
-/// What the points show by one criterion.
+/// The results of a study by one criterion.
 struct CanonicalFindings {
   BiasCriterion criterion;
-  std::vector<CanonicalClaim> claims{};  ///< of each scheme, in the order of the points
-  /// Of the accurate points, by force evaluations per sample.
+  std::vector<CanonicalClaim> claims{};  ///< results of each scheme, in the order of the points
+  /// The index of the accurate point with the fewest force evaluations per sample.
   std::optional<std::size_t> cheapest{};
-  std::vector<std::size_t> as_cheap{};  ///< others that are not distinguishable from it
-  /// Points of which the data do not show whether they are accurate, and that are not more
-  /// expensive than the cheapest, as far as can be distinguished.
+  std::vector<std::size_t> as_cheap{};  ///< other accurate points whose cost is not distinguishable
+                                        ///< from it
+  /// Points whose accuracy the data do not decide, and whose cost is not distinguishably above the
+  /// cheapest accurate point.
   std::vector<std::size_t> undecided{};
 
   CanonicalFindings(BiasCriterion criterion, const std::vector<CanonicalPoint>& points);
@@ -42,39 +42,40 @@ struct CanonicalFindings {
 struct CanonicalReport {
   Config config;
   std::vector<CanonicalPoint> points;
-  std::array<CanonicalFindings, 2> findings;  ///< by the strict and the loose criterion
-  std::vector<std::string> files{};           ///< that were written
-  bool interrupted = false;                   ///< before all runs were done
+  std::array<CanonicalFindings, 2> findings;  ///< findings by the strict and by the loose criterion
+  std::vector<std::string> files{};           ///< paths of the files that were written
+  bool interrupted = false;                   ///< whether the study was interrupted before all runs
+                                              ///< were done
 
   CanonicalReport(const Config& config, const std::vector<CanonicalPoint>& points);
 };
 
-/// Performs a canonical study and writes its record, tables and figure. The runs of a record that
-/// exists are not repeated, unless existing files are to be replaced: a study that was interrupted
-/// resumes.
-/// @param prefix  of the output files
-/// @throws Error  before anything is computed, if a setting does not fit, or outputs of another
-///                study exist
+/// Performs a canonical study and writes its record, tables and figure. An interrupted study
+/// resumes: runs in an existing record are not repeated, unless existing files are to be replaced.
+/// @param prefix  prefix of the output files
+/// @throws Error  before anything is computed, if a setting is invalid, or outputs of another study
+///   exist
 CanonicalReport run_canonical_study(const Config& config, const std::string& prefix = "study",
                                     const OutputOptions& options = {},
                                     const Callbacks& callbacks = {},
                                     Workers& workers = Workers::serial());
 
-/// Tables and figure of an existing record, without new runs.
-/// @throws Error  as run_canonical_study(), or if there is no such record
+/// Makes the tables and the figure of an existing record, without new runs.
+/// @throws Error  under the same conditions as run_canonical_study(), or if the record does not
+///   exist
 CanonicalReport report_canonical_record(const Config& config, const std::string& record,
                                         const std::string& prefix = "study",
                                         const OutputOptions& options = {},
                                         const Callbacks& callbacks = {});
 
-/// The results as a list, from which text, JSON, the table of points and the manual follow.
+/// The results of a canonical study as a list, from which text, JSON, the table of points and the
+/// manual are made.
 Quantities quantities(const CanonicalReport& report);
 
-/// Forces, runs and bath of a canonical study, in a sentence.
+/// A sentence on the forces, runs and bath of a canonical study.
 std::string canonical_conditions(const Config& config);
 
-/// What the points show by one criterion, a sentence for each scheme and one for the cheapest
-/// sample.
+/// Sentences on the results by one criterion: one for each scheme, and one for the cheapest sample.
 std::vector<std::string> canonical_sentences(const CanonicalFindings& findings,
                                              const std::vector<CanonicalPoint>& points);
 

@@ -22,7 +22,7 @@ namespace polhode {
 namespace {
 
 constexpr double sample_interval = 0.02, default_configurational_interval = 0.05,
-                 radial_interval = 0.1;  // [ps]
+                 radial_interval = 0.1;  // interval between samples of g(r) [ps]
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The settings of a run of a method, without its length and seed.
@@ -43,8 +43,8 @@ TrajectorySettings settings_of(const CanonicalMethod& method, const Config& conf
   return settings;
 }
 
-/// Random numbers of their own for each method and initial configuration, so that the errors of
-/// two points are independent.
+/// The seed of a run. Each method and initial configuration has separate random numbers, so that
+/// the errors of two points are independent.
 std::uint64_t seed_of(const CanonicalMethod& method, std::uint64_t start) {
   const std::string hash = text_hash(fmt::format("{} {:.12g}", method.text, method.step));
   std::uint64_t index = 0;
@@ -76,7 +76,7 @@ class FirstPeak {
   double next_ = -std::numeric_limits<double>::infinity();
 };
 
-/// Those of translation and of rotation about all axes together [K].
+/// The configurational temperatures of translation, and of rotation about all axes together [K].
 std::array<double, 2> configurational(const ConfigurationalStatistics& statistics) {
   const std::vector<double> mean = statistics.blocks.means().mean();
   if (mean.empty()) return {unknown, unknown};
@@ -87,7 +87,8 @@ std::array<double, 2> configurational(const ConfigurationalStatistics& statistic
           kelvin(mean[1] + mean[2] + mean[3], mean[5] + mean[6] + mean[7])};
 }
 
-/// The mean over the axes that have one, weighted by degrees of freedom [K].
+/// The mean rotational temperature over all axes with a moment of inertia, weighted by degrees of
+/// freedom [K].
 double rotation(const Temperatures& T, const DegreesOfFreedom& n) {
   double sum = 0, all = 0;
   for (std::size_t k = 0; k < 3; ++k) sum += n.rotation[k] * T.rotation[k], all += n.rotation[k];
@@ -141,8 +142,8 @@ CanonicalRun one_run(const System& start, std::size_t index, const CanonicalMeth
   return run;
 }
 
-/// An initial configuration of the canonical ensemble: equilibrated, then as long with hybrid
-/// Monte Carlo.
+/// Prepares an initial configuration of the canonical ensemble: an equilibration, followed by
+/// hybrid Monte Carlo of the same length.
 System canonical_start(const System& base, const Config& config, std::size_t index, double step,
                        const std::function<bool()>& stop) {
   const double length = config.study.decorrelate;
@@ -166,10 +167,10 @@ void perform_canonical_runs(const Config& config, const std::vector<CanonicalRun
                             const Callbacks& callbacks, Workers& workers) {
   const StudySettings& study = config.study;
   const std::vector<CanonicalMethod> methods = canonical_methods(study);
-  double shortest = std::numeric_limits<double>::infinity();  // step [ps]
+  double shortest = std::numeric_limits<double>::infinity();  // smallest step [ps]
   for (const CanonicalMethod& method : methods) shortest = std::min(shortest, method.step);
-  // All methods from one configuration before the next, so that a study that is interrupted has
-  // points with equal numbers of runs.
+  // All methods run from one configuration before the next configuration begins. The points of an
+  // interrupted study therefore have equal numbers of runs.
   StudyTasks<CanonicalMethod> tasks(callbacks, workers);
   for (int start = 0; start < study.runs; ++start)
     for (const CanonicalMethod& method : methods)

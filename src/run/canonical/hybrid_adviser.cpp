@@ -24,28 +24,30 @@
 namespace polhode {
 namespace {
 
-// The grid: steps, in units of the force evaluations of a step divided by the Einstein frequency,
-// from what the adviser for constant energy begins with to beyond where liquids blow up; numbers of
-// steps.
+// The grid of steps and of numbers of steps. Steps are in units of the force evaluations of a step
+// divided by the Einstein frequency. They range from the first step of the adviser for constant
+// energy to beyond the step at which liquids blow up.
 constexpr std::array<double, 6> step_parts = {0.12, 0.17, 0.24, 0.34, 0.48, 0.68};
 constexpr std::array<std::size_t, 4> step_counts = {4, 8, 16, 32};
-constexpr double discarded = 0.2;  // of each run, at its begin
+constexpr double discarded = 0.2;  // fraction of each run that is discarded at its beginning
 
-/// What one run shows.
+/// The results of one run.
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 struct HybridRun {
   double acceptance = unknown, weight = unknown;
-  std::vector<double> potential{};  // at the ends of trajectories; none of a run that blew up
+  std::vector<double> potential{};  // potential energy at the ends of trajectories; empty if the
+                                    // run blew up
 };
 
-/// The mean over runs; not a number unless all have it.
+/// The mean over runs; NaN unless all runs have the value.
 Estimate mean_over(const std::vector<HybridRun>& runs, double HybridRun::*value) {
   std::vector<double> values;
   for (const HybridRun& run : runs) values.push_back(run.*value);
   return mean(values);
 }
 
-/// Of U at the ends of trajectories, over all runs together; nothing if they are too short.
+/// The autocorrelation time of U at the ends of trajectories, from all runs together; empty if the
+/// runs are too short.
 std::optional<AutocorrelationTime> autocorrelation_time(const std::vector<HybridRun>& runs) {
   std::vector<std::span<const double>> counted;
   for (const HybridRun& run : runs) {
@@ -107,7 +109,7 @@ class HybridAdviser {
   }
 
   /// Runs all choices from all initial configurations.
-  /// @param round  for random numbers that no other round has
+  /// @param round  number of the round; each round has different random numbers
   void measure(std::vector<HybridChoice>& choices, std::size_t evaluations, std::uint64_t round) {
     std::vector<std::vector<HybridRun>> runs(choices.size(),
                                              std::vector<HybridRun>(starts_.size()));
@@ -128,7 +130,7 @@ class HybridAdviser {
     }
   }
 
-  /// Of a trajectory.
+  /// The number of force evaluations of a trajectory.
   double evaluations_of(const HybridChoice& choice) const {
     return scheme_.cost() * static_cast<double>(choice.steps);
   }
@@ -183,7 +185,7 @@ class HybridAdviser {
   Scheme scheme_;
   std::vector<System> starts_;
   std::mutex guard_;
-  double done_ = 0;  // force evaluations
+  double done_ = 0;  // number of force evaluations done
 };
 
 std::string choice_text(const HybridChoice& choice) {

@@ -17,48 +17,51 @@
 namespace polhode {
 
 struct HybridAdviserSettings {
-  NamedScheme scheme = "hoa2";      ///< of the proposals
-  std::size_t evaluations = 5'000;  ///< of the forces, in each pilot run
-  int runs = 4;                     ///< from independent initial configurations, of each choice
-  /// Pilot runs are of all choices; runs of the best ones, this many times longer and with other
-  /// random numbers, give the answer.
+  NamedScheme scheme = "hoa2";      ///< scheme of the proposals
+  std::size_t evaluations = 5'000;  ///< number of force evaluations in each pilot run
+  int runs = 4;                     ///< number of runs of each choice, from independent initial
+                                    ///< configurations
+  /// Number of finalists, and the factor by which their runs are longer than pilot runs. All
+  /// choices have pilot runs. Runs of the best choices with other random numbers give the answer.
   std::size_t finalists = 3, longer = 8;
 };
 
-/// A step and a number of steps per trajectory, with what its runs show.
+/// A step and a number of steps per trajectory, with the results of its runs.
 struct HybridChoice {
-  double step = 0;        ///< [ps]
-  std::size_t steps = 1;  ///< per trajectory
-  Estimate acceptance;    ///< [1]
-  Estimate weight;        ///< mean of exp(−ΔH/kT), 1 within its error
-  /// Force evaluations per independent sample of U; nothing if its runs are too short to tell, or
-  /// if one blew up.
+  double step = 0;        ///< time step [ps]
+  std::size_t steps = 1;  ///< number of steps per trajectory
+  Estimate acceptance;    ///< acceptance rate [1]
+  Estimate weight;        ///< mean of exp(−ΔH/kT), which must be 1 within its error
+  /// Force evaluations per independent sample of U. Empty if the runs are too short to determine
+  /// it, or if a run blew up.
   std::optional<Estimate> evaluations_per_sample;
 };
 
 struct HybridAdvice {
   std::string scheme;
-  std::vector<HybridChoice> pilots;     ///< by step, then by steps per trajectory
-  std::vector<HybridChoice> finalists;  ///< the cheapest first
-  /// Finalists that are not distinguishable from the first: their costs differ by less than two
-  /// standard errors of the difference.
+  std::vector<HybridChoice> pilots;     ///< pilot choices, ordered by step, then by steps per
+                                        ///< trajectory
+  std::vector<HybridChoice> finalists;  ///< finalists, the cheapest first
+  /// Finalists that are not distinguishable from the first, because their costs differ by less than
+  /// two standard errors of the difference.
   std::vector<std::size_t> equal;
   bool stopped = false;
 };
 
-/// Sorts finalists by cost and finds those that are not distinguishable from the first.
+/// Sorts the finalists by cost, and finds the finalists that are not distinguishable from the
+/// first.
 void rank(HybridAdvice& advice);
 
-/// Advice for the system of a run file. Results do not depend on the clock or on the number of
-/// threads.
-/// @throws Error  as check_hybrid()
+/// Chooses the step and trajectory length of hybrid Monte Carlo for the system of a run file.
+/// Results do not depend on the clock or on the number of threads.
+/// @throws Error  under the same conditions as check_hybrid()
 HybridAdvice advise_hybrid(const Config& config, const HybridAdviserSettings& settings = {},
                            const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 
-/// The answer in a sentence.
+/// The recommended settings in a sentence.
 std::string answer(const HybridAdvice& advice);
 
-/// The results as a list, from which text, JSON and the manual follow.
+/// The results of the search as a list, from which text, JSON and the manual are made.
 Quantities quantities(const HybridAdvice& advice);
 
 }  // namespace polhode

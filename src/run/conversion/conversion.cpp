@@ -43,7 +43,7 @@ void check_selection(const Conversion& c) {
                             c.first, c.last));
 }
 
-// Times in files are rounded, to floats or to some decimals.
+// Times in files are rounded to floats or to a few decimals.
 double slack(double time) { return 1e-6 * std::max(1.0, std::abs(time)); }
 
 struct Written {

@@ -14,27 +14,29 @@
 namespace polhode {
 
 struct Conversion {
-  std::string from, to;  ///< files, whose extensions are those of their formats
-  std::string names;  ///< file with the names of the atoms; empty: `from` has them, or `to` needs
-                      ///< none
-  std::optional<Topology> particles;  ///< each particle of `from` is one of these molecules
-  std::size_t every = 1;              ///< n: every n-th of the selected frames is written
-  double first = -std::numeric_limits<double>::infinity();  ///< earlier frames are skipped [ps]
-  double last = std::numeric_limits<double>::infinity();    ///< later frames are skipped [ps]
+  std::string from, to;  ///< paths of the files, whose extensions give the formats
+  std::string names;     ///< file with the names of the atoms; empty if `from` has names, or `to`
+                         ///< needs none
+  std::optional<Topology> particles;  ///< molecules, if each particle of `from` is one of them
+  std::size_t every = 1;              ///< n, if every n-th of the selected frames is written
+  double first = -std::numeric_limits<double>::infinity();  ///< first time; earlier frames are
+                                                            ///< skipped [ps]
+  double last =
+      std::numeric_limits<double>::infinity();  ///< last time; later frames are skipped [ps]
 };
 
 struct ConversionResult {
-  std::size_t frames = 0;    ///< that were written
-  bool interrupted = false;  ///< and no file was written
+  std::size_t frames = 0;    ///< number of frames that were written
+  bool interrupted = false;  ///< whether it was interrupted, so that no file was written
 };
 
-/// The molecules of a run file, for Conversion::particles.
+/// The molecules of a run file, for use as Conversion::particles.
 Topology molecules_of_run(const Config& config);
 
-/// Writes the selected frames to a file, whole or not at all. A message says if velocities are
-/// lost.
-/// @throws Error  if a format is not known or lacks names that the other needs, if no frame is
-///                selected, or as check_outputs()
+/// Writes the selected frames to a file, completely or not at all. A message reports if velocities
+/// are lost.
+/// @throws Error  if a format is not known or lacks names that the other format needs, if no frame
+///   is selected, or under the conditions of check_outputs()
 ConversionResult convert(const Conversion& conversion, const OutputOptions& options,
                          const Callbacks& callbacks = {});
 

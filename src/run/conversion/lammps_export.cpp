@@ -21,8 +21,8 @@
 namespace polhode {
 namespace {
 
-// Relative accuracy of the long-range forces of LAMMPS: its own errors are then below those of the
-// default accuracy of this program's mesh.
+// Relative accuracy of the long-range forces in LAMMPS. Their errors are then smaller than the
+// errors of polhode's mesh at its default accuracy.
 constexpr double kspace_accuracy = 1e-6;
 
 void check(const Config& config) {
@@ -65,12 +65,12 @@ bool has_mesh(const ForceSettings& settings) {
   return settings.electrostatics == Electrostatics::pme;
 }
 
-// The molecule file of a part.
+// The molecule file of a part of the topology.
 std::string molecule_file(const std::string& prefix, std::size_t part) {
   return fmt::format("{}-{}.molecule", prefix, part + 1);
 }
 
-// The pair laws as the script has them.
+// The pair laws as written in the script.
 struct PairCommands {
   std::string style, coefficients;
 };
@@ -95,12 +95,12 @@ PairCommands table_commands(const ForceSettings& settings, const LammpsTypes& ty
   return commands;
 }
 
-// A file besides the data file and the script.
+// A file other than the data file and the script.
 struct TextFile {
   std::string name, text;
 };
 
-// The sites of particles, and their types, which do not interact themselves.
+// The sites of particles, and the types of these sites, which do not interact by themselves.
 void add_particles(const Topology& topology, const LammpsTypes& types, const std::string& prefix,
                    PairCommands& pairs, std::vector<TextFile>& files) {
   for (std::size_t part = 0; part < topology.parts.size(); ++part) {
@@ -111,7 +111,8 @@ void add_particles(const Topology& topology, const LammpsTypes& types, const std
   }
 }
 
-/// @param files  to which those that the commands or the fix need are added
+/// Makes the pair commands of the script.
+/// @param files  list to which files are added that the commands or the fix need
 PairCommands pair_commands(const System& system, const LammpsTypes& types, LammpsPairStyle style,
                            const std::string& prefix, std::vector<TextFile>& files) {
   const bool particles = style == LammpsPairStyle::particles, mesh = has_mesh(system.forces);
@@ -131,7 +132,7 @@ PairCommands pair_commands(const System& system, const LammpsTypes& types, Lammp
   return pairs;
 }
 
-// The input script.
+// Makes the input script.
 class Script {
  public:
   Script(std::ostream& out, const Config& config, const System& system, const LammpsTypes& types,
@@ -202,7 +203,7 @@ class Script {
                std::round(config_.run.length / h) * static_cast<double>(evaluations));
   }
 
-  // LAMMPS does not know that particles rotate.
+  // LAMMPS itself does not know that particles rotate.
   std::string thermo() const {
     const std::string columns =
         "thermo_style custom step time temp epair ke etotal econserve press";
@@ -230,7 +231,8 @@ std::vector<std::string> export_to_lammps(const Config& config, LammpsPairStyle 
   const System system = build_system(config);
   note_molecules(system, callbacks);
   const LammpsTypes types(system.topology, system.forces.mixing.pairs.empty());
-  std::vector<TextFile> texts;  // made before any file, since a law can be refused
+  std::vector<TextFile> texts;  // these texts are made before any file, because a law may be
+                                // rejected
   PairCommands pairs;
   try {
     pairs = pair_commands(system, types, style, prefix, texts);

@@ -14,21 +14,23 @@
 
 namespace polhode {
 
-/// Which pair style computes the forces.
+/// The pair style that computes the forces in LAMMPS.
 enum class LammpsPairStyle {
-  table,      ///< pair_style table, with coul/long for the charges of the Ewald sum
-  kernel,     ///< pair_style polhode, of the plugin
-  particles,  ///< the same, with one particle a molecule
+  table,      ///< pair_style table, and coul/long for the charges of the Ewald sum
+  kernel,     ///< pair_style polhode of the plugin, with an atom for each site
+  particles,  ///< pair_style polhode of the plugin, with one particle for each molecule
 };
 template <>
 inline constexpr std::array<std::string_view, 3> enum_names<LammpsPairStyle> = {
     "table", "polhode", "polhode-particles"};
 
-/// Writes PREFIX.data, the system at its initial configuration, PREFIX.in, an input script that
-/// performs the run by fix polhode, and what the style needs: PREFIX.table, the pair laws as
-/// tables, or PREFIX-1.molecule and so on, the sites of particles.
-/// @return  the files
-/// @throws Error  if the run has what LAMMPS or the pair style cannot do, or as check_outputs()
+/// Exports a run to LAMMPS. PREFIX.data contains the system at its initial configuration. PREFIX.in
+/// is an input script that performs the run with fix polhode. Depending on the style, PREFIX.table
+/// contains the pair laws as tables, or PREFIX-1.molecule and similar files contain the sites of
+/// particles.
+/// @return  paths of the files
+/// @throws Error  if the run has features that LAMMPS or the pair style does not support, or under
+///   the conditions of check_outputs()
 std::vector<std::string> export_to_lammps(const Config& config, LammpsPairStyle style,
                                           const OutputOptions& options,
                                           const Callbacks& callbacks = {});

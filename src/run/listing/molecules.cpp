@@ -16,12 +16,13 @@
 namespace polhode {
 namespace {
 
-/// The dipole moment [D], 0 where only rounding errors remain of it.
+/// The dipole moment [D], or 0 if it is only round-off error.
 double dipole_in_debye(const Molecule& m) {
   return has_dipole(m) ? m.dipole() / unit("D", Dimension::dipole) : 0;
 }
 
-/// A charge [e]; those with few digits sum to zero only up to rounding, which is removed.
+/// A charge [e], rounded. Charges with few digits sum to zero only up to round-off, which is
+/// removed.
 double round_charge(double charge) { return std::abs(charge) < 1e-12 ? 0.0 : charge; }
 
 Quantities of_site(const Site& s) {
@@ -42,7 +43,8 @@ Quantities of_site(const Site& s) {
           row("law", lennard_jones ? "" : fmt::format("{}: {}", name(s.law), law))};
 }
 
-/// @param alone  rather than a row of a table
+/// A molecule as a list.
+/// @param alone  whether it is the only molecule, rather than a row of a table
 Quantities of_molecule(const Molecule& m, bool alone) {
   const auto label = [&](const char* text) { return alone ? text : ""; };
   std::vector<Quantities> sites;

@@ -10,15 +10,16 @@
 
 namespace polhode {
 
-/// The molecules that a name refers to: a model, or those of a molecule file, of a GROMACS topology
-/// or of a LAMMPS data file, each once; all models if the name is empty.
-/// @throws Error  if there is no such model, or a file cannot be read
+/// Finds the molecules to which a name refers. It may be the name of a model, or the path of a
+/// molecule file, a GROMACS topology or a LAMMPS data file. Each molecule is listed once. If the
+/// name is empty, all models are listed.
+/// @throws Error  if the model does not exist, or a file cannot be read
 std::vector<Molecule> find_molecules(const std::string& name);
 
 /// A molecule with its sites: lengths in nm, masses in u, charges in e, energies in kJ/mol.
 Quantities quantities(const Molecule& molecule);
 
-/// The same of each, as rows of a table.
+/// The sites of molecules as rows of a table.
 std::vector<Quantities> records(const std::vector<Molecule>& molecules);
 
 }  // namespace polhode

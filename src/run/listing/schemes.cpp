@@ -13,7 +13,8 @@
 namespace polhode {
 namespace {
 
-/// The flows in order: A for a drift, B for a kick, G for a gradient kick, O for a bath.
+/// The flows of a scheme in order, as letters: A for a drift, B for a kick, G for a gradient kick,
+/// O for a bath.
 std::string flows(const Scheme& scheme) {
   std::string letters;
   for (const Stage& s : scheme.stages()) letters += s.xi == 0 ? letter_of(s.flow) : 'G';
@@ -29,18 +30,20 @@ Quantities of_stage(const Stage& s) {
           {"gradient", "", gradient, "`exact`, `finite difference` or empty", "gradient"}};
 }
 
-/// "alpha 0.01, beta -0.02", "none", or that the scheme is not a palindrome.
+/// The error terms of a scheme as text: "alpha 0.01, beta -0.02", "none", or a note that the scheme
+/// is not a palindrome.
 std::string error_text(const Scheme& scheme) {
   if (!scheme.palindromic()) return "of order h in general: the scheme is not time-reversible";
   const ErrorTerms error = error_terms(scheme);
-  constexpr double rounding = 1e-14;  // of coefficients with 15 digits
+  constexpr double rounding = 1e-14;  // round-off of coefficients with 15 digits
   return (std::hypot(error.alpha, error.beta) < rounding
               ? "none"
               : fmt::format("alpha {:.6g}, beta {:.6g}", error.alpha, error.beta)) +
          (scheme.has(Flow::bath) ? ", of drifts and kicks alone" : "");
 }
 
-/// @param alone  rather than a row of a table
+/// A scheme as a list.
+/// @param alone  whether it is the only scheme, rather than a row of a table
 Quantities of_scheme(const Scheme& scheme, bool alone) {
   const auto label = [&](const char* text) { return alone ? text : ""; };
   std::vector<Quantities> stages;

@@ -20,7 +20,7 @@ std::vector<const Setting*> found(const std::string& name) {
   return all;
 }
 
-/// Where a run file has a setting; empty if it has its default.
+/// The place of a setting in the run file; empty if the setting has its default.
 std::string place_of(const Setting& one, const Config& config) {
   return config.gives(one.path()) ? config.place(one.path()) : "";
 }

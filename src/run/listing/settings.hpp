@@ -9,12 +9,12 @@
 namespace polhode {
 
 /// Settings with their values in a run, their defaults and meanings.
-/// @param name    path or key of a setting, or a table; empty: all
-/// @param config  whose values to state; null: none
-/// @throws Error  if there is no such setting or table, with the nearest names
+/// @param name    path or key of a setting, or a table; empty for all settings
+/// @param config  configuration whose values are listed; null for none
+/// @throws Error  if the setting or table does not exist; the message gives the most similar names
 std::string settings_text(const std::string& name, const Config* config);
 
-/// The same as a JSON array.
+/// Settings with their values, defaults and meanings, as a JSON array.
 std::string settings_json(const std::string& name, const Config* config);
 
 }  // namespace polhode

@@ -11,21 +11,23 @@ namespace polhode {
 struct Verification {
   NestedScheme scheme;
   OrderMeasurement measured;
-  int declared = 0;  ///< order to compare with; 0: none is known
+  int declared = 0;  ///< order with which the measured order is compared; 0 if none is known
 
-  /// The error of a symmetric scheme is C hᵏ + O(hᵏ⁺²): the slope differs from k by O(h²), here
-  /// less than 0.1.
+  /// Whether the measured order agrees with the declared order. The error of a symmetric scheme is
+  /// C hᵏ + O(hᵏ⁺²), so the slope differs from k by O(h²), which is less than 0.1 here.
   bool holds() const;
 };
 
-/// @param order   expected order; 0: that of the table
-/// @param lambda  of finite-difference gradients
+/// Measures the order of a scheme.
+/// @param order   expected order; 0 for the order in the table
+/// @param lambda  displacement factor λ of finite-difference gradients
 Verification verify(const NamedScheme& scheme, int order = 0, double lambda = 1e-4);
 
+/// Checks the option for lambda.
 /// @throws Error  if lambda has no effect on the scheme
 void check_lambda(const NestedScheme& scheme);
 
-/// The results as a list, from which text, JSON and the manual follow.
+/// The results of a verification as a list, from which text, JSON and the manual are made.
 Quantities quantities(const Verification& verification);
 
 }  // namespace polhode

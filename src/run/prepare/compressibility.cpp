@@ -11,10 +11,12 @@ namespace polhode {
 namespace {
 
 constexpr double max_relative_error = 0.5, min_relaxations = 8;
-constexpr double growth = 4, max_growth = 16;  // of the default, while it is not known
-constexpr double far = 2;                      // standard deviations of the volume
+constexpr double growth = 4, max_growth = 16;  // growth per stage and maximum, relative to the
+                                               // default, while the compressibility is not known
+constexpr double far = 2;                      // number of standard deviations of the volume
 
-// Between ice and a gas at a few bar, in units of the default, that of water.
+// These values are between ice and a gas at a few bar, in units of the default, which is the
+// compressibility of water.
 constexpr double least = 0.1, most = 1000;
 
 }  // namespace

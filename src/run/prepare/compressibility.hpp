@@ -8,20 +8,21 @@
 
 namespace polhode {
 
-/// The isothermal compressibility from the fluctuations of the volume in a stage [nm³ mol/kJ]. It
-/// is known if its standard error is at most half of it, the stage has eight relaxation times of
-/// the volume (whose variance then has a relative error of a half), and the volume does not drift:
-/// one that still relaxes varies for another reason.
-/// @param length  of the stage [ps]
+/// The isothermal compressibility from the volume fluctuations in a stage [nm³ mol/kJ]. It is known
+/// only if its standard error is at most half of its value, and if the volume does not drift,
+/// because a relaxing volume varies for another reason. The stage must also have eight relaxation
+/// times of the volume, so that the variance has a relative error of 1/2.
+/// @param length  length of the stage [ps]
 SeriesEstimate measured_compressibility(const EnergyStatistics& energies,
                                         const BarostatSettings& barostat, double length, double kT);
 
-/// The compressibility for the moves of the next stage [nm³ mol/kJ]: the measured one if it is
-/// known. If it is not, and the volume drifts by more than it would fluctuate with the present one,
-/// moves are too small, and the next compressibility is four times as large, within bounds. Moves
-/// sample the same distribution with any.
-/// @param barostat  of this stage
-/// @param length    of this stage [ps]
+/// The compressibility that sets the size of moves in the next stage [nm³ mol/kJ]. It is the
+/// measured compressibility if this is known. Otherwise the present value is used, unless the
+/// volume drifts by more than the fluctuations that this value implies. Moves are then too small,
+/// and the next value is four times as large, within bounds. The sampled distribution does not
+/// depend on this value.
+/// @param barostat  settings of the barostat in this stage
+/// @param length    length of this stage [ps]
 double next_compressibility(const EnergyStatistics& energies, const BarostatSettings& barostat,
                             double length, double kT);
 

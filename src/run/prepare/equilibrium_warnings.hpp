@@ -10,10 +10,10 @@
 
 namespace polhode {
 
-/// A volume that still changes by more than half a percent.
+/// A warning if the volume still changes by more than 0.5 %.
 std::optional<Warning> density_warning(const Drift& slope, double length, double volume);
 
-/// A mean pressure from which the density will still change by more than half a percent.
+/// A warning if the mean pressure shows that the density will still change by more than 0.5 %.
 std::optional<Warning> pressure_warning(const SeriesEstimate& pressure,
                                         const BarostatSettings& barostat);
 

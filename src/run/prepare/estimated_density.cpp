@@ -9,13 +9,13 @@ namespace polhode {
 namespace {
 
 constexpr double packing = 0.45;
-constexpr double spacing = 0.01;  // of the points that are counted [nm]
+constexpr double spacing = 0.01;  // spacing of the grid points that are counted [nm]
 
 bool covers(const Site& site, const Vec3<double>& r) {
   return site.has_short_range() && norm2(r - site.r) <= site.sigma * site.sigma / 4;
 }
 
-/// Of the spheres of a molecule, without their overlap [nm³].
+/// The volume of the spheres of a molecule, without their overlap [nm³].
 double volume_of(const Molecule& molecule) {
   double reach = 0;
   for (const Site& site : molecule.sites)

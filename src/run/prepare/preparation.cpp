@@ -34,23 +34,25 @@ namespace polhode {
 namespace {
 
 constexpr MinimisationSettings bounds{.force = 100, .torque = 10};
-constexpr double friction = 5;                             // of the Langevin thermostat [1/ps]
-constexpr double first_step = 0.001, max_step = 0.002;     // [ps]
-constexpr std::uint64_t streams = std::uint64_t{1} << 40;  // of derived seeds: others use less
+constexpr double friction = 5;                             // friction of the Langevin thermostat
+                                                           // [1/ps]
+constexpr double first_step = 0.001, max_step = 0.002;     // time steps [ps]
+constexpr std::uint64_t streams = std::uint64_t{1} << 40;  // number of derived seeds; other uses
+                                                           // need fewer
 
 double kg_per_m3(double density) { return density / unit("kg/m3", Dimension::density); }
 
-/// A part of a stage, with its own random numbers and statistics.
+/// A part of a stage, with separate random numbers and statistics.
 struct Stage {
   const char* name;
-  double length;  ///< [ps]
+  double length;  ///< length [ps]
   bool constant_pressure;
 };
 
 std::vector<Stage> stages_of(const Config& config) {
   const PreparationSettings& p = config.prepare;
   std::vector<Stage> stages = {{"NVT", p.nvt / 2, false}, {"NVT", p.nvt / 2, false}};
-  if (config.ensemble.barostat)  // the moves of the barostat adapt after each part
+  if (config.ensemble.barostat)  // barostat moves adapt after each part
     for (const double part : {8, 8, 4, 2}) stages.push_back({"NPT", p.npt / part, true});
   std::erase_if(stages, [](const Stage& stage) { return stage.length < 2 * max_step; });
   if (stages.empty())
@@ -73,7 +75,8 @@ struct PreparationFiles {
   std::vector<std::string> all() const { return {state, checkpoint, run_file}; }
 };
 
-/// What must be the same for a preparation to resume: the run of its system, and its stages.
+/// The identity of a preparation, which must be the same when it is resumed: the run of its system,
+/// and its stages.
 std::string identity_of(const Config& config, const System& system) {
   const std::string run = run_identity(config, system);
   const std::string stages = fmt::format("prepare.nvt = {:.12g} ps\nprepare.npt = {:.12g} ps\n",
@@ -81,8 +84,8 @@ std::string identity_of(const Config& config, const System& system) {
   return text_hash(run + stages) + run.substr(run.find('\n')) + stages;
 }
 
-/// A run at constant energy keeps the energy of its start, and with the mean of the canonical
-/// distribution it has the temperature of the thermostat: momenta are scaled to it.
+/// Scales momenta so that the total energy is the canonical mean. A run at constant energy then has
+/// the temperature of the thermostat.
 void set_energy(System& system, double mean_total, Workers& workers) {
   State& state = system.state;
   ForceField forces(system.topology, system.forces, state.box, workers);
@@ -133,7 +136,7 @@ class Preparation {
   PreparationFiles files_;
   std::string identity_;
   PreparationProgress progress_{.step = first_step};
-  RunState at_;  // of the last checkpoint
+  RunState at_;  // state at the last checkpoint
   bool resumes_ = false;
 };
 
@@ -167,7 +170,7 @@ TrajectorySettings Preparation::settings_of(std::size_t stage) const {
   return settings;
 }
 
-// The checkpoint to resume from, if requested and if there is one.
+// Finds the checkpoint from which to resume, if this is requested and there is a checkpoint.
 bool Preparation::find_checkpoint() {
   const bool resumes = options_.existing == ExistingFiles::resume;
   const bool exists = std::filesystem::exists(files_.checkpoint);
@@ -196,6 +199,7 @@ void Preparation::save(RunState at) {
       this_program());
 }
 
+/// Begins the preparation.
 /// @return  false if it was interrupted
 bool Preparation::begin(System& system) {
   progress_.minimisation = minimise(system, bounds, watch_of(callbacks_), workers_);
@@ -245,7 +249,8 @@ Trajectory Preparation::run(System& system, const TrajectorySettings& settings) 
   return trajectory;
 }
 
-/// Forces are those of a liquid now, and at constant pressure the volume has changed.
+/// Sets up the next stage. The forces now have the size usual in a liquid, and at constant pressure
+/// the volume has changed.
 void Preparation::set_up_next(const System& system, const TrajectorySettings& settings,
                               const Trajectory& trajectory) {
   constexpr double tenth_of_fs = 1e-4;
@@ -264,6 +269,7 @@ void Preparation::set_up_next(const System& system, const TrajectorySettings& se
       std::clamp(std::floor(stable / tenth_of_fs) * tenth_of_fs, tenth_of_fs, max_step);
 }
 
+/// Runs a stage.
 /// @return  false if it was interrupted
 bool Preparation::run_stage(System& system) {
   const TrajectorySettings settings = settings_of(progress_.stage);
@@ -283,7 +289,8 @@ bool Preparation::run_stage(System& system) {
   return true;
 }
 
-/// The last checkpoint has the final state, and all samples of the last stage.
+/// Writes the results. The last checkpoint contains the final state, and all samples of the last
+/// stage.
 void Preparation::finish(System& system, const Trajectory& trajectory) {
   if (!config_.ensemble.thermostat && !config_.ensemble.hybrid_monte_carlo)
     set_energy(system, trajectory.statistics.energies.total(), workers_);
@@ -295,7 +302,7 @@ void Preparation::finish(System& system, const Trajectory& trajectory) {
   save(std::move(last));
 }
 
-/// From the last checkpoint.
+/// Computes the properties from the last checkpoint.
 PreparedProperties Preparation::properties(System& system) const {
   const TrajectorySettings settings = settings_of(stages_.size() - 1);
   ForceField forces(system.topology, system.forces, system.state.box, workers_);
@@ -331,7 +338,8 @@ void Preparation::write_files(const System& system, PreparationReport& report) {
   if (report.compressibility > 0)
     config_.ensemble.barostat->compressibility = report.compressibility;
   const auto write = [&](const std::string& file, const auto& text) {
-    // Those of a preparation that had ended: the user may have edited the run file.
+    // These are the properties of a preparation that had ended, because the user may have edited
+    // the run file.
     if (options_.existing == ExistingFiles::resume && std::filesystem::exists(file)) return;
     write_file(file, text);
   };

@@ -28,7 +28,7 @@ constexpr const char* no_equilibrium =
     "a replica has reached no equilibrium; if longer runs do not help, the state is a crystal, a "
     "glass or two phases";
 
-/// Averages in equilibrium, a run for each replica.
+/// The averages in equilibrium, with one run for each replica.
 std::vector<BlockMeans> averages_of(const PointData& data) {
   std::vector<BlockMeans> runs;
   for (const Replica& replica : data.replicas) {
@@ -53,7 +53,8 @@ std::vector<StepResponse> responses_of(const PointData& data) {
   return runs;
 }
 
-/// Dynamics: a run for each replica, or one of all segments while the replicas are short.
+/// The dynamics, with one run for each replica, or a single run of all segments while the replicas
+/// are short.
 std::vector<BlockMeans> dynamics_of(const PointData& data) {
   std::vector<BlockMeans> runs;
   std::vector<BlockMeans::Block> all;
@@ -107,7 +108,7 @@ double edge_of(const PointData& data) {
   return data.replicas.empty() ? 0 : sum / static_cast<double>(data.replicas.size());
 }
 
-/// Lines are fitted from a third of the longest lag on.
+/// The window for fits of lines, which begins at a third of the longest lag.
 FitWindow fit_window(double interval) {
   const double longest = interval * static_cast<double>(lags - 1);
   return {longest / 3, longest};
@@ -126,7 +127,8 @@ double slope_between(Means correlation, double interval, const FitWindow& window
 
 double viscosity_of(Means flux, double interval, const FitWindow& window, double volume,
                     double kT) {
-  // Five components over two bodies: the sum of their mean squares grows as 10 kT η t/V.
+  // The five components are distributed over two bodies. The sum of their mean squares grows as 10
+  // kT η t/V.
   return 2 * slope_between(flux, interval, window) * volume / (10 * kT);
 }
 
@@ -149,7 +151,8 @@ class Dynamics {
     m.value = scaled(m.value, 1 / unit("mPa s", Dimension::viscosity));
   }
 
-  /// With the finite-size correction, whose error is correlated with that of the slope.
+  /// Computes the diffusion coefficient with the finite-size correction, whose error is correlated
+  /// with the error of the slope.
   void diffusion(MeasuredProperty& m) const {
     const FitWindow window = fit_window(interval_);
     estimate(m, [this](Means all, const FitWindow& fit) { return D(all, fit); });
@@ -161,7 +164,7 @@ class Dynamics {
     m.value = scaled(m.value, 1 / nm2_per_ns);
   }
 
-  /// Of the slowest axis.
+  /// Computes the relaxation time of the slowest axis.
   void relaxation(MeasuredProperty& m) const {
     for (const auto& axes : which_.rotation)
       for (const std::size_t axis : axes) {
@@ -196,7 +199,7 @@ class Dynamics {
       }
     return BlockMeans(std::move(blocks));
   }
-  /// A slope, and whether it is the same in both halves of the window.
+  /// Computes a slope, and checks whether it is the same in both halves of the window.
   template <class Slope>
   void estimate(MeasuredProperty& m, const Slope& slope) const {
     const FitWindow window = fit_window(interval_);
@@ -314,7 +317,7 @@ std::vector<EquilibrationTrace> traces_of(const PointData& data) {
   return traces;
 }
 
-/// The mean-square displacement of each kind of molecule, and that of the momentum flux.
+/// The mean-square displacement of each kind of molecule, and of the integrated momentum flux.
 std::vector<MeasuredCurve> curves_of(const PointData& data) {
   const std::vector<BlockMeans> runs = dynamics_of(data);
   if (runs.empty() || runs.front().empty()) return {};
@@ -324,7 +327,8 @@ std::vector<MeasuredCurve> curves_of(const PointData& data) {
   const auto curve = [&](std::string title, std::string in, std::size_t correlation,
                          double factor) {
     MeasuredCurve c{std::move(title), std::move(in), {}, {}};
-    constexpr std::size_t every = 8;  // lags: fewer points than a figure can show
+    constexpr std::size_t every = 8;  // every eighth lag is kept, because a figure cannot show more
+                                      // points
     for (std::size_t k = 0; k < length; k += every) {
       c.time.push_back(static_cast<double>(k) * interval);
       c.value.push_back(

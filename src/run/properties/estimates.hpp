@@ -9,7 +9,7 @@
 
 namespace polhode {
 
-/// All replicas of a state point, and what their system is.
+/// The data of all replicas of a state point, with a description of their system.
 struct PointData {
   const Topology& topology;
   const Mixing& mixing;
@@ -20,13 +20,13 @@ struct PointData {
 /// Whether each replica has at least as many segments in equilibrium as before it.
 bool in_equilibrium(const PointData& data);
 
-/// A property with its error; not known before there is enough data.
+/// Estimates a property with its error. The error is not known until there is enough data.
 MeasuredProperty estimate(const RequestedProperty& request, const PointData& data);
 
-/// Conditions, lengths, steps and curves; without properties.
+/// The conditions, lengths, steps and curves of a state point, without its properties.
 MeasuredPoint described(const PointData& data);
 
-/// The property from the first parts of the data.
+/// Estimates of the property from increasing parts of the data.
 std::vector<SeriesEstimate> stages_of(const RequestedProperty& request, const PointData& data);
 
 }  // namespace polhode

@@ -29,11 +29,12 @@
 namespace polhode {
 namespace {
 
-/// Segments of each replica before the first decision, so that errors are known; then lengths grow
-/// by a factor: to decide more often would favour errors that are small by chance.
+/// Numbers of segments of each replica before the first decision, which are enough for errors to be
+/// known. After each decision, lengths grow by a constant factor, because frequent decisions would
+/// favour errors that are small by chance.
 constexpr std::size_t first_averages = 24, first_dynamics = 4;
 constexpr double growth = 1.5;
-/// Segments after which a replica without equilibrium is not continued.
+/// Number of segments after which a replica that has not reached equilibrium is not continued.
 constexpr std::size_t max_equilibration = 600;
 /// Records are written no more often: a segment of a small system takes milliseconds [s].
 constexpr double writing_interval = 2;
@@ -42,13 +43,13 @@ struct Target {
   std::size_t averages = 0, dynamics = 0;
 };
 
-/// Segments of each kind that a replica needs at least.
+/// Whether a replica has the segments of a target.
 bool has(const Replica& replica, const Target& target) {
   return replica.prepared() && replica.averages.size() >= target.averages &&
          replica.dynamics.size() >= target.dynamics;
 }
 
-/// What all replicas of a state point have in common.
+/// Data that all replicas of a state point share.
 struct PointSystem {
   ReplicaSettings common;
   Topology topology;
@@ -66,7 +67,8 @@ struct PointSystem {
         text_hash(polhode::identity(config, build_system(lattice), {at.temperature, at.pressure}));
   }
 
-  /// A third of the smallest relative error that is requested of an average; 0.1 % otherwise.
+  /// The maximum time-step bias: a third of the smallest relative error requested for an average,
+  /// or 0.1 % if none is requested.
   static double max_bias(const MeasureSettings& settings) {
     double bound = 0.001;
     for (const RequestedProperty& p : settings.properties)
@@ -76,7 +78,7 @@ struct PointSystem {
   }
 };
 
-/// Does the next piece of work that a replica needs.
+/// Performs the next piece of work of a replica.
 /// @return  false if it was stopped
 bool extend_by_one(Replica& replica, const Target& target, const ReplicaSettings& settings) {
   if (!replica.prepared()) return prepare(replica, settings);
@@ -162,7 +164,7 @@ class PointMeasurement {
   PointSystem system_;
   std::vector<Replica> replicas_;
   std::mutex guard_;
-  std::size_t done_ = 0, planned_ = 0;  // pieces of work of this round
+  std::size_t done_ = 0, planned_ = 0;  // pieces of work in this round: done and planned
 };
 
 std::vector<std::string> PointMeasurement::files() const {
@@ -231,7 +233,8 @@ void PointMeasurement::extend(Replica& replica, const Target& target) {
   if (!written) write(replica);
 }
 
-/// The same by an executor, a few segments at a time, so that little is lost if it is killed.
+/// Extends replicas by an executor, a few segments at a time, so that little is lost if the
+/// executor is killed.
 void PointMeasurement::execute(const Target& target) {
   constexpr std::size_t at_once = 8;
   while (!stopped()) {
@@ -273,8 +276,8 @@ void PointMeasurement::extend(const Target& target) {
     workers_.each(replicas_.size(), [&](std::size_t k) { extend(replicas_[k], target); });
 }
 
-/// The replicas as they were at a target, on which decisions are made: a resumed measurement makes
-/// those of one that was never stopped.
+/// The replicas, cut to the lengths of a target. Decisions are based on these lengths, so a resumed
+/// measurement makes the same decisions as an uninterrupted one.
 std::vector<Replica> PointMeasurement::first_of(const Target& target) const {
   std::vector<Replica> first = replicas_;
   for (Replica& replica : first) {

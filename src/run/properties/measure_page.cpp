@@ -47,7 +47,7 @@ std::string table_of(const MeasuredPoint& point) {
          rows + "</table></div>\n";
 }
 
-/// How a value has converged, against the share of the data.
+/// A figure of the convergence of a value with the amount of data.
 std::string convergence(const MeasuredProperty& m) {
   SvgCurve curve;
   for (std::size_t k = 0; k < m.stages.size(); ++k) {

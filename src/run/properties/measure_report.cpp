@@ -10,7 +10,7 @@
 namespace polhode {
 namespace {
 
-/// What is included in a value, and why it may not be what was asked for.
+/// Remarks on a value: the corrections that it includes, and why it may not meet the request.
 std::string remarks(const MeasuredProperty& m) {
   std::string text;
   const auto add = [&](const std::string& remark) { text += (text.empty() ? "" : "; ") + remark; };

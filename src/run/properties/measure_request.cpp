@@ -20,11 +20,11 @@
 namespace polhode {
 namespace {
 
-constexpr std::uint64_t usual_molecules = 256;  // of a pure substance
+constexpr std::uint64_t usual_molecules = 256;  // default number of molecules of a pure substance
 constexpr std::uint64_t max_molecules = 1'000'000, max_replicas = 1000;
-constexpr double max_cutoff = 0.9;  // [nm]
+constexpr double max_cutoff = 0.9;  // maximum cutoff [nm]
 
-/// A model with its number of molecules; 0: not given.
+/// A model with its number of molecules; 0 if the number is not given.
 struct Component {
   std::string model;
   std::uint64_t count = 0;
@@ -35,7 +35,7 @@ bool is_number(std::string_view word) {
          std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// "spce 488" of "spce 488, na-spce 12".
+/// Parses the components of a system, such as "spce 488" in "spce 488, na-spce 12".
 std::vector<Component> components_of(const std::string& system) {
   std::vector<Component> list;
   std::size_t at = 0;
@@ -64,7 +64,7 @@ bool is_run_file(const std::string& path) {
   return text.find("[system]") != text.npos;
 }
 
-/// The settings of a run of these molecules alone.
+/// The settings of a run with only these molecules.
 Config config_of(const std::string& system, const Given& molecules) {
   std::vector<Component> components = components_of(system);
   const std::uint64_t default_count =
@@ -96,7 +96,7 @@ Config config_of(const std::string& system, const Given& molecules) {
   return config;
 }
 
-/// "2/8": the second of eight.
+/// Parses a shard, such as "2/8" for the second of eight.
 Shard shard_of(const Given& given) {
   const auto slash = given.text.find('/');
   if (slash == given.text.npos) refuse(given, "must be a part of a number of parts, \"2/8\"");
@@ -107,7 +107,7 @@ Shard shard_of(const Given& given) {
   return {index - 1, count};
 }
 
-/// An error as a fraction, or in the unit of the property.
+/// Parses the requested error of a property, which is a fraction or has the unit of the property.
 RequestedProperty with_error(const Property& property, const std::string& text) {
   RequestedProperty request{&property};
   const std::string unit = property.unit;

@@ -11,24 +11,25 @@
 namespace polhode {
 
 struct MeasureRequest {
-  /// A run file, a molecule file, the name of a model, or several of these with their numbers,
-  /// "spce 488, na-spce 12, cl-spce 12".
+  /// The system: a run file, a molecule file, the name of a model, or several models with their
+  /// numbers, such as "spce 488, na-spce 12, cl-spce 12".
   std::string system;
-  /// Names of properties, each of which may be followed by its error: "density", "0.1 %".
+  /// Names of properties. Each may be followed by the requested error, as in "density", "0.1 %".
   std::vector<std::string> properties;
   Given at, molecules, replicas, shard, time_limit, seed, output;
 
   static std::vector<RequestOption<MeasureRequest>> options();
   std::string prefix() const { return output ? output.text : "measure"; }
-  /// @throws Error  naming the option or the word
+  /// The settings that the request describes.
+  /// @throws Error  if an option or word is invalid; the message names it
   MeasureSettings settings() const;
 };
 
-/// What the words of a request are, with the names of all properties.
+/// Help text on the words of a request, with the names of all properties.
 std::string properties_help();
 
-/// The properties with their errors; 1 % where none is given.
-/// @throws Error  naming the word
+/// Parses properties with their requested errors; the default error is 1 %.
+/// @throws Error  if a word is invalid; the message names it
 std::vector<RequestedProperty> requested_properties(const std::vector<std::string>& words);
 
 }  // namespace polhode

@@ -21,7 +21,8 @@ using Means = std::span<const double>;
 double kT(const Conditions& c) { return units::boltzmann * c.at.temperature; }
 double per_molecule(double x, const Conditions& c) { return x / static_cast<double>(c.molecules); }
 
-/// Of the configurational part U + pV of the enthalpy, whose kinetic part is independent.
+/// The covariance of the volume with the configurational part U + pV of the enthalpy. The kinetic
+/// part is independent of the volume.
 double covariance_with_volume(Means m, const Conditions& c) {
   return m[potential_by_volume] - m[potential] * m[volume] +
          c.at.pressure * (m[volume_squared] - m[volume] * m[volume]);

@@ -20,49 +20,51 @@ inline constexpr double nm2_per_ns = 1e-3;                     ///< 1e-9 m²/s [
 
 /// Quantities of the whole system that are averaged at constant pressure.
 enum AverageOf : std::size_t {
-  potential,  ///< U [kJ/mol]
-  volume,     ///< V [nm³]
+  potential,  ///< potential energy U [kJ/mol]
+  volume,     ///< volume V [nm³]
   potential_squared,
   volume_squared,
   potential_by_volume,
-  dipole_squared,  ///< M² [e² nm²]
+  dipole_squared,  ///< squared total dipole moment M² [e² nm²]
   averages_count
 };
 
-/// What the value of a property depends on besides its averages.
+/// The conditions on which the value of a property depends, besides its averages.
 struct Conditions {
   StatePoint at;
   std::size_t molecules = 0;
-  double mass = 0;                ///< of all [u]
-  double degrees_of_freedom = 0;  ///< of all motions
+  double mass = 0;                ///< total mass [u]
+  double degrees_of_freedom = 0;  ///< degrees of freedom of all motions
 };
 
-/// The runs that a property is measured in.
+/// The kind of run in which a property is measured.
 enum class MeasuredIn {
-  averages,  ///< constant temperature and pressure
-  dynamics,  ///< the density found there, with a weak rescaling of all momenta
-  pair       ///< none: an integral over two molecules
+  averages,  ///< runs at constant temperature and pressure
+  dynamics,  ///< runs at the density found there, with a weak rescaling of all momenta
+  pair       ///< no run: an integral over two molecules
 };
 
 struct Property {
-  const char* name;  ///< "heat-capacity"
-  const char* unit;  ///< "J/mol/K"
+  const char* name;  ///< name, such as "heat-capacity"
+  const char* unit;  ///< unit, such as "J/mol/K"
   MeasuredIn measured_in;
-  const char* definition;    ///< a sentence
+  const char* definition;    ///< definition in a sentence
   const char* sources;       ///< keys of docs/references.bib
-  bool of_dipoles = false;   ///< whether molecules must have a dipole, and PME
+  bool of_dipoles = false;   ///< whether molecules must have a dipole moment, and electrostatics
+                             ///< must be PME
   bool of_rotation = false;  ///< whether molecules must rotate
-  /// From the means of averages, in `unit`; empty for other properties.
+  /// Computes the value in `unit` from the means of averages; null for properties of other runs.
   double (*value)(std::span<const double> means, const Conditions& conditions) = nullptr;
 };
 
 /// All properties, in the order of results.
 std::span<const Property> properties();
 
-/// @throws Error  with a suggestion, if there is none of this name
+/// Finds a property by its name.
+/// @throws Error  if there is none of this name; the message suggests one
 const Property& property(std::string_view name);
 
-/// Why a system does not have a property; empty if it has.
+/// The reason why a system does not have a property; empty if it has the property.
 std::string why_not(const Property& property, const Topology& topology, bool has_mesh);
 
 }  // namespace polhode

@@ -31,16 +31,17 @@
 namespace polhode {
 namespace {
 
-// Random numbers: of the preparation, of averages, of dynamics.
+// Streams of random numbers for the preparation, for averages and for dynamics.
 enum Stream : std::uint64_t { preparing = 0, averaging = 1u << 20, moving = 2u << 20 };
 
 constexpr MinimisationSettings relaxed{.force = 100, .torque = 10};
-constexpr double first_step = 0.001;  // of the preparation [ps]
-constexpr double tenth_of_fs = 1e-4;  // [ps]
-constexpr double max_ratio = 0.015;   // R of the segments
-constexpr double evaporated = 0.3;    // of the estimated density of a liquid: no liquid is so thin
+constexpr double first_step = 0.001;  // first step of the preparation [ps]
+constexpr double tenth_of_fs = 1e-4;  // 0.1 fs [ps]
+constexpr double max_ratio = 0.015;   // maximum R of the segments
+constexpr double evaporated = 0.3;    // largest density that cannot be a liquid, relative to the
+                                      // estimated density of the liquid
 
-/// A system at a state, with its random numbers.
+/// A system at a state point, with its random numbers.
 class Chain {
  public:
   Chain(const ReplicaSettings& settings, std::uint64_t index)
@@ -69,13 +70,14 @@ class Chain {
     return t;
   }
 
-  /// A trajectory that may blow up or be stopped.
+  /// Runs a trajectory that may blow up or be stopped.
   Trajectory attempt(const TrajectorySettings& t, Watch watch = {}) {
     watch.stop = settings_.stop;
     ForceField forces(system_->topology, system_->forces, system_->state.box);
     return run_trajectory(*system_, forces, t, watch);
   }
-  /// @return  nothing if it was stopped
+  /// Runs a trajectory.
+  /// @return  the trajectory; empty if it was stopped
   std::optional<Trajectory> run(const TrajectorySettings& t, Watch watch = {}) {
     Trajectory done = attempt(t, std::move(watch));
     if (!done.failure.empty())
@@ -106,17 +108,19 @@ BarostatSettings barostat(const ReplicaSettings& settings, double compressibilit
   return b;
 }
 
-/// A part of the preparation.
+/// A stage of the preparation.
 struct Stage {
   std::size_t steps;
   double heat = 1;  ///< temperature relative to that of the state point
   bool has_barostat = false;
 };
-/// The second melts the lattice: near the melting point a crystal would survive the others.
+/// The second stage melts the lattice. Near the melting point, a crystal would survive the other
+/// stages.
 constexpr std::array stages = {Stage{500},           Stage{2500, 2.5},     Stage{2500},
                                Stage{2500, 1, true}, Stage{2500, 1, true}, Stage{5000, 1, true}};
 
-/// @throws RunError  if the density is that of no liquid
+/// Checks that the system is a liquid.
+/// @throws RunError  if the density is too low for a liquid
 void check_liquid(Chain& chain) {
   const System& system = chain.system();
   const double density = system.topology.mass() / system.state.box.volume();
@@ -127,7 +131,8 @@ void check_liquid(Chain& chain) {
         chain.settings().at.text(), density / unit("kg/m3", Dimension::density)));
 }
 
-/// Constant volume, then constant pressure, with moves of the box that adapt.
+/// Relaxes a replica at constant volume, and then at constant pressure with adaptive barostat
+/// moves.
 bool relax(Chain& chain, Replica& replica) {
   System& system = chain.system();
   const ReplicaSettings& settings = chain.settings();
@@ -148,14 +153,15 @@ bool relax(Chain& chain, Replica& replica) {
       replica.compressibility =
           next_compressibility(done->statistics.energies, *t.ensemble.barostat, length, kT);
     check_liquid(chain);
-    // In a thin gas forces say nothing about collisions, so the step does not grow any more.
+    // In a dilute gas the forces give no information about collisions, so the step does not grow
+    // any more.
     const double stable = rounded(chain.max_stable_step(t) / 4);
     step = stream == preparing + 1 ? stable : std::min(step, stable);
   }
   return true;
 }
 
-/// hoa2 with a bath at the ends of its steps.
+/// The scheme hoa2 with a bath at the ends of its steps.
 Scheme with_ends() { return with_bath(scheme_of("hoa2"), BathPlace::ends, "hoa2 with a bath"); }
 
 TrajectorySettings averages_of(const Chain& chain, const Replica& replica, double step,
@@ -169,8 +175,9 @@ TrajectorySettings averages_of(const Chain& chain, const Replica& replica, doubl
   return t;
 }
 
-/// Half of the maximum stable step, or a shorter one with which R and the predicted bias of the
-/// potential energy stay below their bounds. Both grow as the square of the step.
+/// Chooses the time step: half of the maximum stable step, or a shorter step at which R and the
+/// predicted bias of the potential energy are below their bounds. Both grow as the square of the
+/// step.
 bool choose_step(Chain& chain, Replica& replica) {
   constexpr std::uint64_t trials = 8;
   constexpr double shorter = 1.5;
@@ -193,7 +200,8 @@ bool choose_step(Chain& chain, Replica& replica) {
     } else {
       chain.system().state = start;
     }
-    step = rounded(step / std::min(shorter, std::sqrt(beyond)));  // far beyond, R grows faster
+    step = rounded(step /
+                   std::min(shorter, std::sqrt(beyond)));  // far beyond the bound, R grows faster
   }
   replica.step = step;
   return true;
@@ -244,7 +252,7 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings) {
   constexpr std::size_t samples_of_part = steps_of_averages / steps_of_sample / parts_of_averages;
   if (!replica.averages.empty()) segment.response.first = replica.averages.front().response.first;
   const auto sample = [&](std::size_t steps, const State& state, const Energies& now) {
-    if (steps == 0) return;  // the last sample of the segment before
+    if (steps == 0) return;  // the last sample of the segment before it
     const double U = now.potential(), V = now.volume;
     const std::array<double, averages_count> x{U,     V,     U * U,
                                                V * V, U * V, norm2(total_dipole(state, system))};
@@ -280,7 +288,7 @@ bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t
                        replica.step * static_cast<double>(steps_of_lags * windows_in_segment),
                        moving + replica.dynamics.size());
   t.ensemble.thermostat = Rescaling{std::max(2.0, 500 * replica.step)};
-  constexpr std::size_t every = 2, frame = steps_of_lags / lags / every;  // in samples
+  constexpr std::size_t every = 2, frame = steps_of_lags / lags / every;  // intervals in samples
   t.sample = every * replica.step;
   Displacement displacement(system.topology, lags);
   Reorientation rotation(system.topology, lags);

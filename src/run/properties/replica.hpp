@@ -17,68 +17,77 @@
 
 namespace polhode {
 
-/// A part of the run at constant temperature and pressure.
+/// A segment of the run at constant temperature and pressure.
 struct AveragesSegment {
-  BlockMeans::Block sums;  ///< of the averages, AverageOf, with the number of samples
+  BlockMeans::Block sums;  ///< sums of the averages in the order of AverageOf, and the number of
+                           ///< samples
   /// Means of U and of V in parts of the segment, from which the end of equilibration is found.
   std::vector<double> potentials{}, volumes{};
-  StepResponse response;  ///< of the same, in one block
+  StepResponse response;  ///< time-step response of the same averages, in one block
 };
 
-/// Correlation functions of dynamics, one after the other in the sums of a segment, `lags` each.
+/// Indices of the correlation functions of dynamics. The functions are one after the other in the
+/// sums of a segment, with `lags` values each.
 struct CorrelationsOfDynamics {
   explicit CorrelationsOfDynamics(const Topology& topology);
-  static constexpr std::size_t momentum_flux = 0;  ///< of the integrals of five pressures, averaged
-                                                   ///< over two "bodies" [(kJ/mol/nm³)² ps²]
-  std::vector<std::size_t> displacement;           ///< of each kind of molecule [nm²]
-  /// Second Legendre polynomial of each axis of each kind.
+  static constexpr std::size_t momentum_flux = 0;  ///< mean-square integrals of five pressure
+                                                   ///< components, averaged over two "bodies"
+                                                   ///< [(kJ/mol/nm³)² ps²]
+  std::vector<std::size_t> displacement;           ///< mean-square displacement of each kind of
+                                                   ///< molecule [nm²]
+  /// Second Legendre polynomial of each axis of each kind of molecule.
   std::vector<std::vector<std::size_t>> rotation;
   std::size_t count = 1;
 };
 
-/// The number of the pilot, which chooses the time step of all replicas of a point.
+/// The number of the pilot replica, which chooses the time step of all replicas of a state point.
 inline constexpr std::uint64_t pilot = 0xFFFFFFFF;
 
 struct Replica {
   std::uint64_t index = 0;
-  double step = 0;             ///< of its segments [ps]; 0 until it is prepared
-  double compressibility = 0;  ///< for the moves of its barostat [nm³ mol/kJ]
-  State state{0, Box{}};       ///< at the end of the last segment of averages
+  double step = 0;             ///< time step of its segments [ps]; 0 until it is prepared
+  double compressibility = 0;  ///< compressibility that sets the size of its barostat moves
+                               ///< [nm³ mol/kJ]
+  State state{0, Box{}};       ///< state at the end of the last segment of averages
   std::vector<AveragesSegment> averages;
-  std::optional<State> moving;              ///< at the end of the last segment of dynamics
-  std::vector<BlockMeans::Block> dynamics;  ///< sums of CorrelationsOfDynamics, a block per segment
+  std::optional<State> moving;              ///< state at the end of the last segment of dynamics
+  std::vector<BlockMeans::Block> dynamics;  ///< sums of CorrelationsOfDynamics, with a block for
+                                            ///< each segment
 
   bool prepared() const { return step > 0; }
 };
 
-/// Lengths in steps, so that they follow the motions of each kind of molecule.
+/// Lengths of segments in steps, so that they scale with the time scale of the molecular motion.
 inline constexpr std::size_t steps_of_averages = 1250, steps_of_sample = 10,
                              steps_of_shadow_sample = 50, parts_of_averages = 5,
                              steps_of_lags = 4000, lags = 400, windows_in_segment = 4;
 
-/// What all replicas of a state point have in common.
+/// Settings that all replicas of a state point share.
 struct ReplicaSettings {
-  Config config;  ///< molecules, forces, temperature; its seed is that of all replicas
+  Config config;  ///< molecules, forces, temperature, and the seed of all replicas
   StatePoint at;
-  double max_bias = 0;  ///< of the potential energy by the time step, relative
-  double step = 0;      ///< of all replicas [ps]; 0: chosen in the preparation, as of a pilot
-  std::function<bool()> stop{};  ///< ends a segment, which is then not part of the replica
+  double max_bias = 0;  ///< maximum relative time-step bias of the potential energy
+  double step = 0;      ///< time step of all replicas [ps]; 0 for a pilot, which chooses it in its
+                        ///< preparation
+  std::function<bool()> stop{};  ///< ends a segment, which is then discarded
 };
 
-/// Prepares a replica: lattice or initial configuration, minimisation, NVT, NPT; a pilot then
-/// chooses the time step.
-/// @return  false if it was stopped, with the replica as it was
-/// @throws RunError  if it blows up, or the molecules evaporate
+/// Prepares a replica from a lattice or an initial configuration, by minimisation, an NVT stage and
+/// an NPT stage. A pilot then chooses the time step.
+/// @return  false if it was stopped; the replica is then unchanged
+/// @throws RunError  if the replica blows up, or the molecules evaporate
 bool prepare(Replica& replica, const ReplicaSettings& settings);
 bool add_averages(Replica& replica, const ReplicaSettings& settings);
-/// @param from  first segment of averages that is in equilibrium: the mean volume from there on is
-///              that of the first segment of dynamics
+/// Adds a segment of dynamics.
+/// @param from  first segment of averages that is in equilibrium; the first segment of dynamics has
+///   the mean volume from this segment on
 bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t from);
 
-/// The first segment of averages in equilibrium: that of the potential energy and of the volume.
+/// The first segment of averages in which both the potential energy and the volume are in
+/// equilibrium.
 std::size_t equilibrated(const Replica& replica);
 
-/// Time between lags of dynamics [ps].
+/// The interval between lags of correlation functions of dynamics [ps].
 inline double lag_interval(const Replica& replica) {
   return replica.step * static_cast<double>(steps_of_lags) / static_cast<double>(lags);
 }

@@ -15,8 +15,8 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t shifts = 16;
-/// Sites closer than this have overlapped cores: a law without a core would end in a singularity of
-/// its charges there, which no energy reaches [nm].
+/// Distance of two sites below which their cores overlap [nm]. A law without a repulsive core would
+/// have a singularity of its charges there.
 constexpr double closest = 0.08;
 /// Distances of the centres, with even numbers of intervals for Simpson's rule [nm].
 struct Panel {
@@ -26,8 +26,8 @@ struct Panel {
 constexpr std::array panels = {Panel{0, 0.8, 200}, Panel{0.8, 4, 200}};
 constexpr double farthest = panels.back().to;
 
-/// Directions and orientations that fill their space evenly: multiples of powers of the root of
-/// x⁶ = x + 1, modulo one, with a random shift.
+/// Quasi-random directions and orientations that fill their space evenly. They are multiples of
+/// powers of the root of x⁶ = x + 1, modulo one, with a random shift.
 class EvenPoints {
  public:
   explicit EvenPoints(std::uint64_t shift) {
@@ -48,7 +48,7 @@ class EvenPoints {
     const double r = std::sqrt(1 - z * z);
     return {r * std::cos(phi), r * std::sin(phi), z};
   }
-  /// Uniformly distributed [shoemake1992].
+  /// A uniformly distributed orientation [shoemake1992].
   Quaternion<double> orientation(std::size_t point) const {
     const double u = coordinate(point, 2), a = 2 * units::pi * coordinate(point, 3),
                  b = 2 * units::pi * coordinate(point, 4);
@@ -65,7 +65,8 @@ class PairOfMolecules {
   PairOfMolecules(const Molecule& molecule, const Mixing& mixing)
       : sites_(molecule), table_(Topology{{{molecule, 2}}}, mixing) {}
 
-  /// At a vector between the centres; infinite where cores overlap [kJ/mol].
+  /// The energy of two molecules at a vector between their centres [kJ/mol]; infinite if cores
+  /// overlap.
   double energy(const Vec3<double>& R, const std::vector<Vec3<double>>& second) const {
     const auto& strengths = table_(0, 0).any_law<double>();
     double u = 0;
@@ -85,7 +86,7 @@ class PairOfMolecules {
     for (const Site& site : sites_.sites) sites.push_back(to_lab(orientation, site.r));
     return sites;
   }
-  /// 4π ∫ u r² dr of the short-range laws beyond a distance [kJ/mol nm³].
+  /// The integral 4π ∫ u r² dr of the short-range laws beyond a distance [kJ/mol nm³].
   double beyond(double r) const {
     double sum = 0;
     for (const ShortRange<double>& law : table_(0, 0).any_law<double>().law)
@@ -98,12 +99,12 @@ class PairOfMolecules {
   PairTables table_;
 };
 
-/// The integral, and its derivative with respect to ln T.
+/// The integral for B(T), and its derivative with respect to ln T.
 struct Integral {
   double value = 0, slope = 0;
 };
 
-/// The integrand at a distance, averaged over orientations: the Mayer function.
+/// The integrand at a distance: the Mayer function, averaged over orientations.
 Integral at_distance(const PairOfMolecules& pair, double r, double kT,
                      const std::vector<Vec3<double>>& directions,
                      const std::vector<std::vector<Vec3<double>>>& orientations) {
@@ -143,7 +144,8 @@ Integral with_shift(const PairOfMolecules& pair, double kT, std::size_t points,
   return sum;
 }
 
-/// Beyond the farthest distance: −½ ∫ of ⟨u²⟩/2(kT)² of two dipoles and of −⟨u⟩/kT of dispersion.
+/// The contribution of distances beyond the farthest panel: −½ ∫ of ⟨u²⟩/2(kT)² for two dipoles and
+/// of −⟨u⟩/kT for dispersion.
 Integral tail(const Molecule& molecule, const PairOfMolecules& pair, double kT) {
   const double mu2 = units::coulomb * molecule.dipole() * molecule.dipole() / kT;  // [nm³]
   const double dipoles = -2 * units::pi * mu2 * mu2 / (9 * std::pow(farthest, 3));

@@ -9,17 +9,19 @@
 
 namespace polhode {
 
-/// Of a pair of molecules; errors are standard errors of the integration.
+/// The second virial coefficient of a pair of molecules. Errors are standard errors of the
+/// integration.
 struct SecondVirial {
   Estimate value;     ///< B(T) = −½ ∫ (⟨exp(−u/kT)⟩ − 1) 4π r² dr [nm³]
-  Estimate enthalpy;  ///< B − T dB/dT, the enthalpy of the gas per pressure [nm³]
+  Estimate enthalpy;  ///< B − T dB/dT, the derivative of the enthalpy of the gas with respect to
+                      ///< pressure [nm³]
 };
 
-/// B(T) without any cutoff [allen2017, section 2.2]. Up to 4 nm between the centres, orientations
-/// are averaged by quasi-Monte Carlo with random shifts. Beyond, the leading terms of dipoles and
-/// of dispersion are integrated.
-/// @param temperature  [K]
-/// @param points       orientations per shift, of 16
+/// Computes the second virial coefficient B(T) without any cutoff [allen2017, section 2.2]. Up to 4
+/// nm between the centres, orientations are averaged by quasi-Monte Carlo with random shifts. At
+/// longer distances, the leading terms of dipoles and of dispersion are integrated.
+/// @param temperature  temperature [K]
+/// @param points       number of orientations for each of 16 random shifts
 SecondVirial second_virial(const Molecule& molecule, const Mixing& mixing, double temperature,
                            std::size_t points = 4096, Workers& workers = Workers::serial());
 

@@ -14,7 +14,8 @@ namespace polhode {
 namespace {
 
 constexpr int max_points = 1000;
-constexpr double max_temperature = 1e5;  // [K]: far beyond any rigid molecule
+constexpr double max_temperature = 1e5;  // maximum temperature [K], far beyond the range of any
+                                         // rigid molecule
 constexpr const char* example = "\"298.15 K, 1 bar\" or \"250 K to 320 K, 7 points\"";
 
 std::string_view trimmed(std::string_view text) {
@@ -32,7 +33,7 @@ std::vector<std::string_view> parts_of(std::string_view text) {
   }
 }
 
-/// The number before "points"; nothing if the part is something else.
+/// The number before "points"; empty if the part is something else.
 std::optional<int> number_of_points(std::string_view part) {
   if (!part.ends_with("points")) return std::nullopt;
   const std::string_view number = trimmed(part.substr(0, part.size() - 6));
@@ -45,7 +46,7 @@ std::optional<int> number_of_points(std::string_view part) {
   return count;
 }
 
-/// The ends of a range; both the same for a single value.
+/// The ends of a range, which are equal for a single value.
 struct Range {
   double first = 0, last = 0;
   bool is_range() const { return first != last; }

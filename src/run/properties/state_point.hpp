@@ -9,9 +9,9 @@
 
 namespace polhode {
 
-/// The points of a text: "298.15 K, 1 bar", or with a range in place of either, "250 K to 320 K, 7
-/// points". Without a pressure it is 1 bar.
-/// @throws Error  naming what cannot be read
+/// Parses state points, such as "298.15 K, 1 bar". Either value can be a range, as in "250 K to 320
+/// K, 7 points". The default pressure is 1 bar.
+/// @throws Error  if a part cannot be read; the message names it
 std::vector<StatePoint> state_points(std::string_view text);
 
 }  // namespace polhode

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double width = 480, height = 260, left = 70, right = 20, top = 10, bottom = 40;
 
-/// The range of numbers, a little wider.
+/// A range of numbers with a small margin.
 struct Span {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 
@@ -27,7 +27,7 @@ struct Span {
   }
 };
 
-/// Distances of ticks: 1, 2 or 5 times a power of ten.
+/// The distance between ticks: 1, 2 or 5 times a power of ten.
 double tick_of(const Span& span) {
   const double rough = (span.high - span.low) / 5,
                power = std::pow(10, std::floor(std::log10(rough)));

@@ -10,19 +10,21 @@ namespace polhode {
 
 struct SvgCurve {
   std::vector<double> x, y;
-  std::vector<double> error{};  ///< half of the band about each point; empty: none
+  std::vector<double> error{};  ///< half-width of the error band at each point; empty if there is
+                                ///< no band
 };
 
 struct SvgFigure {
   std::string title, x_label, y_label;
   std::vector<SvgCurve> curves;
-  std::vector<double> marks{};  ///< vertical lines at x
+  std::vector<double> marks{};  ///< x positions of vertical lines
 };
 
-/// The element `svg` with its caption in a `figure`; empty without a finite point.
+/// The figure as an `svg` element with its caption, in a `figure` element. It is empty if no point
+/// is finite.
 std::string svg(const SvgFigure& figure);
 
-/// A text with the characters that have a meaning in HTML replaced.
+/// Escapes the special characters of HTML in a text.
 std::string html(const std::string& text);
 
 }  // namespace polhode

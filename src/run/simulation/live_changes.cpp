@@ -13,8 +13,8 @@
 namespace polhode {
 namespace {
 
-/// Forces are evaluated again, and evaluations are counted from 0; steps are not, since they number
-/// the random numbers of a bath.
+/// Resets the counts of an integrator. Forces are evaluated again, and evaluations are counted from
+/// 0. Steps are not reset, because they select the random numbers of a bath.
 void begin_counts(IntegratorMemory& memory) {
   memory.current = false;
   memory.evaluations = memory.derivatives = memory.measurements = 0;
@@ -85,7 +85,7 @@ void Simulation::change(const IntegratorSettings& integrator,
   throw e.at(config_.source);
 }
 
-// Two changes without a step between them begin one segment.
+// Two changes without a step between them begin only one segment.
 RunState Simulation::next_segment(const std::string& changes) {
   RunState now = propagator_ ? propagator_->run_state() : *at_;
   now.state = system_.state;

@@ -27,8 +27,8 @@ namespace {
 
 ProgramVersion this_program() { return {version(), name(current_instruction_set())}; }
 
-/// R as the summary has it; empty where it has none, or none that means anything: decisions of
-/// hybrid Monte Carlo change the energy without an error of the step.
+/// R as text, as printed in the summary. It is empty if R is not defined or not meaningful:
+/// decisions of hybrid Monte Carlo change the energy, which is not a time-step error.
 std::string ratio_text(const RunSummary& s) {
   if (s.samples < min_samples_reported || s.potential_fluctuation.value == 0 ||
       s.ensemble.hybrid_monte_carlo)
@@ -115,15 +115,15 @@ bool Simulation::choose_step(const OutputOptions& options, const Callbacks& call
 
 // Checkpoints.
 
-// Must be called before the state changes, unless settings have: a simulation that is built with
-// the present ones can resume its checkpoints.
+// This must be called before the state changes, unless settings have changed. A simulation that is
+// built with the present settings can resume from its checkpoints.
 const std::string& Simulation::identity() {
   if (identity_.empty())
     identity_ = run_identity(config_, settings_changed_ ? build_system(config_) : system_);
   return identity_;
 }
 
-// Before the first step: an equilibration of length zero.
+// Before the first step, the state is that of an equilibration of length zero.
 RunState Simulation::run_state() {
   if (trajectory_started()) return propagator().run_state();
   return at_ ? *at_ : RunState{.state = system_.state, .equilibrated = 0.0};
@@ -157,8 +157,8 @@ void Simulation::check_length(std::size_t steps_done, const Segment& segment) co
         settings_->length, simulated(*settings_, segment, steps_done)));
 }
 
-// The checkpoint to resume from, if requested and if there is one. Existing files of another run
-// are refused.
+// Finds the checkpoint from which to resume, if this is requested and there is one. Existing files
+// of another run are rejected.
 std::optional<FoundCheckpoint> Simulation::find_checkpoint(const RunFileNames& names,
                                                            const OutputOptions& options,
                                                            const Callbacks& callbacks) {
@@ -195,7 +195,8 @@ bool Simulation::trajectory_started() const {
 
 bool Simulation::equilibrate(const Callbacks& callbacks) { return equilibrate(callbacks, nullptr); }
 
-// Of an interrupted minimisation the checkpoint is the initial configuration: it begins again.
+// For an interrupted minimisation the checkpoint contains the initial configuration, so the
+// minimisation starts over.
 bool Simulation::minimise(const Callbacks& callbacks, RunFiles* files) {
   if (!config_.run.minimise || (at_ && *at_->equilibrated > 0)) return true;
   const RunState start = run_state();
@@ -300,7 +301,7 @@ Trajectory Simulation::run_trajectory(RunFiles& files, const Callbacks& callback
                     .stop = callbacks.stop,
                     .due = [&] { return files.due(); },
                     .checkpoint = [&](RunState at) { files.checkpoint(std::move(at)); }};
-  if (steps() > 0 && !files.last_checkpoint_step())  // they begin within the trajectory
+  if (steps() > 0 && !files.last_checkpoint_step())  // outputs begin within the trajectory
     files.checkpoint(propagator().run_state());
   Trajectory trajectory = propagator().run(watch);
   files.flush();
@@ -329,7 +330,7 @@ void Simulation::note_begin(const Callbacks& callbacks) const {
   note_forces(system_, callbacks);
 }
 
-// The forces on a lattice are no guide to the step.
+// The forces on a lattice are not a guide to the time step.
 void Simulation::note_warnings(const Callbacks& callbacks) const {
   const bool lattice = config_.system.initial_configuration.empty() && config_.run.equilibrate == 0;
   for (const auto& warning :

@@ -29,7 +29,8 @@ Verdict worst(Verdict a, Verdict b) {
                                                             : Verdict::reproduced;
 }
 
-/// Whether the R of a point is above a limit: reproduced if it is, not reproduced if it is below.
+/// The verdict on whether R of a point is above a limit: reproduced if it is above, not reproduced
+/// if it is below.
 Verdict above(const EfficiencyPoint& point, double limit) {
   const double R = point.ratio.value,
                off = confidence_half_width({point.ratio.error, point.runs - 1.0});
@@ -42,26 +43,29 @@ Verdict opposite(Verdict v) {
   return v == Verdict::reproduced ? Verdict::not_reproduced : Verdict::reproduced;
 }
 
-/// The longest step whose energy drift is known not to matter; null if there is none.
+/// The point with the longest step whose energy drift is known not to matter; null if there is
+/// none.
 const EfficiencyPoint* last_conserving(const Curve& c) {
   for (std::size_t i = c.usable; i > 0; --i)
     if (c.points[i - 1].conserves()) return &c.points[i - 1];
   return nullptr;
 }
 
-/// Up to where an energy drift that matters is excluded: "up to R = 0.54 %", or "at no step".
+/// The range in which an energy drift that matters is excluded, as text: "up to R = 0.54 %", or "at
+/// no step".
 std::string excluded(const Curve& c) {
   const EfficiencyPoint* const last = last_conserving(c);
   return last ? fmt::format("up to R = {:.2g} %", 100 * last->ratio.value) : "at no step";
 }
 
-/// R of the last step of a curve [%].
+/// The ratio R of the last step of a curve [%].
 std::string reached(const Curve& c) {
   return c.usable == 0 ? "0" : fmt::format("{:.2g}", 100 * c.points[c.usable - 1].ratio.value);
 }
 
-/// Whether a curve has steps above R = `limit` whose energy drift is known not to matter. It has
-/// none if it ends below; between the last such step and the end nothing is known.
+/// The verdict on whether a curve has steps above R = `limit` whose energy drift is known not to
+/// matter. A curve that ends below the limit has none. Between the last such step and the end of
+/// the curve, nothing is known.
 Verdict runs_above(const Curve& c, double limit) {
   const EfficiencyPoint* const last = last_conserving(c);
   if (last && above(*last, limit) == Verdict::reproduced) return Verdict::reproduced;
@@ -70,8 +74,8 @@ Verdict runs_above(const Curve& c, double limit) {
                                                                      : Verdict::undecided;
 }
 
-/// More runs detect a smaller energy drift, so curves are compared only if the points around their
-/// ends have the same number of runs.
+/// Whether the points around the ends of curves have the same number of runs. Only then are curves
+/// compared, because more runs detect a smaller energy drift.
 bool equal_runs(const std::vector<const Curve*>& curves) {
   std::set<int> runs;
   for (const Curve* c : curves)

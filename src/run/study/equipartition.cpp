@@ -9,16 +9,17 @@ namespace {
 
 /// The temperature differences of a scheme at its usable steps.
 struct Points {
-  std::vector<double> x;  ///< hᵏ
+  std::vector<double> x;  ///< powers hᵏ of the steps
   std::vector<Estimate> y;
-  double degrees_of_freedom = 0;  ///< of the errors
+  double degrees_of_freedom = 0;  ///< degrees of freedom of the errors
 };
 
-/// @param excess  returns the temperature difference at a point
+/// The temperature differences of a curve.
+/// @param excess  function that returns the temperature difference at a point
 Points points_of(const Curve& curve, int order, const auto& excess) {
   Points points;
   std::vector<double> runs;
-  double squares = 0;  // of deviations of single runs
+  double squares = 0;  // sum of squared deviations of single runs
   for (std::size_t i = 0; i < curve.usable; ++i) {
     const std::optional<Estimate> known = excess(curve.points[i]);
     if (!known || !(known->error > 0) || curve.points[i].runs < 2) continue;

@@ -9,7 +9,7 @@
 namespace polhode {
 namespace {
 
-/// A share of the relative error of R.
+/// A contribution to the relative error of R.
 ErrorPart share(double factor, const EfficiencyPoint& p) {
   return {factor * p.ratio.error / p.ratio.value, p.runs - 1.0};
 }
@@ -48,7 +48,7 @@ std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio) {
   const auto& points = curve.points;
   CostAtRatio at;
   at.evaluations = points[0].cost * points[0].step;
-  ErrorPart log_error;  // of the step, relative
+  ErrorPart log_error;  // relative error of the step
   if (ratio < points[0].ratio.value) {
     const int order = points[0].order;
     if (order == 0 || points[0].at_rounding()) return std::nullopt;
@@ -108,7 +108,8 @@ std::optional<Crossing> crossover(const Curve& finer, const Curve& coarser) {
     const auto here = advantage(R);
     if (here && above && *above <= 0 && *here > 0) {
       const auto a = cost_at(finer, R), b = cost_at(coarser, R);
-      // log cost decreases as −log R/exponent, so its error shifts the crossing by this amount.
+      // The log of the cost decreases as −log R/exponent, so its error shifts the crossing by this
+      // amount.
       const double slopes = std::abs(1 / b->exponent - 1 / a->exponent);
       const ErrorPart error = summed({relative_error(*a), relative_error(*b)});
       return Crossing{{R, slopes > 0 ? R * error.error / slopes : 0.0}, error.degrees_of_freedom};

@@ -14,20 +14,23 @@ namespace polhode {
 /// The smallest cost at which one scheme keeps R at or below a given value.
 struct CostAtRatio {
   double cost = 0;                ///< force evaluations per ps
-  double error = 0;               ///< of the cost, from the errors of R at the neighbouring points
-  double degrees_of_freedom = 0;  ///< of this error
-  double step = 0;                ///< [ps]
-  double evaluations = 0;         ///< force evaluations per step
+  double error = 0;               ///< error of the cost, from the errors of R at the neighbouring
+                                  ///< points
+  double degrees_of_freedom = 0;  ///< degrees of freedom of this error
+  double step = 0;                ///< time step [ps]
+  double evaluations = 0;         ///< number of force evaluations per step
   double exponent = 0;            ///< local d log R / d log h
-  bool extrapolated = false;      ///< below the smallest R measured, using the scheme's order
-  bool at_max_step = false;       ///< the largest step of the curve, whose R is below the given one
+  bool extrapolated = false;      ///< whether R is below the smallest measured R, so that the order
+                                  ///< of the scheme was used
+  bool at_max_step = false;       ///< whether it is the largest step of the curve, because R stays
+                                  ///< below the given value
 };
 
 struct Guideline {
-  double ratio = 0;                               ///< R
-  std::vector<std::optional<CostAtRatio>> costs;  ///< per scheme; empty: not reachable without
-                                                  ///< energy drift
-  std::optional<std::size_t> best;                ///< the cheapest
+  double ratio = 0;                               ///< given value of R
+  std::vector<std::optional<CostAtRatio>> costs;  ///< cost of each scheme; empty if R cannot be
+                                                  ///< reached without energy drift
+  std::optional<std::size_t> best;                ///< index of the cheapest scheme
 };
 
 /// The curve of one scheme: its points ordered by step.
@@ -38,16 +41,17 @@ struct Curve {
 };
 
 /// The number of points before the end of a curve, which all tables, claims and figures use. A
-/// curve ends at the first step with a run that blew up, and before it where all steps up to there
-/// drift(): a single step that drifts while a longer one does not is due to chance.
-/// @param points  ordered by step
+/// curve ends at the first step with a run that blew up. It ends earlier if all steps from some
+/// step on drift. A single step that drifts although a longer step does not is attributed to
+/// chance.
+/// @param points  points ordered by step
 std::size_t points_before_end(const std::vector<EfficiencyPoint>& points);
 
 /// The curves of a study, in the order in which its points name the schemes.
 std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points);
 
-/// The cost at R, by interpolating log h over log R between neighbouring usable points; if even the
-/// largest usable step has a smaller R, the cost of that step.
+/// The cost at a given R, by interpolation of log h over log R between neighbouring usable points.
+/// If even the largest usable step has a smaller R, the result is the cost of this step.
 std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio);
 
 std::vector<Guideline> guidelines(const std::vector<Curve>& curves,
@@ -56,11 +60,11 @@ std::vector<Guideline> guidelines(const std::vector<Curve>& curves,
 /// The R below which one scheme is cheaper than another.
 struct Crossing {
   Estimate ratio;
-  double degrees_of_freedom = 0;  ///< of its error
+  double degrees_of_freedom = 0;  ///< degrees of freedom of its error
 };
 
-/// The R below which `finer` is cheaper than `coarser`, if the two curves cross within the measured
-/// range of both.
+/// The value of R below which `finer` is cheaper than `coarser`, if the two curves cross within the
+/// measured range of both.
 std::optional<Crossing> crossover(const Curve& finer, const Curve& coarser);
 
 }  // namespace polhode

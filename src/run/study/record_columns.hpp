@@ -20,30 +20,34 @@
 
 namespace polhode {
 
-/// A number of a run, after its scheme, step, initial configuration, and whether it was stable.
+/// A column of a record. It follows the columns of scheme, step, initial configuration and
+/// stability.
 template <class Run>
 struct RecordColumn {
-  std::string head;                                        ///< with its unit
-  std::string name;                                        ///< in errors
-  std::function<std::optional<double>(const Run&)> value;  ///< nothing: an empty field
-  std::function<void(Run&, double)> set;                   ///< not a number where there is none
-  bool has_sign = false;                                   ///< whether it may be negative
-  bool always = false;                                     ///< also of a run that blew up
-  /// Whether there is no number in a line.
+  std::string head;                                        ///< name of the column with its unit
+  std::string name;                                        ///< name of the column in error messages
+  std::function<std::optional<double>(const Run&)> value;  ///< value of the column; empty for an
+                                                           ///< empty field
+  std::function<void(Run&, double)> set;  ///< sets the value; the argument is NaN for
+                                          ///< an empty field
+  bool has_sign = false;                  ///< whether the value may be negative
+  bool always = false;                    ///< whether the value is also known for a
+                                          ///< run that blew up
+  /// Whether a line has no number in a column.
   std::function<bool(const RecordFields&, std::size_t)> absent = {};
 };
 
 inline constexpr std::size_t first_column = 4;
 inline bool empty_field(const RecordFields& line, std::size_t k) { return line[k].empty(); }
 
-/// A column for a member.
+/// A column for a member of Run.
 template <class Run>
 RecordColumn<Run> column_of(std::string head, std::string name, double Run::*member) {
   return {std::move(head), std::move(name), [member](const Run& run) { return run.*member; },
           [member](Run& run, double value) { run.*member = value; }};
 }
 
-/// The columns of runs of one kind.
+/// The columns of records of runs of one kind.
 template <class Run>
 const std::vector<RecordColumn<Run>>& record_columns();
 
@@ -55,7 +59,7 @@ std::string record_head() {
   return head;
 }
 
-/// The number of fields of a line, from the line with the names of the columns.
+/// The number of fields of a line, computed from the line with the names of the columns.
 template <class Run>
 std::size_t field_count(std::string_view head, const Lines& lines);
 
@@ -93,7 +97,8 @@ template <class Run>
 std::vector<Run> RunRecord<Run>::read(std::istream& in, const std::string& path,
                                       const Provenance* provenance) {
   std::vector<Run> runs;
-  std::set<std::tuple<std::string, double, int>> met;  // scheme, step and initial configuration
+  std::set<std::tuple<std::string, double, int>> met;  // runs already read, by scheme, step and
+                                                       // initial configuration
   read_record(in, path, provenance ? of_this_study(path, *provenance) : of_any_study(path),
               field_count<Run>, [&](const RecordFields& line, std::size_t count) {
                 Run run = record_run<Run>(line, count);

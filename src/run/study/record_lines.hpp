@@ -15,17 +15,19 @@
 
 namespace polhode {
 
-/// The fields of a line.
+/// The fields of a line of a record.
 class RecordFields {
  public:
-  /// @throws Error  unless there are `count`; as all errors of the members with the line
+  /// @throws Error  with the line, unless it has `count` fields; errors of the members give the
+  ///   line as well
   RecordFields(std::string_view line, std::size_t count, const Lines& lines);
 
   std::string_view operator[](std::size_t k) const { return field_[k]; }
-  double number(std::size_t k, const char* what) const;  ///< finite
-  double amount(std::size_t k, const char* what) const;  ///< not negative
-  int index(std::size_t k, const char* what) const;      ///< a whole number from 0
-  bool yes(std::size_t k, const char* what) const;       ///< 1 or 0
+  double number(std::size_t k, const char* what) const;  ///< field k as a finite number
+  double amount(std::size_t k,
+                const char* what) const;             ///< field k as a number that is not negative
+  int index(std::size_t k, const char* what) const;  ///< field k as an integer from 0
+  bool yes(std::size_t k, const char* what) const;   ///< field k as a flag, 1 or 0
 
   [[noreturn]] void refuse(const std::string& what) const;
 
@@ -37,13 +39,14 @@ class RecordFields {
 /// The first line of the record of a study.
 std::string identity_line(const Provenance& provenance);
 
-/// Refuses a first line.
+/// A function that rejects an invalid first line.
 using CheckHead = std::function<void(std::string_view head, const Lines& lines)>;
 CheckHead of_this_study(const std::string& path, const Provenance& provenance);
 CheckHead of_any_study(const std::string& path);
 
 /// Visits the lines of a record. An incomplete last line, left by an interruption, is ignored.
-/// @param columns  the number of fields of a line, from the line with the names of the columns
+/// @param columns  function that returns the number of fields of a line, from the line with the
+///   names of the columns
 void read_record(
     std::istream& in, const std::string& path, const CheckHead& check_head,
     const std::function<std::size_t(std::string_view head, const Lines& lines)>& columns,

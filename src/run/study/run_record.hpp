@@ -11,21 +11,22 @@
 
 namespace polhode {
 
-/// The finished runs of a study, one line each, appended as they end.
-/// @tparam Run  StudyRun or CanonicalRun
+/// The record of the finished runs of a study. Each run is appended as a line when it ends.
+/// @tparam Run  type of the runs: StudyRun or CanonicalRun
 template <class Run>
 class RunRecord {
  public:
-  /// Reads the record if it exists and belongs to the same study, otherwise creates one.
-  /// @throws Error  as read(), unless `force` is set
+  /// Reads the record if it exists and belongs to the same study, otherwise creates a record.
+  /// @throws Error  under the same conditions as read(), unless `force` is set
   RunRecord(const std::string& path, const Provenance& provenance, bool force);
   const std::vector<Run>& known() const { return known_; }
   void add(const Run& run);
 
-  /// The runs in a record. An incomplete last line, left by an interruption, is ignored and its run
-  /// repeated. Numbers are empty where a run has none, and ignored if it blew up.
-  /// @param path        for errors
-  /// @param provenance  of the study that is being resumed; null: any study
+  /// Reads the runs in a record. An incomplete last line, left by an interruption, is ignored, and
+  /// its run is repeated. A number that a run does not have is empty. The numbers of a run that
+  /// blew up are ignored.
+  /// @param path        path of the record, for error messages
+  /// @param provenance  provenance of the study that is being resumed; null for any study
   /// @throws Error  with the line, if the record belongs to another study, or another line is
   ///                incomplete or contains impossible values
   static std::vector<Run> read(std::istream& in, const std::string& path,

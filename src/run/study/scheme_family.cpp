@@ -16,7 +16,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double displacement = 1e-6;  // of a parameter, for derivatives
+constexpr double displacement = 1e-6;  // displacement of a parameter, for numerical derivatives
 constexpr const char* example_family = "free x = 0.2; B(x) A(1/2) B(1 - 2*x) A(1/2) B(x)";
 
 Values values_of(const std::vector<FreeParameter>& parameters) {
@@ -25,8 +25,8 @@ Values values_of(const std::vector<FreeParameter>& parameters) {
   return values;
 }
 
-/// ∂(α, β)/∂p for each parameter p, by central differences: exact to 1e-9, since α and β are
-/// polynomials of the coefficients.
+/// The derivatives ∂(α, β)/∂p for each parameter p, by central differences. They are exact to 1e-9,
+/// because α and β are polynomials of the coefficients.
 std::vector<ErrorTerms> slopes(const SchemeFamily& family, const Values& at) {
   std::vector<ErrorTerms> all;
   for (std::size_t k = 0; k < at.size(); ++k) {
@@ -40,7 +40,7 @@ std::vector<ErrorTerms> slopes(const SchemeFamily& family, const Values& at) {
 
 /// Whether α and β depend on all parameters independently.
 bool independent(const std::vector<ErrorTerms>& s) {
-  constexpr double min_slope = 1e-7;  // of coefficients of the order of 1
+  constexpr double min_slope = 1e-7;  // smallest slope for coefficients of the order of 1
   if (s.size() == 1) return std::hypot(s[0].alpha, s[0].beta) > min_slope;
   return std::abs(s[0].alpha * s[1].beta - s[0].beta * s[1].alpha) > min_slope * min_slope;
 }
@@ -53,8 +53,9 @@ void check_count(const std::vector<FreeParameter>& parameters) {
                   parameters.size(), example_family));
 }
 
-/// The symmetric 2 × 2 matrix of the brackets' covariances. If they are perfectly correlated, one
-/// combination is undetermined, and the small term that is added keeps it unchanged.
+/// The symmetric 2 × 2 matrix of the covariances of the error brackets. If the brackets are
+/// perfectly correlated, one combination of parameters is undetermined. A small additional term
+/// keeps this combination unchanged.
 struct Metric {
   double aa, ab, bb;
   explicit Metric(const ErrorCovariance& c)
@@ -66,8 +67,8 @@ struct Metric {
   static constexpr double min_part = 1e-9;
 };
 
-/// The step of a damped Gauss-Newton iteration: (S + μ diag S) δ = −gradient, with S and the
-/// gradient, halves of the derivatives of the variance, of one or two parameters.
+/// The step δ of a damped Gauss-Newton iteration for one or two parameters: (S + μ diag S) δ =
+/// −gradient, where S and the gradient are half of the derivatives of the variance.
 Values newton_step(const std::vector<ErrorTerms>& s, const Metric& metric, const Values& gradient,
                    double damping) {
   const double xx = metric(s[0], s[0]) * (1 + damping);
@@ -167,7 +168,7 @@ namespace {
 Values minimum(const ErrorCovariance& c, const SchemeFamily& family, const ErrorTerms& from) {
   const Metric metric(c);
   const auto change = [&](const Values& at) { return error_terms(family.at(at)) - from; };
-  // Infinite where the text has no value, as the root of a negative number.
+  // The variance is infinite if the text has no value, as for the root of a negative number.
   const auto cost = [&](const Values& at) {
     try {
       const ErrorTerms d = change(at);
@@ -178,7 +179,7 @@ Values minimum(const ErrorCovariance& c, const SchemeFamily& family, const Error
   };
   Values at = values_of(family.parameters());
   double damping = 1e-3;
-  constexpr int max_iterations = 200;  // it takes about ten
+  constexpr int max_iterations = 200;  // about ten are needed
   for (int i = 0; i < max_iterations && damping < 1e12; ++i) {
     const std::vector<ErrorTerms> s = slopes(family, at);
     const ErrorTerms d = change(at);

@@ -21,8 +21,8 @@
 namespace polhode {
 namespace {
 
-// The default ladders of steps [fs]: fine enough to interpolate, from about R = 0.1 % (0.001 % for
-// fourth-order schemes) to the stability limit.
+// The default steps [fs]. They are close enough for interpolation, and range from about R = 0.1 %
+// (0.001 % for fourth-order schemes) to the stability limit.
 std::vector<double> default_steps(const NestedScheme& nested, bool coarse) {
   std::vector<double> fs;
   const Scheme& scheme = nested.outer;
@@ -36,13 +36,13 @@ std::vector<double> default_steps(const NestedScheme& nested, bool coarse) {
                 : std::vector<double>{2, 3, 4, 5, 6, 7, 8, 9};
   else
     fs = coarse ? std::vector<double>{3, 4, 5, 6, 7, 8} : std::vector<double>{3, 4, 5, 6, 7, 8, 9};
-  // Schemes with more stages than those of the paper use larger steps, at equal cost.
+  // Schemes with more stages than the schemes of the paper use larger steps, at equal cost.
   const double stretch = std::max(1.0, scheme.force_evaluations() / 3.0);
   for (double& h : fs) h *= stretch / units::fs_per_ps;
   return fs;
 }
 
-/// Assumed weight of near forces, for distributing the work before anything is measured.
+/// Assumed weight of near forces, used to distribute the work before the weight is measured.
 constexpr double typical_near_weight = 0.3;
 
 StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point,
@@ -81,7 +81,7 @@ StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point
   return run;
 }
 
-// Records identify runs by scheme and step, so each must be unique.
+// Records identify runs by scheme and step, so each pair must be unique.
 void add_point(std::vector<StudyPoint>& points, const StudyPoint& point) {
   for (const StudyPoint& other : points)
     if (other.name == point.name && other.record_name() != point.record_name())
@@ -157,12 +157,13 @@ void perform_study_runs(const Config& config, const std::vector<StudyRun>& known
   if (tasks.empty()) return;
   tasks.sort_by_work();
   const System base = build_system(config);
-  constexpr double steps_per_ps = 1000;  // of an equilibration
+  constexpr double steps_per_ps = 1000;  // steps of an equilibration per ps
   tasks.prepare(base, study.runs, steps_per_ps * study.decorrelate, [&](std::size_t start) {
     return prepare_start(base, config, start, study.decorrelate, callbacks.stop);
   });
   if (callbacks.stopped()) return;
-  std::map<std::string, double> near_weights;  // measured while nothing else runs
+  std::map<std::string, double> near_weights;  // weights of near forces, measured while nothing
+                                               // else runs
   for (const auto& task : tasks.all())
     if (!near_weights.contains(task.point.name))
       near_weights[task.point.name] = near_weight(base, task.point.scheme.inner);
@@ -173,7 +174,8 @@ void perform_study_runs(const Config& config, const std::vector<StudyRun>& known
 
 namespace {
 
-/// A difference of temperatures over the runs that have it; nothing if fewer than two do.
+/// The mean difference of two temperatures over the runs that have both; empty if fewer than two
+/// runs have them.
 template <class Difference>
 std::optional<Estimate> mean_difference(const std::vector<StudyRun>& runs,
                                         const Difference& difference) {
@@ -200,7 +202,7 @@ void add_excesses(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
         });
 }
 
-/// Means over the runs that did not blow up.
+/// Adds means over the runs that did not blow up.
 void add_means(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
   std::vector<double> ratios, totals, drifts, temperatures, roundings;
   for (const StudyRun& run : runs) {

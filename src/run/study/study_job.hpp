@@ -17,7 +17,8 @@
 
 namespace polhode {
 
-/// A kind of study has types Run, with its initial configuration `start`, Record and Report, and
+/// Performs a study of any kind. A kind of study has types Run, with its initial configuration
+/// `start`, Record and Report, and
 ///     title                                      what it is called in notes
 ///     identity(config, system)                   of its record
 ///     read(stream, path)                         all runs of any such record
@@ -35,8 +36,8 @@ class StudyJob {
   using Run = typename Study::Run;
   using Report = typename Study::Report;
 
-  /// @param prefix  of the output files
-  /// @throws Error  if a setting does not fit
+  /// @param prefix  prefix of the output files
+  /// @throws Error  if a setting is invalid
   StudyJob(const Study& study, const std::string& prefix, const OutputOptions& options,
            const Callbacks& callbacks)
       : study_(study),
@@ -52,7 +53,7 @@ class StudyJob {
   /// Performs the runs that the record does not have yet.
   Report run(Workers& workers) const {
     const OutputLock lock(files_.prefix + "-study.lock", callbacks_);
-    // Results of a resumed study are overwritten; those of another one are not.
+    // Results of a resumed study are overwritten. Results of another study are not.
     if (!std::filesystem::exists(files_.runs)) check_outputs(files_.all(), existing_);
     remove_drafts(files_.all());
     typename Study::Record record(files_.runs, made_, existing_ == ExistingFiles::replace);
@@ -70,7 +71,7 @@ class StudyJob {
     return report;
   }
 
-  /// The report of an existing record.
+  /// Makes the report of an existing record.
   Report from(const std::string& record) const {
     std::ifstream in(record, std::ios::binary);
     if (!in) throw Error(fmt::format("there is no record of a study '{}'; check its name", record));
@@ -104,8 +105,8 @@ class StudyJob {
     callbacks_.note(fmt::format("{} runs are read from {}", runs.size(), path));
   }
 
-  /// The report of the runs that count, in its files: points are compared, so all have the same
-  /// initial configurations, even if the record has more.
+  /// Makes the report of the selected runs and writes its files. Because points are compared, all
+  /// have the same initial configurations, even if the record has more.
   Report report_of(const std::vector<Run>& runs) const {
     std::vector<Run> counted;
     for (const Run& run : runs)
@@ -116,7 +117,7 @@ class StudyJob {
                       "are left out",
                       study_.config.study.runs, runs.size() - counted.size()));
     Report report = study_.report(system_, counted);
-    // A study without a complete run has nothing to tabulate; what an earlier one wrote stays.
+    // A study without a complete run has nothing to tabulate, so existing files are left unchanged.
     if (!report.points.empty()) write(report);
     return report;
   }

@@ -10,11 +10,11 @@
 
 namespace polhode {
 
-/// Everything that determines the runs of a study, as text: records of a different study are not
-/// reused.
+/// A text with everything that determines the runs of a study. It prevents the use of records of a
+/// different study.
 std::string study_identity(const Config& config, const System& system);
 
-/// Records of any version of the program can be read.
+/// The record of a study; records of any version of the program can be read.
 using StudyRecord = RunRecord<StudyRun>;
 
 }  // namespace polhode

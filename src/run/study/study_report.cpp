@@ -18,16 +18,16 @@
 namespace polhode {
 namespace {
 
-// Values of R for which the guideline table lists costs, including those of the paper.
+// Values of R for which the guideline table lists costs, including the values of the paper.
 const std::vector<double> table_ratios = {0.03, 0.015, 0.01, 0.007, 0.004, 0.002, 0.001, 0.0001};
 
-/// A mean over runs, whose error is not known from one run.
+/// A mean over runs; its error is not known if there is only one run.
 Estimate over_runs(const EfficiencyPoint& p, Estimate mean) {
   if (p.runs < 2) mean.error = std::nan("");
   return mean;
 }
 
-/// What a user needs to know about a point, and why it is not part of the curve if it is not.
+/// A note on a point for the user, which also explains why a point is not part of the curve.
 std::string note_on(const EfficiencyPoint& p, bool usable) {
   if (!p.stable) return "blew up";
   if (!usable)
@@ -158,7 +158,7 @@ Quantities of_claims(const StudyReport& report) {
                        of_the_paper ? "" : ", which refer to 512 TIP4P waters")}};
 }
 
-/// What a reader of the figure needs to know to compare the curves.
+/// The caption of the figure, with the conditions under which the curves are compared.
 std::string caption(const Config& config) {
   std::string molecules;
   for (const auto& component : config.system.molecules)
@@ -181,7 +181,7 @@ EfficiencyFigure figure(const StudyReport& report, const std::string& csv) {
   return figure;
 }
 
-/// The study of energy conservation.
+/// A study of energy conservation.
 struct EnergyStudy {
   using Run = StudyRun;
   using Record = StudyRecord;
@@ -218,7 +218,7 @@ struct EnergyStudy {
 
   StudyReport report(const System& system, const std::vector<StudyRun>& runs) const {
     Config used = config;
-    used.forces.mixing = system.forces.mixing;  // known after the topology file is read
+    used.forces.mixing = system.forces.mixing;  // known only after the topology file is read
     return {used, efficiency_points(all, runs, config.study.length)};
   }
 };

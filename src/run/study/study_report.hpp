@@ -23,7 +23,7 @@ struct StudyFiles {
         script(prefix + ".gp"),
         svg(prefix + ".svg"),
         png(prefix + ".png") {}
-  /// All files except the record.
+  /// The paths of all files except the record.
   std::vector<std::string> tables() const { return {points, json, script, svg, png}; }
   std::vector<std::string> all() const { return {points, runs, json, script, svg, png}; }
 };
@@ -36,34 +36,37 @@ struct StudyReport {
   std::vector<Guideline> guidelines;
   std::vector<Claim> claims;
   std::vector<EquipartitionFit> equipartition;
-  std::vector<std::string> files{};  ///< that were written
-  bool interrupted = false;          ///< before all runs were done
+  std::vector<std::string> files{};  ///< paths of the files that were written
+  bool interrupted = false;          ///< whether the study was interrupted before all runs were
+                                     ///< done
 
   StudyReport(const Config& config, const std::vector<EfficiencyPoint>& points);
 };
 
-/// Performs a study and writes its record, tables and figure. The runs of a record that exists are
-/// not repeated, unless existing files are to be replaced: a study that was interrupted resumes.
-/// @param prefix  of the output files
-/// @throws Error  before anything is computed, if a setting does not fit, or outputs of another
-///                study exist
+/// Performs a study and writes its record, tables and figure. An interrupted study resumes: runs in
+/// an existing record are not repeated, unless existing files are to be replaced.
+/// @param prefix  prefix of the output files
+/// @throws Error  before anything is computed, if a setting is invalid, or outputs of another study
+///   exist
 StudyReport run_study(const Config& config, const std::string& prefix = "study",
                       const OutputOptions& options = {}, const Callbacks& callbacks = {},
                       Workers& workers = Workers::serial());
 
-/// Tables and figure of an existing record, made by any version, without new runs.
-/// @throws Error  as run_study(), or if there is no such record
+/// Makes the tables and the figure of an existing record of any version, without new runs.
+/// @throws Error  under the same conditions as run_study(), or if the record does not exist
 StudyReport report_study_record(const Config& config, const std::string& record,
                                 const std::string& prefix = "study",
                                 const OutputOptions& options = {}, const Callbacks& callbacks = {});
 
-/// The results as a list, from which text, JSON, the table of points and the manual follow.
+/// The results of a study as a list, from which text, JSON, the table of points and the manual are
+/// made.
 Quantities quantities(const StudyReport& report);
 
-/// Cutoff, initial configuration, runs and energies of a study, in a sentence.
+/// A sentence on the cutoff, initial configuration, runs and energies of a study.
 std::string conditions(const Config& config);
 
-/// "for R = 0.5 % use SCHEME at H fs: N force evaluations per ps, Xx cheaper than velocity Verlet"
+/// Advice from a study as text, such as "for R = 0.5 % use SCHEME at H fs: N force evaluations per
+/// ps, Xx cheaper than velocity Verlet".
 std::string advice(const StudyReport& report, double ratio);
 
 }  // namespace polhode

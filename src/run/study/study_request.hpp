@@ -19,9 +19,9 @@ struct StudyRequest {
   std::string prefix() const { return output ? output.text : "study"; }
 };
 
-/// Performs the study of the settings, or makes the tables and the figure of a record. A study that
-/// was interrupted resumes from its record.
-/// @param use  use(report) is returned, for the reports of either ensemble
+/// Performs the study of the settings, or makes the tables and the figure of a record. An
+/// interrupted study resumes from its record.
+/// @param use  function of the report of either ensemble, whose result is returned
 template <class Use>
 auto perform_study(Config config, const StudyRequest& request, OutputOptions output,
                    const Callbacks& callbacks, Workers& workers, const Use& use) {

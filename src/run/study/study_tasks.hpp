@@ -16,11 +16,11 @@
 
 namespace polhode {
 
-/// Whether two time steps [ps] are the same.
+/// Whether two time steps [ps] are equal up to round-off.
 inline bool same_step(double a, double b) { return std::abs(a - b) < 1e-12; }
 
-/// The runs of a scheme, as records name it, with one step, sorted by initial configuration: sums
-/// do not depend on which run ended first.
+/// The runs of a scheme at one step, sorted by initial configuration, so that sums do not depend on
+/// which run ended first. The scheme is named as in records.
 template <class Run>
 std::vector<Run> runs_of(const std::string& scheme, double step, const std::vector<Run>& runs) {
   std::vector<Run> own;
@@ -30,21 +30,21 @@ std::vector<Run> runs_of(const std::string& scheme, double step, const std::vect
   return own;
 }
 
-/// The runs of a study that are still to be done, as many at a time as there are workers.
-/// @tparam Point  a scheme with a step, and its `name`
+/// Performs the remaining runs of a study, as many at a time as there are workers.
+/// @tparam Point  type with a scheme, a step, and its `name`
 template <class Point>
 class StudyTasks {
  public:
   struct Task {
     Point point;
-    std::size_t start;  // index of its initial configuration
-    double work;        // force evaluations
+    std::size_t start;  // index of the initial configuration
+    double work;        // number of force evaluations
   };
 
   StudyTasks(const Callbacks& callbacks, Workers& workers)
       : callbacks_(callbacks), workers_(workers) {}
 
-  /// Adds a run unless it is known.
+  /// Adds a run unless it is already known.
   template <class Run>
   void add(const Point& point, const std::string& scheme, int start, double work,
            const std::vector<Run>& known) {
@@ -59,15 +59,15 @@ class StudyTasks {
   bool empty() const { return tasks_.empty(); }
   const std::vector<Task>& all() const { return tasks_; }
 
-  /// Performs the most expensive ones first, so that the last ones are short.
+  /// Sorts runs so that the most expensive ones are first and the last ones are short.
   void sort_by_work() {
     std::stable_sort(tasks_.begin(), tasks_.end(),
                      [](const Task& a, const Task& b) { return a.work > b.work; });
   }
 
-  /// Makes those of the first `count` initial configurations that are needed.
-  /// @param work  of each, in force evaluations
-  /// @param make  a function of the index
+  /// Makes the needed ones of the first `count` initial configurations.
+  /// @param work  work for each configuration, in force evaluations
+  /// @param make  function that makes the configuration with a given index
   template <class Make>
   void prepare(const System& base, int count, double work, const Make& make) {
     starts_.assign(static_cast<std::size_t>(count), base);
@@ -81,14 +81,16 @@ class StudyTasks {
     });
   }
 
-  /// @param finished  takes each run(point, initial configuration, its index) when it ends
+  /// Performs all runs.
+  /// @param finished  function that receives each run(point, initial configuration, its index) when
+  ///   it ends
   template <class Finished, class MakeRun>
   void perform(const Finished& finished, const MakeRun& run) {
     workers_.each(tasks_.size(), [&](std::size_t k) {
       const auto& [point, start, work] = tasks_[k];
       if (callbacks_.stopped()) return;
       const auto done = run(point, starts_[start], start);
-      if (callbacks_.stopped()) return;  // the run may be incomplete
+      if (callbacks_.stopped()) return;  // the run may be incomplete at this point
       {
         const std::lock_guard lock(guard_);
         finished(done);
@@ -109,7 +111,7 @@ class StudyTasks {
   std::vector<Task> tasks_;
   std::vector<System> starts_;
   std::mutex guard_;
-  double work_ = 0, done_ = 0;  // in force evaluations
+  double work_ = 0, done_ = 0;  // work planned and done, in force evaluations
 };
 
 }  // namespace polhode

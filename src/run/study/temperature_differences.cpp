@@ -30,7 +30,7 @@ Quantities of_limit(const EquipartitionFit& fit, Value axis, const Line& line) {
            "probability of such an a by chance"}};
 }
 
-/// The limit for h = 0, with a p-value if it differs from 0.
+/// The fitted limit for h = 0, with a p-value if it differs from 0.
 Value limit_value(const std::optional<Line>& line) {
   if (!line) return {};
   const double p = p_value(line->intercept, line->degrees_of_freedom);
@@ -38,9 +38,10 @@ Value limit_value(const std::optional<Line>& line) {
          (p < significance ? fmt::format(" (p {:.1g})", p) : "");
 }
 
-/// @param columns  the kinds of differences
-/// @param at       the differences at a point
-/// @param limits   the fitted lines
+/// Makes a table of temperature differences.
+/// @param columns  kinds of differences
+/// @param at       function that returns the differences at a point
+/// @param limits   fitted lines
 Quantities table(const std::vector<Curve>& curves, const std::vector<EquipartitionFit>& fits,
                  const char* title, const std::vector<const char*>& columns, const auto& at,
                  const auto& limits) {

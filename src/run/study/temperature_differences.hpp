@@ -10,15 +10,17 @@
 
 namespace polhode {
 
-/// The differences at a point: "excess_K", rotation about each axis minus translation, and
-/// "configurational_excess_K" of each kind of motion.
+/// The temperature differences at a point: "excess_K" is rotation about each axis minus
+/// translation, and "configurational_excess_K" is for each kind of motion.
 Quantities excesses(const EfficiencyPoint& point);
 
-/// Their limits for zero step: "equipartition" and "configurational", each only if it is known.
+/// The limits of the temperature differences for zero step: "equipartition" and "configurational",
+/// each only if it is known.
 Quantities limits(const std::vector<EquipartitionFit>& fits);
 
-/// Both as tables of the text by scheme and step, each unless it is empty.
-/// @param fits  of the curves, in the same order
+/// The temperature differences and their limits as tables by scheme and step. Empty tables are
+/// omitted.
+/// @param fits  fits of the curves, in the same order
 Quantities temperature_tables(const std::vector<Curve>& curves,
                               const std::vector<EquipartitionFit>& fits);
 

@@ -44,8 +44,8 @@ class Series {
 
   bool stopped() const { return callbacks_.stopped(); }
 
-  /// Runs a scheme: the first half of the initial configurations measures brackets, the second
-  /// confirms.
+  /// Runs a scheme. Runs from the first half of the initial configurations measure error brackets,
+  /// and runs from the second half confirm the result.
   Runs runs(const Scheme& scheme, const std::string& label, bool brackets) {
     const auto n = static_cast<std::size_t>(settings_.runs);
     Runs result{std::vector<ErrorCovariance>(brackets ? n : 0), std::vector<double>(n)};
@@ -86,7 +86,8 @@ class Series {
   Workers& workers_;
   std::vector<System> starts_;
   std::mutex guard_;
-  double done_ = 0, all_;  // initial configurations of both halves, and 3 series for each family
+  double done_ = 0, all_;  // work for the initial configurations of both halves, and for 3 series
+                           // of each family
 };
 
 ErrorCovariance sum_without(const std::vector<ErrorCovariance>& all, std::size_t without) {
@@ -120,7 +121,7 @@ Tuned tuned(Series& series, const SchemeFamily& family, const Runs& measured) {
   return t;
 }
 
-/// The requested family, or those of hoa2 and gier4.
+/// The requested family, or the families of hoa2 and gier4.
 std::vector<SchemeFamily> families(const TuneSettings& settings, const Config& config) {
   if (!settings.scheme.empty()) return {SchemeFamily(settings.scheme)};
   const NamedScheme& scheme = config.integrator.scheme;
@@ -128,7 +129,7 @@ std::vector<SchemeFamily> families(const TuneSettings& settings, const Config& c
   return {hoa2_family(), gier4_family()};
 }
 
-/// The settings, with the run file's step unless they have one.
+/// Completes the settings: uses the step of the run file unless the settings give one.
 TuneSettings complete(TuneSettings settings, const Config& config) {
   try {
     single_scheme_of(config.integrator.scheme);
@@ -136,7 +137,8 @@ TuneSettings complete(TuneSettings settings, const Config& config) {
     throw e.at(config.source);
   }
   if (settings.step == 0) settings.step = config.integrator.step;
-  constexpr double min_repeats = 20;  // for covariances of three quantities
+  constexpr double min_repeats = 20;  // minimum number of samples for covariances of three
+                                      // quantities
   if (settings.length < min_repeats * settings.sample)
     throw Error(fmt::format(
         "length {:g} fs is shorter than {:g} samples of the error brackets, {:g} fs apart; use "

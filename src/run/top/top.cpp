@@ -28,9 +28,10 @@ void measure(TopTrack& track, const Vec3<double>& J, const Vec3<double>& L0,
   track.angle = 2 * std::atan2(norm(off.vector()), std::abs(off.w));
 }
 
-constexpr double steps_between_stops = 4096;  // about a millisecond
+constexpr double steps_between_stops = 4096;  // number of steps between calls of stop(), about a
+                                              // millisecond
 
-/// Adds the samples of a number of steps to the trajectory.
+/// Integrates a number of steps and adds their samples to the trajectory.
 void integrate(TopTrajectory& trajectory, const Vec3<double>& J, const Vec3<double>& L,
                double steps, const std::function<bool()>& stop) {
   const double step = trajectory.step;
@@ -91,7 +92,8 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
            name_J + "1 to " + name_J + "3");
   for (std::size_t k = 0; k < 3; ++k) {
     const double others = J[(k + 1) % 3] + J[(k + 2) % 3];
-    // Moments often have only five digits, so flat bodies, J3 = J1 + J2, may fail by rounding.
+    // Moments often have only five digits, so flat bodies with J3 = J1 + J2 may fail because of
+    // rounding.
     if (J[k] > others * (1 + 1e-4))
       refuse(fmt::format("{}{} = {} is larger than the sum of the other two moments, {}, which no "
                          "mass distribution allows; correct one of the three",

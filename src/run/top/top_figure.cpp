@@ -22,7 +22,7 @@ namespace {
 using Curve = std::vector<Vec3<double>>;
 constexpr double pi = std::numbers::pi;
 
-/// ω along the loop of L, once around; a single point if L is constant.
+/// The polhode: ω along one period of the loop of L. It is a single point if L is constant.
 Curve polhode_of(const Vec3<double>& J, const Vec3<double>& L) {
   const ScaledTop top(J, L, 0);
   const auto omega = [&](const Vec3<double>& l) {
@@ -30,12 +30,13 @@ Curve polhode_of(const Vec3<double>& J, const Vec3<double>& L) {
   };
   if (Orbit::is_stationary(top)) return {omega(L)};
   const Orbit orbit(top);
-  // On the separatrix the period is infinite: u from −10 to 10 covers nearly all of the loop.
+  // At the separatrix the period is infinite, and u from −10 to 10 covers nearly all of the loop.
   const double half = std::isinf(orbit.K) ? 10 : 2 * orbit.K;
   Curve curve;
   constexpr int points = 480;
   for (int n = 0; n <= points; ++n) {
-    // denser where L moves slowly: equal steps of u are close together near the middle axis
+    // points are denser where L moves slowly, because equal steps of u are close together near the
+    // middle axis
     const double u = half * (2.0 * n / points - 1);
     curve.push_back(
         omega(top.in_units_of_caller(orbit.L_at(orbit.at(orbit.elapsed(u / orbit.p))))));
@@ -49,7 +50,7 @@ std::vector<Curve> family(const Vec3<double>& J, double twice_E) {
   std::sort(axis.begin(), axis.end(), [&](std::size_t i, std::size_t j) { return J[i] < J[j]; });
   const std::size_t low = axis[0], middle = axis[1], high = axis[2];
   std::vector<Curve> curves;
-  // In the plane of the extreme axes: L_l²/J_l + L_h²/J_h = 2E and L_l² + L_h² = 2E J.
+  // In the plane of the extreme axes, L_l²/J_l + L_h²/J_h = 2E and L_l² + L_h² = 2E J.
   const auto start = [&](double moment) {
     Vec3<double> L;
     const double part = (moment - J[low]) / (J[high] - J[low]);
@@ -71,7 +72,7 @@ std::vector<Curve> family(const Vec3<double>& J, double twice_E) {
   }
   if (J[middle] > J[low] && J[high] > J[middle]) {
     for (const double s :
-         {1.0, -1.0}) {  // the separatrix: two plane ellipses through the middle axis
+         {1.0, -1.0}) {  // the separatrix consists of two plane ellipses through the middle axis
       const Vec3<double> L = start(J[middle]);
       Curve ellipse;
       for (int n = 0; n <= 480; ++n) {
@@ -88,7 +89,7 @@ std::vector<Curve> family(const Vec3<double>& J, double twice_E) {
   return curves;
 }
 
-/// Points of three columns; curves are separated by a blank line, blocks by two.
+/// Writes points in three columns. Curves are separated by a blank line, and blocks by two.
 class Points {
  public:
   explicit Points(std::ostream& out) : out_(out) {}

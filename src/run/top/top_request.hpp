@@ -12,7 +12,7 @@ namespace polhode {
 
 /// A free top and the times of its trajectory, in any consistent units.
 struct FreeTop {
-  Vec3<double> J, L;  ///< principal moments; angular momentum in the body frame
+  Vec3<double> J, L;  ///< principal moments, and angular momentum in the body frame
   double step = 0, length = 0;
 };
 
@@ -20,9 +20,11 @@ struct TopRequest {
   Given J, L, step, length, output, table, method;
 
   static std::vector<RequestOption<TopRequest>> options();
-  /// @throws Error  naming the option, unless there are three moments and three components
+  /// The top that the request describes.
+  /// @throws Error  unless there are three moments and three components; the message names the
+  ///   option
   FreeTop top() const;
-  /// The rotations of a table of tops, as rotate_table().
+  /// The rotations of a table of tops, see rotate_table().
   std::string rotated_table() const;
 };
 

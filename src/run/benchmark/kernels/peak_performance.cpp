@@ -11,14 +11,16 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// More chains than the latency of a multiply-add in cycles, times two units; fewer than registers.
+// The number of chains exceeds the latency of a multiply-add in cycles, times two units. It is
+// smaller than the number of registers.
 constexpr std::size_t chains = 12;
 
 template <class T>
 void multiply_adds(std::size_t rounds, T* numbers) {
   using Real = Pack<T>;
-  // All loops over the chains are unrolled, otherwise the chains would be kept in memory. They
-  // start from values in memory, otherwise the compiler would see that all are equal.
+  // All loops over the chains are unrolled, because otherwise the chains would be kept in memory.
+  // The chains start from values in memory, because otherwise the compiler would see that all
+  // chains are equal.
   const auto each_chain = [](const auto& body)
                               POLHODE_INLINE_LAMBDA { each(Count<chains>{}, body); };
   std::array<Real, chains> sum;
@@ -60,7 +62,7 @@ void water_pairs(const PairTable& table, const PairLaws<T>& laws, const T* own, 
     store(load.tau_b, to + 3 * Real::width);
     if constexpr (energies) u += load.van_der_waals + load.coulomb;
   }
-  store(tau_a + Vec3<Real>{u, u, u}, out);  // makes sure that every result is used
+  store(tau_a + Vec3<Real>{u, u, u}, out);  // ensures that every result is used
 }
 
 template <class T>

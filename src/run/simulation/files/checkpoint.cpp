@@ -17,7 +17,7 @@
 namespace polhode {
 namespace {
 
-// The fields of a checkpoint in their order, for both writer and reader.
+// Visits the fields of a checkpoint in their order, for both writing and reading.
 
 template <class Archive, class Counter>
 void counter(Archive& archive, Counter& n) {
@@ -42,7 +42,8 @@ void list(Archive& archive, List& values, const Fields& fields) {
   std::size_t count = values.size();
   counter(archive, count);
   for (std::size_t k = 0; k < count; ++k) {
-    if constexpr (!std::is_const_v<List>) values.resize(k + 1);  // no more than the file has
+    if constexpr (!std::is_const_v<List>)
+      values.resize(k + 1);  // not more values than the file has
     fields(values[k]);
   }
 }
@@ -174,9 +175,9 @@ void fields(Archive& archive, Of& c) {
   optional(archive, c.preparation, [&](auto& progress) { preparation(archive, progress); });
 }
 
-/// The contents of an initial configuration besides positions: orientations, and velocities if
-/// there are any. Random velocities follow from the seed. Nine digits are more than any text format
-/// has, and few enough to be the same on all processors.
+/// The orientations of an initial configuration, and its velocities if there are any, as text.
+/// Random velocities are omitted, because they follow from the seed. The text has nine digits,
+/// which is more than text formats have, and few enough to be the same on all processors.
 std::string motion_of_start(const Config& config, const System& system) {
   std::string text;
   if (config.system.initial_configuration.empty()) return text;
@@ -193,7 +194,7 @@ std::string motion_of_start(const Config& config, const System& system) {
   return text;
 }
 
-/// The contents of trajectories: files, sites and names, with or without velocities.
+/// The contents of trajectories as text: files, sites and names, with or without velocities.
 std::string outputs_of(const OutputSettings& output, const Topology& topology) {
   std::string text;
   if (output.trajectory_every == 0) return text;
@@ -205,7 +206,7 @@ std::string outputs_of(const OutputSettings& output, const Topology& topology) {
   return text;
 }
 
-/// Whether all blocks have as many sums as those of a new one.
+/// Whether all blocks have as many sums as the blocks of a new object.
 bool fit(const TimeBlocks& blocks, const TimeBlocks& fresh) {
   const std::size_t sums = fresh.blocks.front().sum.size();
   return blocks.samples_per_block >= 1 &&
@@ -214,7 +215,7 @@ bool fit(const TimeBlocks& blocks, const TimeBlocks& fresh) {
          });
 }
 
-/// The same of a response with its first sample, or an empty one.
+/// Whether a response with its first sample has as many sums as a new one, or is empty.
 bool fit(const StepResponse& read, const StepResponse& fresh) {
   return read.first.size() == (read.blocks.blocks.empty() ? 0 : fresh.first.size()) &&
          fit(read.blocks, fresh.blocks);

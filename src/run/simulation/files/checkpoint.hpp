@@ -15,65 +15,73 @@
 
 namespace polhode {
 
-/// How far the files of a run have come.
+/// Positions in the output files of a run.
 struct OutputMarks {
-  FileMark energies;             ///< rows of the table and bytes
-  std::vector<FileMark> frames;  ///< of each trajectory file
-  std::size_t next_frame = 0;    ///< step from which on a sample is written as a frame
+  FileMark energies;             ///< rows and bytes of the energies file
+  std::vector<FileMark> frames;  ///< position in each trajectory file
+  std::size_t next_frame = 0;    ///< first step whose sample is written as the next frame
 };
 
-/// How far a preparation has come, besides the RunState of its current stage.
+/// The progress of a preparation, in addition to the RunState of its current stage.
 struct PreparationProgress {
-  std::size_t stage = 0;       ///< in progress, from 0; the number of stages once all are done
-  double step = 0;             ///< of its dynamics [ps]
-  double compressibility = 0;  ///< of its barostat if estimated, otherwise 0 [nm³ mol/kJ]
+  std::size_t stage = 0;       ///< stage in progress, from 0; the number of stages once all are
+                               ///< done
+  double step = 0;             ///< time step of its dynamics [ps]
+  double compressibility = 0;  ///< estimated compressibility of its barostat, otherwise 0
+                               ///< [nm³ mol/kJ]
   Minimisation minimisation;
 };
 
 struct Checkpoint {
-  std::string identity;  ///< of the run, see run_identity()
-  std::string command;   ///< with which it began
+  std::string identity;  ///< identity of the run, see run_identity()
+  std::string command;   ///< command with which the run began
   RunState at;
   ForceNoise noise;
-  std::uint64_t minimisation_evaluations = 0;      ///< of forces, before the trajectory
-  std::optional<OutputMarks> outputs;              ///< nothing before they begin
-  std::optional<PreparationProgress> preparation;  ///< only of a preparation
+  std::uint64_t minimisation_evaluations = 0;      ///< number of force evaluations before the
+                                                   ///< trajectory
+  std::optional<OutputMarks> outputs;              ///< positions in the outputs; empty before they
+                                                   ///< begin
+  std::optional<PreparationProgress> preparation;  ///< progress of a preparation; empty for a run
 };
 
-/// What must be the same for a run to resume, as a hash and settings_text(): molecules, initial
-/// configuration with its velocities, forces, scheme, step, equilibration, and what is written how
-/// often; not its length.
+/// The identity of a run, which must be the same when it is resumed: a hash, followed by
+/// settings_text(). It depends on molecules, initial configuration with velocities, forces, scheme,
+/// step and equilibration. It also depends on the kinds and intervals of outputs, but not on the
+/// length of the run.
 std::string run_identity(const Config& config, const System& system);
 
-/// Writes a checkpoint, whole or not at all; the newest one becomes the previous one.
-/// @throws RunError  if that cannot be done
+/// Writes a checkpoint, completely or not at all. The newest checkpoint becomes the previous one.
+/// @throws RunError  if the file cannot be written
 void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
                       const ProgramVersion& program);
 
+/// Reads a checkpoint.
 /// @throws DamagedCheckpoint  if the file is missing, truncated or changed
 /// @throws Error              if another program wrote it
 Checkpoint read_checkpoint(const std::string& path, const ProgramVersion& reader);
-/// The same for bytes that were read from `path`.
+/// Reads a checkpoint from bytes that were read from the file `path`.
 Checkpoint parse_checkpoint(std::string bytes, const std::string& path,
                             const ProgramVersion& reader);
 
-/// The state of a checkpoint of any run of this version, written with any instruction set.
+/// Reads only the state from a checkpoint. It may be the checkpoint of any run of this version,
+/// with any instruction set.
 /// @throws Error  if the file is damaged, or of another version
 State state_of_checkpoint(const std::string& path, const std::string& version);
 
-/// The same for the checkpoint of one run.
-/// @throws Error  if another run wrote it
+/// Reads the checkpoint of a given run.
+/// @throws Error  if another run wrote the checkpoint
 Checkpoint read_checkpoint_of(const std::string& path, const std::string& identity,
                               const ProgramVersion& reader);
 
 struct FoundCheckpoint {
   Checkpoint checkpoint;
-  std::string note;  ///< why it is the previous one; empty if it is the newest
+  std::string note;  ///< reason why it is the previous checkpoint; empty if it is the newest
 };
 
-/// The newest checkpoint of a run, or the previous one where that is damaged: what follows it is
-/// computed again, to the same bits. Nothing if there is neither.
-/// @throws Error  if both are damaged, or another run, program or instruction set wrote it
+/// Finds the newest checkpoint of a run, or the previous one if the newest is damaged. The steps
+/// after the previous checkpoint are then computed again, to the same bits. The result is empty if
+/// there is no checkpoint.
+/// @throws Error  if both are damaged, or another run, program or instruction set wrote them
 std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
                                                const std::string& identity,
                                                const ProgramVersion& reader);

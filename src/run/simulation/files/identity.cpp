@@ -15,8 +15,8 @@
 namespace polhode {
 namespace {
 
-/// The contents of a table, whose file may have changed under the same name; nothing for other
-/// laws.
+/// The contents of the table of a law as text, because the file may have changed. It is empty for
+/// other laws.
 std::string table_identity(const ShortRangeLaw& law) {
   const auto* tabulated = std::get_if<TabulatedLaw>(&law);
   if (!tabulated) return {};
@@ -26,14 +26,15 @@ std::string table_identity(const ShortRangeLaw& law) {
                      fmt::join(std::span(coefficients, coefficients + 4 * table.intervals()), " "));
 }
 
-// For Lennard-Jones: nothing besides σ and ε.
+// The Lennard-Jones law has no parameters besides σ and ε.
 std::string law_identity(const Site& site) {
   if (std::holds_alternative<LennardJonesLaw>(site.law)) return {};
   return fmt::format("{} {}{} ", name(site.law), parameters(site.sigma, site.epsilon, site.law),
                      table_identity(site.law));
 }
 
-/// The settings that the identity of a run states in a form of its own, or its callers by number.
+/// The settings that the identity of a run contains in another form, or that callers add as
+/// numbers.
 constexpr std::array<std::string_view, 27> stated = {
     "system.temperature",
     "system.seed",
@@ -75,12 +76,12 @@ std::string further_settings(const Config& config) {
   return text;
 }
 
-/// The first line, a hash of everything that a run depends on.
+/// The first line of an identity: a hash of everything on which a run depends.
 std::string_view hash_of(std::string_view run_identity) {
   return run_identity.substr(0, run_identity.find('\n'));
 }
 
-/// The other lines by their key; a checkpoint of an older program has none.
+/// The other lines of an identity by their key; the checkpoint of an older program has none.
 std::map<std::string, std::string> settings_of(const std::string& run_identity) {
   std::map<std::string, std::string> settings;
   std::istringstream lines(run_identity);

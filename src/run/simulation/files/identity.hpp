@@ -10,19 +10,21 @@
 
 namespace polhode {
 
-/// Molecules with all their parameters, the initial configuration, and the forces.
+/// The identity of a computation as a text that contains molecules with all their parameters, the
+/// initial configuration, and the forces.
 /// @param numbers  further parameters of the computation, such as times
 std::string identity(const Config& config, const System& system,
                      std::initializer_list<double> numbers);
 
-/// The settings that a run depends on besides its system, one a line: "integrator.step = 2 fs".
+/// The settings other than the system on which a run depends, one per line, such as
+/// "integrator.step = 2 fs".
 std::string settings_text(const Config& config);
 
-/// Whether two identities, a hash with settings_text() below it, are of the same run.
+/// Whether two identities, each a hash followed by settings_text(), belong to the same run.
 bool same_run(std::string_view one, std::string_view other);
 
-/// What differs between the settings in two such texts: "integrator.step was 2 fs and is now 1 fs";
-/// empty if nothing.
+/// The differences between the settings in two identities, such as "integrator.step was 2 fs and is
+/// now 1 fs". The text is empty if there are none.
 std::string differences(const std::string& then, const std::string& now);
 
 }  // namespace polhode

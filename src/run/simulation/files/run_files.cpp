@@ -19,13 +19,15 @@ std::vector<FrameNumber> observables(const Energies& e) {
           {"total_energy", "kJ mol-1", e.total()}};
 }
 
-/// Whether the energies contain them: at constant energy they follow from the total energy.
+/// Whether the energies file contains time-step errors. At constant energy it does not, because
+/// they follow from the total energy.
 bool samples_step_errors(const TrajectorySettings& settings) {
   return settings.shadow_sample > 0 && !settings.ensemble.constant_energy();
 }
 
-/// The files that a run writes at its end, without those that it reads: until then, or if it
-/// blows up, they would be of other states than the trajectory.
+/// The files that a run writes at its end, except for files that it also reads. Existing files are
+/// removed, because they would belong to another state than the trajectory until the run ends, or
+/// if it blows up.
 std::vector<std::string> last_files(const RunFileNames& names, const SystemSettings& inputs) {
   std::vector<std::string> files;
   for (const std::string& file : {names.final_state, names.plot}) {
@@ -72,7 +74,8 @@ void RunFiles::resume(const FoundCheckpoint& from) {
     reopen(marks);
   }
   remove_last();
-  // The intact one is now the newest: the damaged one must not become the previous one.
+  // The intact checkpoint becomes the newest, because the damaged one must not become the previous
+  // one.
   if (!from.note.empty())
     std::filesystem::rename(names_.checkpoints.previous, names_.checkpoints.newest);
 }
@@ -87,7 +90,7 @@ void RunFiles::reopen(const OutputMarks& marks) try {
     trajectories_.push_back(
         resume_frames(names_.trajectories[k], topology_, marks.frames[k], choice_));
   next_frame_ = marks.next_frame;
-} catch (const Error& e) {  // files were truncated, so the failure must be reported
+} catch (const Error& e) {  // files have been truncated, so the failure must be reported
   throw RunError(e.what());
 }
 
@@ -95,7 +98,8 @@ void RunFiles::begin() try {
   energies_.emplace(names_.energies, topology_, step_errors_, provenance_);
   for (const std::string& path : names_.trajectories)
     trajectories_.push_back(create_frames(path, topology_, choice_));
-} catch (const Error& e) {  // a checkpoint exists: the run can be resumed when there is disk space
+} catch (const Error& e) {  // a checkpoint exists, so the run can be resumed when there is disk
+                            // space
   throw RunError(e.what());
 }
 

@@ -13,32 +13,33 @@
 
 namespace polhode {
 
-/// The files that grow: energies, trajectories, checkpoints. They begin with the first sample,
-/// after a checkpoint that records this; no file exists without a checkpoint that refers to it.
+/// The growing files of a run: energies, trajectories and checkpoints. They begin with the first
+/// sample, after a checkpoint that records their start. Every file therefore has a checkpoint that
+/// refers to it.
 class RunFiles {
  public:
-  /// @param from  checkpoint to resume from: the files are truncated to their lengths in it
-  /// @throws Error  if one of them was changed; then none is modified
+  /// @param from  checkpoint to resume from; the files are truncated to the lengths that it records
+  /// @throws Error  if a file was changed; no file is modified then
   RunFiles(const RunFileNames& names, const Topology& topology, const Config& config,
            const Provenance& provenance, const std::string& identity,
            const FoundCheckpoint* from = nullptr);
 
   /// Stores the noise of the initial forces in every checkpoint.
   void keep(const ForceNoise& noise) { checkpoint_.noise = noise; }
-  /// Likewise the number of force evaluations of the minimisation.
+  /// Stores the number of force evaluations of the minimisation in every checkpoint.
   void keep(std::uint64_t minimisation_evaluations) {
     checkpoint_.minimisation_evaluations = minimisation_evaluations;
   }
 
-  /// Appends energies, and a frame where one is due.
-  /// @throws RunError  if there is no room
+  /// Appends energies, and a frame if one is due.
+  /// @throws RunError  if the disk is full
   void sample(std::size_t step, const State& state, const Energies& energies);
   /// Whether the time between two checkpoints has passed.
   bool due() const;
   /// Syncs all files to disk, then writes the checkpoint.
-  /// @throws RunError  if there is no room
+  /// @throws RunError  if the disk is full
   void checkpoint(RunState at);
-  /// The step of the last checkpoint; nothing before the first.
+  /// The step of the last checkpoint; empty before the first checkpoint.
   std::optional<std::size_t> last_checkpoint_step() const { return last_checkpoint_step_; }
   /// Syncs all files to disk.
   void flush();
@@ -55,11 +56,12 @@ class RunFiles {
   FrameChoice choice_;
   Provenance provenance_;
   bool step_errors_;
-  double interval_;  // between checkpoints [s]
+  double interval_;  // wall-clock time between checkpoints [s]
   std::size_t steps_per_frame_;
-  bool others_;                    // checkpoints of another run may exist
-  std::vector<std::string> last_;  // files of the end of a run, unless it starts from them
-  Checkpoint checkpoint_;          // the fields that are the same in all of them
+  bool others_;                    // whether checkpoints of another run may exist
+  std::vector<std::string> last_;  // files that are written at the end of the run, unless the run
+                                   // starts from them
+  Checkpoint checkpoint_;          // the fields that all checkpoints of the run have in common
   std::optional<EnergyFile> energies_;
   std::vector<std::unique_ptr<FrameWriter>> trajectories_;
   std::size_t next_frame_ = 0;

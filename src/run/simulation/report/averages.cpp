@@ -24,7 +24,7 @@ std::string text_or_dash(double degrees_of_freedom, const SeriesEstimate& T) {
   return degrees_of_freedom == 0 ? "-" : text_of(T);
 }
 
-/// Why some of the temperatures that are shown have no error, where their mean has one.
+/// The reason why some of the printed temperatures have no error although their mean has one.
 std::string missing_errors(const TemperatureEstimates& T, const DegreesOfFreedom& n) {
   if (T.all.known != Known::yes) return "";
   Known worst = n.translation > 0 ? T.translation.known : Known::yes;
@@ -71,7 +71,7 @@ Quantities of_configurational(const ByMotion<std::optional<SeriesEstimate>>& T) 
   return list;
 }
 
-/// "1200 of 2000 accepted, 60.0 ± 1.1 %".
+/// A number of acceptances as text, such as "1200 of 2000 accepted, 60.0 ± 1.1 %".
 std::string accepted_text(std::uint64_t some, std::uint64_t all, const SeriesEstimate& share) {
   if (all == 0) return "none yet";
   return fmt::format("{} of {} accepted, {}{}", some, all, text_of(scaled(share, 100), "%"),
@@ -98,7 +98,7 @@ Quantities of_barostat(const BarostatSummary& s) {
       {"work", "kJ/mol", s.work, "work received from the barostat"}};
 }
 
-/// How many independent samples of the potential energy the run is worth.
+/// The effective number of independent samples of the potential energy, as text.
 std::string effective_samples_text(const HybridMonteCarloSummary& s) {
   const Known known = s.effective_samples.known;
   if (known == Known::not_defined) return "not defined: the potential energy is constant";
@@ -124,7 +124,7 @@ Quantities of_hybrid_monte_carlo(const HybridMonteCarloSummary& s) {
           {"work", "kJ/mol", s.work, "work received from draws and rejections"}};
 }
 
-/// Null at constant energy.
+/// The results of the ensemble; null at constant energy.
 Quantities of_ensemble(const EnsembleSummary& s) {
   if (s.settings.constant_energy()) return {{"ensemble", "", {}}};
   Quantities settings;
@@ -146,14 +146,14 @@ Quantities of_ensemble(const EnsembleSummary& s) {
 }
 
 /// A time-step bias, followed by the average without it.
-/// @param average  in the same unit
+/// @param average  the average, in the same unit
 Quantity bias_of(std::string key, std::string unit, const SeriesEstimate& bias, double average,
                  std::string label, const std::string& of = "") {
   std::string note = fmt::format("{}, without it {:.5g} {}{}", of, average - bias.value, unit, of);
   return {std::move(key), std::move(unit), bias, "", std::move(label), std::move(note)};
 }
 
-/// Mean temperature of rotation about all axes.
+/// The mean temperature of rotation about all axes.
 double rotation_temperature(const RunSummary& s) {
   const DegreesOfFreedom& n = s.degrees_of_freedom;
   double T = 0;

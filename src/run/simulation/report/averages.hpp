@@ -9,16 +9,17 @@
 
 namespace polhode {
 
-/// An estimate in another unit.
+/// Converts an estimate to another unit.
 SeriesEstimate in_unit(const char* symbol, Dimension dimension, const SeriesEstimate& estimate);
 
 /// The warnings as a list, and as rows of the text.
 Quantities of_warnings(const std::vector<Warning>& warnings);
 
-/// Energies, temperatures, pressure, and what thermostat, barostat and hybrid Monte Carlo did.
+/// The energies, temperatures and pressure of a run, and the results of thermostat, barostat and
+/// hybrid Monte Carlo.
 Quantities of_averages(const RunSummary& summary);
 
-/// The time-step bias of each average; null where it is not known.
+/// The time-step bias of each average; null if it is not known.
 Quantity of_step_bias(const RunSummary& summary);
 
 }  // namespace polhode

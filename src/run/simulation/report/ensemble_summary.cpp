@@ -7,17 +7,17 @@
 namespace polhode {
 namespace {
 
-/// Not a number without any.
+/// The fraction `some`/`all`; NaN if `all` is 0.
 double part(std::uint64_t some, std::uint64_t all) {
   return static_cast<double>(some) / static_cast<double>(all);
 }
 
-/// The mean of one of the quantities of a series of moves or trajectories.
+/// The mean of a quantity over a series of moves or trajectories.
 SeriesEstimate mean_of(const TimeBlocks& blocks, std::size_t quantity) {
   return series_estimate(blocks.means(), [quantity](auto mean) { return mean[quantity]; });
 }
 
-/// n/2τ with the relative error of τ.
+/// The effective number of samples n/2τ, with the relative error of τ.
 SeriesEstimate effective_samples(const SeriesEstimate& correlation_time, double samples) {
   SeriesEstimate n = correlation_time;
   n.value = samples / (2 * correlation_time.value);

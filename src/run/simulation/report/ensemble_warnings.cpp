@@ -11,18 +11,24 @@
 namespace polhode {
 namespace {
 
-constexpr double far = 3;                     // standard deviations, of a share
-constexpr double significance_level = 0.001;  // p-value of slopes, as for other warnings of a run
-constexpr double min_volume_change = 0.005;   // of the mean volume
-// Of the volume: its variance then has a relative error of a third, √(2τ/T).
+constexpr double far = 3;                     // number of standard deviations beyond which an
+                                              // acceptance rate is suspicious
+constexpr double significance_level = 0.001;  // p-value of slopes, as in other warnings of a run
+constexpr double min_volume_change = 0.005;   // smallest relevant change, relative to the mean
+                                              // volume
+// Minimum number of relaxation times of the volume. The variance of the volume then has a relative
+// error of a third, √(2τ/T).
 constexpr double min_relaxation_times = 20;
-constexpr std::uint64_t min_accepted_moves = 100;  // Monte Carlo
-constexpr double min_acceptance = 0.5;             // of cell rescaling, and of hybrid Monte Carlo
-constexpr double min_move_acceptance = 0.1;        // of Monte Carlo moves of the volume
-constexpr double max_acceptance = 0.99;            // of hybrid Monte Carlo
+constexpr std::uint64_t min_accepted_moves = 100;  // minimum for Monte Carlo moves
+constexpr double min_acceptance = 0.5;             // minimum acceptance rate of cell rescaling, and
+                                                   // of hybrid Monte Carlo
+constexpr double min_move_acceptance = 0.1;        // minimum acceptance rate of Monte Carlo moves
+                                                   // of the volume
+constexpr double max_acceptance = 0.99;            // maximum acceptance rate of hybrid Monte Carlo
 constexpr double min_weight_difference = 1e-3;
 
-/// Three standard deviations of the share of accepted ones among n, if the probability is that.
+/// Three standard deviations of the acceptance rate of n moves, given the probability of
+/// acceptance.
 double chance(double probability, std::uint64_t n) {
   return far * std::sqrt(probability * (1 - probability) / static_cast<double>(n));
 }
@@ -43,8 +49,8 @@ std::optional<Warning> volume_warning(const BarostatSummary& s, double length) {
                  "run longer, or start a new run from the final state of this one"};
 }
 
-/// Errors of density and compressibility come from the same few fluctuations, so they do not show
-/// that a run is too short for them.
+/// Warns of a run that is too short for density and compressibility. Their errors cannot show this,
+/// because they come from the same few fluctuations.
 std::optional<Warning> length_warning(const BarostatSummary& s, const BarostatSettings& settings,
                                       double length) {
   const bool rescaling = std::holds_alternative<CellRescaling>(settings.type);
@@ -106,8 +112,8 @@ std::optional<Warning> acceptance_warning(const HybridMonteCarloSummary& s) {
       low ? "use a shorter step, or a scheme with a smaller error" : "use a longer step"};
 }
 
-/// Of the mean of exp(−ΔH/kT), or of the bounded one: the error of the first is unknown or large
-/// where it is made of few large values.
+/// Warns if the mean of exp(−ΔH/kT), or the bounded mean, deviates. The error of the first is
+/// unknown or large if a few large values dominate it.
 std::optional<Warning> weight_warning(const HybridMonteCarloSummary& s) {
   const auto warning = [](const SeriesEstimate& mean, double exact,
                           const char* name) -> std::optional<Warning> {
@@ -129,7 +135,8 @@ std::optional<Warning> weight_warning(const HybridMonteCarloSummary& s) {
 }  // namespace
 
 double volume_relaxation(const BarostatSettings& barostat, double compressibility) {
-  constexpr double moves = 4;  // of Monte Carlo, of up to two standard deviations of the volume
+  constexpr double moves = 4;  // largest Monte Carlo moves are two standard deviations of the
+                               // volume
   const auto* const rescaling = std::get_if<CellRescaling>(&barostat.type);
   const double softer =
       barostat.compressibility > 0 ? compressibility / barostat.compressibility : 1;

@@ -8,14 +8,14 @@
 
 namespace polhode {
 
-/// A volume that still drifts, too few accepted moves of the barostat, too few or too many accepted
-/// trajectories of hybrid Monte Carlo, and a mean of exp(−ΔH/kT) that is not 1
-/// (docs/manual/ensembles.md, Warnings).
+/// Warnings about the ensemble of a run. Causes are a drifting volume, too few accepted barostat
+/// moves, too few or too many accepted trajectories of hybrid Monte Carlo, and a mean of
+/// exp(−ΔH/kT) that is not 1 (docs/manual/ensembles.md, Warnings).
 std::vector<Warning> ensemble_warnings(const RunSummary& summary);
 
-/// The relaxation time of the volume [ps]. The time constant of cell rescaling is that of a system
-/// with the compressibility of the barostat; a softer one relaxes more slowly.
-/// @param compressibility  of the system [nm³ mol/kJ]; 0 if it is not known
+/// The relaxation time of the volume [ps]. The time constant of cell rescaling holds for a system
+/// with the compressibility of the barostat settings. A softer system relaxes more slowly.
+/// @param compressibility  compressibility of the system [nm³ mol/kJ]; 0 if it is not known
 double volume_relaxation(const BarostatSettings& barostat, double compressibility);
 
 }  // namespace polhode

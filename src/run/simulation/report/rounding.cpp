@@ -13,9 +13,9 @@ namespace polhode {
 namespace {
 
 constexpr int states = 16;
-constexpr double apart = 1e-4;  // [ps]
+constexpr double apart = 1e-4;  // time between the states [ps]
 
-/// Sums of a quantity over the states, for its sample variance.
+/// Sums of a quantity over the states, from which its sample variance is computed.
 struct Spread {
   double sum = 0, squares = 0;
   void add(double x) {
@@ -69,7 +69,7 @@ ForceNoise force_noise(const System& system, Workers& workers) {
 double kick_weights(const Scheme& scheme, double lambda) {
   const auto stages = scheme.stages();
   double squares = 0, plain = 0, shifted = 0, first_plain = 0, first_shifted = 0;
-  bool first = true;  // kicks before the first drift are added to those after the last one
+  bool first = true;  // kicks before the first drift are added to kicks after the last drift
   const auto close = [&] {
     squares += plain * plain + shifted * shifted;
     plain = shifted = 0;
@@ -90,7 +90,7 @@ double kick_weights(const Scheme& scheme, double lambda) {
         plain += stage.fraction * (gradient ? 1 - 1 / lambda : 1);
         shifted += gradient ? stage.fraction / lambda : 0;
         break;
-      case Flow::bath:  // kicks before and after it are at the same positions
+      case Flow::bath:  // kicks before and after the bath are at the same positions
         break;
     }
   }

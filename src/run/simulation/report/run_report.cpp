@@ -18,7 +18,7 @@ namespace {
 
 double percent(double x) { return 100 * x; }
 
-/// A number that is known only under a condition.
+/// A number that is known only under a condition; otherwise NaN.
 double known_if(bool known, double value) {
   return known ? value : std::numeric_limits<double>::quiet_NaN();
 }
@@ -49,7 +49,7 @@ Quantities of_settings(const RunReport& r) {
           {"files", "", r.files.all(), "names of the files that were written"}};
 }
 
-/// "0.012 ± 0.004 kJ/mol/ps, not significant (p-value 0.2)".
+/// A drift as text, such as "0.012 ± 0.004 kJ/mol/ps, not significant (p-value 0.2)".
 std::string drift_text(const Drift& drift, std::uint64_t samples) {
   if (samples < min_samples_reported) return not_known(Known::too_few_samples);
   const SeriesEstimate rate{drift.rate.value, drift.rate.error, drift.known};
@@ -85,14 +85,16 @@ std::string ratio_text(const RunSummary& s) {
       grows ? "" : missing_error(s.ratio.known));
 }
 
-/// "; in this run 0.4 % of the rms fluctuation of the potential energy, too little to matter".
+/// The size of the drift as text, such as "; in this run 0.4 % of the rms fluctuation of the
+/// potential energy, too little to matter".
 std::string size_text(const RunSummary& s) {
   if (s.samples < min_samples_reported || s.potential_fluctuation.value == 0) return "";
   return fmt::format("; in this run {:.2g} % of the rms fluctuation of the potential energy{}",
                      percent(s.relative_drift()), drift_matters(s) ? "" : ", too little to matter");
 }
 
-/// How well the energy is conserved, as rows; none with hybrid Monte Carlo, which conserves none.
+/// Rows on energy conservation. There are none for hybrid Monte Carlo, which does not conserve any
+/// energy.
 Quantities conservation_rows(const RunSummary& s) {
   if (s.ensemble.settings.hybrid_monte_carlo) return {};
   Quantities rows = {row("R", ratio_text(s))};
@@ -228,7 +230,7 @@ Quantities of_costs(const RunReport& r) {
       {"instruction_set", "", r.execution.instruction_set, "instruction set of the kernels"}};
 }
 
-/// Null without a bound that was asked for.
+/// The check of the guarantee; null if no bound was requested.
 Quantity of_guarantee(const std::optional<GuaranteeCheck>& k) {
   if (!k) return {"guarantee", "", {}};
   const std::string name = k->guarantee.accuracy.of == RequiredOf::ratio ? "R" : "bias";

@@ -12,8 +12,9 @@
 namespace polhode {
 namespace {
 
-/// The energy drift of the run. The conserved energy performs a random walk: that of the shadow
-/// energy, where it was sampled, and no less than rounding makes it; else one of any strength.
+/// The energy drift of the run. The conserved energy performs a random walk. If the shadow energy
+/// was sampled, its walk gives the strength, which is at least the strength of round-off. Otherwise
+/// the strength is unknown.
 Drift drift(const TrajectoryStatistics& statistics, double rounding) {
   std::vector<WalkStrength> walks = statistics.shadow.walks();
   if (walks.empty()) return statistics.energies.drift_over_walk(rounding);
@@ -21,8 +22,8 @@ Drift drift(const TrajectoryStatistics& statistics, double rounding) {
   return statistics.energies.drift(walks);
 }
 
-/// Marks R as growing if its square is made of random walks by more than a tenth.
-/// @param rounding  variance per time of the walk of rounding [(kJ/mol)²/ps]
+/// Marks R as growing if random walks contribute more than 10 % of its square.
+/// @param rounding  variance per time of the random walk by round-off [(kJ/mol)²/ps]
 void mark_growth(RunSummary& s, double rounding) {
   constexpr double max_share = 0.1;
   const double of_walk = std::hypot(
@@ -33,7 +34,7 @@ void mark_growth(RunSummary& s, double rounding) {
   s.total_fluctuation = {s.total_fluctuation.value, 0, Known::grows};
 }
 
-/// Means and fluctuations of energies, temperatures and pressure.
+/// Adds means and fluctuations of energies, temperatures and pressure.
 void add_averages(RunSummary& s, const TrajectoryStatistics& statistics) {
   const EnergyStatistics& energies = statistics.energies;
   const double per_molecule = 1 / static_cast<double>(s.molecules);
@@ -49,9 +50,9 @@ void add_averages(RunSummary& s, const TrajectoryStatistics& statistics) {
   s.ratio = energies.ratio_with_error();
 }
 
-/// Takes away what belongs to a conserved energy. Hybrid Monte Carlo has none: draws and decisions
-/// change it, and the energy errors of its trajectories add up to a random walk that biases
-/// nothing.
+/// Removes the results on energy conservation, which do not apply to hybrid Monte Carlo. New
+/// momenta and decisions change the energy. The energy errors of its trajectories add up to a
+/// random walk that causes no bias.
 void remove_conservation(RunSummary& s) {
   constexpr SeriesEstimate none{.value = std::numeric_limits<double>::quiet_NaN(),
                                 .known = Known::not_defined};
@@ -95,7 +96,7 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   s.walk_known = system.forces.precision == Precision::double_precision || noise.power > 0;
   s.drift = drift(trajectory.statistics, rounding);
   if (std::abs(s.drift.rate.value) <= double_drift(energies.first, settings.step))
-    s.drift.p_value = 1;  // no larger than rounding
+    s.drift.p_value = 1;  // the drift is not larger than round-off
   s.shadow = shadow_summary(trajectory.statistics.shadow, s.drift);
   s.walk = std::max(s.drift.walk, s.shadow ? s.shadow->drift.walk : 0.0);
   mark_growth(s, rounding);

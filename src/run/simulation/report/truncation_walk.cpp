@@ -26,7 +26,7 @@ double bernoulli(int n, double x) {
   }
 }
 
-/// Random ones over which is averaged: a mean square is known to a tenth.
+/// Number of random orientations for an average; the mean square is then known to about 10 %.
 constexpr int orientations = 400;
 
 /// The energies of the pairs of sites of two molecule types.
@@ -43,7 +43,7 @@ class SitePairs {
   const std::vector<Site>& first() const { return a_.sites; }
   const std::vector<Site>& second() const { return b_.sites; }
 
-  /// u and −u'/r without truncation.
+  /// The interaction of two sites without truncation: u and −u'/r.
   PairValue<double> operator()(std::size_t i, std::size_t j, double r2) const {
     const InversePowers<double> inverse_r(r2);
     PairValue<double> sum{0, 0};
@@ -69,7 +69,8 @@ class SitePairs {
   bool charges_;
 };
 
-/// ⟨v²⟩/kT of a site along a direction of the body frame, at thermal velocities [1/u].
+/// The mean square velocity ⟨v²⟩/kT of a site along a body-frame direction, at thermal velocities
+/// [1/u].
 double inverse_mass(const Molecule& molecule, const Vec3<double>& r,
                     const Vec3<double>& direction) {
   const Vec3<double> lever = cross(r, direction);
@@ -79,7 +80,7 @@ double inverse_mass(const Molecule& molecule, const Vec3<double>& r,
   return sum;
 }
 
-/// The mean square of the energy of two molecules with centres at this distance, over random
+/// The mean square energy of two molecules at a given distance of their centres, over random
 /// orientations.
 double mean_square_energy(const SitePairs& pairs, double distance) {
   Random random(1);
@@ -98,27 +99,30 @@ double mean_square_energy(const SitePairs& pairs, double distance) {
   return sum / orientations;
 }
 
-/// u''(r) of a pair of sites, from the slope u' = −s r at distances close by.
+/// The second derivative u''(r) of a pair of sites, from the slope u' = −s r at two close
+/// distances.
 double curvature(const SitePairs& pairs, std::size_t i, std::size_t j, double r) {
   const double d = 1e-4 * r;
   const auto slope = [&](double x) { return -pairs(i, j, x * x).s * x; };
   return (slope(r + d) - slope(r - d)) / (2 * d);
 }
 
-/// The discontinuities at one distance: their order, and a sum over pairs of sites, or of
-/// molecules, of the squares of the jumps times ⟨|v|^{2n+3}⟩.
+/// The discontinuities at one distance: their order, and a sum over pairs of sites or molecules.
+/// The terms of the sum are the squares of the jumps times ⟨|v|^{2n+3}⟩.
 struct Passages {
   const ForceSettings& forces;
   double kT;
   int n;
 
-  /// ⟨|v|^{2n+3}⟩ of a normal velocity with the variance kT times this.
+  /// The moment ⟨|v|^{2n+3}⟩ of a normal velocity, whose variance is kT times the sum of inverse
+  /// masses.
   double moment(double inverse_masses) const {
     return std::pow(2 * kT * inverse_masses, n + 1.5) * std::tgamma(n + 2.0) / std::sqrt(units::pi);
   }
 
-  /// The same of two sites along the line between them, averaged over orientations: a site is
-  /// faster in some directions than in others.
+  /// The moment of the relative velocity of two sites along the line between them, averaged over
+  /// orientations. The average is needed because a site is faster in some directions than in
+  /// others.
   double moment(const Molecule& a, const Vec3<double>& ra, const Molecule& b,
                 const Vec3<double>& rb) const {
     Random random(2);
@@ -131,7 +135,7 @@ struct Passages {
 
   double sum(const Molecule& a, const Molecule& b, const SitePairs& pairs, double r) const {
     const bool shift = cutoff_treatment(forces) == CutoffTreatment::site_shift;
-    // w^{(n+1)} at the ends of the switching range.
+    // The derivatives w^{(n+1)} at the ends of the switching range.
     const double width = forces.cutoff - forces.switch_from;
     const double jump =
         std::array{6.0, 60.0, 840.0}[static_cast<std::size_t>(n - 1)] / std::pow(width, n + 1);
@@ -150,7 +154,7 @@ struct Passages {
 }  // namespace
 
 double passage_error(const Scheme& scheme, int n) {
-  std::vector<std::array<double, 2>> kicks;  // drifts before it, weight
+  std::vector<std::array<double, 2>> kicks;  // sum of the drifts before each kick, and its weight
   double drifted = 0;
   for (const Stage& stage : scheme.stages()) {
     if (stage.flow == Flow::drift) drifted += stage.fraction;

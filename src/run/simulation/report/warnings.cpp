@@ -19,23 +19,28 @@
 namespace polhode {
 namespace {
 
-/// Standard deviations beyond which a difference is not due to chance, of a deviation that is
-/// known; an estimated one counts by three_sigma().
+/// Number of standard deviations beyond which a difference is not due to chance, if the standard
+/// deviation is known. For an estimated standard deviation, three_sigma() is used.
 constexpr double far = 3;
-/// The bounds below which nothing is wrong whatever the statistics, each relative to the quantity
-/// in its comment.
-constexpr double min_temperature_difference = 0.01;  // the requested temperature
-constexpr double min_ignored_difference = 0.02;      // likewise, if it had no effect on the run
-constexpr double max_ratio = 0.05;                   // R itself
-constexpr double min_drift_share = 0.5;              // R
-constexpr double min_drift_ratio = 0.001;            // the fluctuation of the potential energy
-constexpr double min_truncation_share = 1.0 / 3;     // R: a tenth of its square
-constexpr double min_truncation_ratio = 0.001;       // the fluctuation of the potential energy
-constexpr double min_walk_share = 0.5;               // R²
-constexpr double min_walk_ratio = 0.005;             // the fluctuation of the potential energy
-constexpr double min_fall = 0.02;                    // the kinetic energy
+/// Bounds below which a deviation is harmless even if it is significant. Each is relative to the
+/// quantity in its comment.
+constexpr double min_temperature_difference = 0.01;  // relative to the requested temperature
+constexpr double min_ignored_difference = 0.02;      // relative to the requested temperature, if it
+                                                     // had no effect on the run
+constexpr double max_ratio = 0.05;                   // bound on R
+constexpr double min_drift_share = 0.5;              // relative to R
+constexpr double min_drift_ratio = 0.001;            // relative to the fluctuation of the potential
+                                                     // energy
+constexpr double min_truncation_share = 1.0 / 3;     // relative to R: its square contributes 10 %
+constexpr double min_truncation_ratio = 0.001;       // relative to the fluctuation of the potential
+                                                     // energy
+constexpr double min_walk_share = 0.5;               // relative to R²
+constexpr double min_walk_ratio = 0.005;             // relative to the fluctuation of the potential
+                                                     // energy
+constexpr double min_fall = 0.02;                    // relative to the kinetic energy
 constexpr double max_pressure_kbar = 5;
-/// p-value of slopes: a tenth of that of a verdict, since these tests are made on every run.
+/// The p-value of slopes for a warning. It is a tenth of the usual significance level, because
+/// these tests are made on every run.
 constexpr double significance_level = 0.001;
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
@@ -57,8 +62,8 @@ std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemp
   const double T = target.value;
   const SeriesEstimate mean = s.temperatures_at_bath.value_or(s.temperatures).all;
   const double error = mean.known == Known::yes ? three_sigma(mean) : far * T * std::sqrt(2 / n);
-  // Of velocities that were not drawn at T, or that a thermostat changes, only the error of the
-  // mean is due to chance.
+  // If velocities were not drawn at T, or if a thermostat changes them, only the error of the mean
+  // is due to chance.
   const double scatter = target.ignored || target.kept ? 0 : temperature_scatter(T, n);
   const double bound =
       std::max((target.ignored ? min_ignored_difference : min_temperature_difference) * T,
@@ -81,15 +86,15 @@ std::string conserved_energy(const RunSummary& s) {
   return s.ensemble.settings.constant_energy() ? "the total energy" : "the conserved energy";
 }
 
-/// Whether the conserved energy says nothing about averages: hybrid Monte Carlo rejects what the
-/// errors of its steps would bias, and with a bath within the steps positions are much more
-/// accurate than momenta [leimkuhler2013].
+/// Whether the conserved energy gives no information about the bias of averages. Hybrid Monte Carlo
+/// corrects the bias by rejections. With a bath within the steps, positions are much more accurate
+/// than momenta [leimkuhler2013].
 bool is_corrected(const RunSummary& s) {
   return s.ensemble.hybrid_monte_carlo || s.temperatures_at_bath;
 }
 
-/// R without the random walk, which grows with the run but not with the bias of averages where a
-/// thermostat takes it up.
+/// The ratio R without the contribution of the random walk. This contribution grows with the length
+/// of the run, but a thermostat absorbs the energy, so it does not bias averages.
 double stationary_ratio(const RunSummary& s) {
   if (s.ensemble.settings.constant_energy()) return s.ratio.value;
   return std::sqrt(std::max(0.0, std::pow(s.ratio.value, 2) - std::pow(s.ratio_of_walk(), 2)));
@@ -143,8 +148,9 @@ std::string truncation_remedy(const ForceSettings& forces) {
                      is_shifted(forces) ? "longer cutoff" : "longer switching range");
 }
 
-/// @param ratio  R of the walk
-/// @param bound  which it exceeds
+/// A warning about the random walk that truncation causes.
+/// @param ratio  R of the random walk
+/// @param bound  bound that R exceeds
 Warning truncation_warning(const ForceSettings& forces, const std::string& scheme, double ratio,
                            double bound) {
   const int n = is_shifted(forces) ? 1 : forces.smoothness;
@@ -161,8 +167,9 @@ double truncation_bound(const RunSummary& s) {
   return std::max(min_truncation_share * s.ratio.value, min_truncation_ratio);
 }
 
-/// At constant energy only, since a thermostat takes up the walk, and where the truncation does not
-/// explain it, which has a warning of its own.
+/// A warning about a random walk of the energy. It is given only at constant energy, because a
+/// thermostat absorbs the energy. It is not given if truncation explains the walk, which has a
+/// separate warning.
 std::optional<Warning> walk_warning(const RunSummary& s) {
   const double walked = s.ratio_of_walk();
   const double bound = std::max(std::sqrt(min_walk_share) * s.ratio.value, min_walk_ratio);
@@ -197,7 +204,8 @@ std::optional<Warning> relaxation_warning(const RunSummary& s) {
 }
 
 std::optional<Warning> pressure_warning(const RunSummary& s) {
-  const double pressure = in_bar(s.pressure.value) / 1000, bound = max_pressure_kbar;  // [kbar]
+  const double pressure = in_bar(s.pressure.value) / 1000,
+               bound = max_pressure_kbar;  // pressure and its bound [kbar]
   const double error = s.pressure.known == Known::yes ? in_bar(three_sigma(s.pressure)) / 1000 : 0;
   if (s.samples < min_samples_reported || s.ensemble.barostat ||
       !(std::abs(pressure) - error > bound))
@@ -233,8 +241,9 @@ double temperature_scatter(double temperature, double degrees_of_freedom) {
 std::optional<Warning> cutoff_of_ions(const System& system) {
   if (!is_plain(system.forces.electrostatics)) return std::nullopt;
   const Molecule* ion = nullptr;
-  // [e] Rounded charges of a neutral molecule add up to at most this for 200 sites with four
-  // decimals; two such charges 1 nm apart have 0.014 kJ/mol, 0.6 % of kT at 300 K.
+  // Largest net charge due to rounding [e]. The rounded charges of a neutral molecule with 200
+  // sites and four decimals add up to at most this value. Two such charges 1 nm apart have an
+  // energy of 0.014 kJ/mol, 0.6 % of kT at 300 K.
   constexpr double neutral = 0.01;
   for (const auto& part : system.topology.parts)
     if (part.count > 0 && std::abs(part.molecule.charge()) > neutral &&
@@ -268,8 +277,8 @@ std::optional<Warning> rough_truncation(const System& system, const TrajectorySe
 }
 
 std::optional<Warning> distant_sites(const System& system) {
-  // [nm] Between the longest bonds, 0.47 nm in coarse-grained chains, and the shortest one, that of
-  // H2, 0.74 Å, read as nm.
+  // Largest plausible bond length [nm]. It is between the longest bonds, 0.47 nm in coarse-grained
+  // chains, and the shortest bond, 0.74 Å in H2, if it is misread as 0.74 nm.
   constexpr double max_bond = 0.6;
   for (const auto& part : system.topology.parts) {
     std::vector<Site> atoms;
@@ -312,7 +321,9 @@ std::optional<Warning> velocities_of_file(const System& system, const Config& co
 
 std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
                                            Workers& workers) {
-  if (system.temperature == 0) return std::nullopt;  // the Einstein frequency is that of a liquid
+  if (system.temperature == 0)
+    return std::nullopt;  // the Einstein frequency is meaningful only in
+                          // a liquid
   const double max_step = max_stable_step(system, system.state, settings, workers);
   if (!(settings.step > max_step)) return std::nullopt;
   const double bound = near_stability * stability_limit(settings.scheme);
@@ -350,7 +361,7 @@ std::vector<Warning> warnings(const RunSummary& s, const System& system,
   const bool of_file = !system.new_velocities && config.run.equilibrate == 0;
   std::optional<TargetTemperature> target;
   if (config.system.temperature == 0)
-    target.reset();  // a thermostat that cools
+    target.reset();  // a thermostat cools the system
   else if (!settings.ensemble.constant_energy())
     target = {.value = config.system.temperature, .kept = true};
   else if (!of_file || config.gives("system.temperature"))

@@ -10,7 +10,8 @@
 namespace polhode {
 namespace {
 
-constexpr double max_position = 1e6;  // [nm]: beyond, a double has fewer than ten digits of a nm
+constexpr double max_position = 1e6;  // Maximum position [nm]. Beyond this value, a double resolves
+                                      // less than 1e-10 nm.
 
 bool finite(const Vec3<double>& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -26,7 +27,8 @@ void check_finite(std::size_t body, const char* quantity, const Vec3<double>& v)
   if (!finite(v)) refuse(body, quantity, v, "and must be finite numbers");
 }
 
-/// The angular momentum along an axis without inertia, relative to its norm, is at most rounding.
+/// Checks that the angular momentum along an axis with no moment of inertia is only round-off,
+/// relative to the norm of the angular momentum.
 void check_axes(std::size_t body, const Vec3<double>& ell, const Quaternion<double>& orientation,
                 const Vec3<double>& J) {
   constexpr double rounding = 1e-9;
@@ -39,7 +41,8 @@ void check_axes(std::size_t body, const Vec3<double>& ell, const Quaternion<doub
                          L[k], k + 1));
 }
 
-/// As a unit quaternion; one that is normalized up to rounding keeps its bits.
+/// Returns the orientation as a unit quaternion. If it is already normalized up to round-off, its
+/// bits do not change.
 Quaternion<double> checked_orientation(std::size_t body, const Quaternion<double>& s) {
   constexpr double rounding = 1e-14, smallest = 1e-100, largest = 1e100;
   const double squared = norm2(s);

@@ -48,7 +48,7 @@ std::vector<PlacedSite> placed_sites(const System& system, const State& state, s
 }
 
 struct Contact {
-  std::size_t body = 0;  // the other one
+  std::size_t body = 0;  // index of the second molecule
   double distance = std::numeric_limits<double>::infinity();
   std::string own_site, site;
 };

@@ -16,7 +16,7 @@ double einstein_frequency(const System& system, const State& state, Workers& wor
   double max_sum = 0;
   std::size_t body = 0;
   for (const auto& part : system.topology.parts) {
-    std::array<double, 4> squares{};  // of p/√m and L_k/√J_k, and their time derivatives
+    std::array<double, 4> squares{};  // squares of p/√m and L_k/√J_k, and of their time derivatives
     for (std::size_t end = body + part.count; body < end; ++body) {
       const Bodies& b = system.bodies;
       squares[0] += dot(load.f[body], load.f[body]) * b.inverse_m[body] / 3;

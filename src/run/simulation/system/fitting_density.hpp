@@ -11,9 +11,10 @@
 
 namespace polhode {
 
-/// ", or a density of 0.79 g/cm3, at which this lattice fits": advice about a lattice in a box
-/// whose molecules overlap. Lattices of the same seed are tried in larger boxes of the same shape,
-/// at densities that fall by a tenth each; empty if all overlap down to a twentieth of the density.
+/// Advice about a lattice whose molecules overlap, such as ", or a density of 0.79 g/cm3, at which
+/// this lattice fits". Lattices with the same seed are tried in larger boxes of the same shape,
+/// with densities that decrease by 10 % each. The text is empty if molecules overlap at all
+/// densities down to 5 % of the original density.
 std::string fitting_density(const Topology& topology, const Box& box, std::uint64_t seed,
                             const std::function<bool(const State&)>& overlaps);
 

@@ -23,7 +23,7 @@ ForceSettings near_settings(const ForceSettings& whole, const InnerScheme& inner
   near.mesh.reset();
   near.coulomb_cutoff.reset();
   near.dispersion_correction = false;
-  near.external.reset();  // they are slow: only the outer scheme evaluates them
+  near.external.reset();  // external forces vary slowly, so only the outer scheme evaluates them
   near.switch_from = inner.switch_from;
   near.cutoff = inner.cutoff;
   return near;
@@ -48,7 +48,7 @@ double near_weight(const System& system, const std::optional<InnerScheme>& inner
     return seconds_of([&] { forces.forces_alone(state, load); });
   };
   double min_full = std::numeric_limits<double>::infinity(), min_near = min_full;
-  for (int k = 0; k < repeats; ++k) {  // the first pass builds the lists
+  for (int k = 0; k < repeats; ++k) {  // the first pass builds the neighbour lists
     min_full = std::min(min_full, seconds(whole));
     min_near = std::min(min_near, seconds(near));
   }

@@ -9,19 +9,20 @@
 
 namespace polhode {
 
-/// Settings of the near forces of an inner scheme: Lennard-Jones and Coulomb interactions between
-/// molecules, whatever the full force field, with a molecule switch to zero. The slow part is the
-/// rest of the full force field: inside the switching distance it is the reaction-field term or the
-/// reciprocal-space part of PME, which vary slowly as molecules rotate.
-/// @throws Error  if the near forces would have a longer range than the full ones
+/// Settings of the near forces of an inner scheme. For any full force field, the near forces are
+/// Lennard-Jones and Coulomb interactions with a molecule switch to zero. The slow forces are the
+/// rest of the full force field. Inside the switching distance they are the reaction-field term or
+/// the reciprocal-space part of PME, which vary slowly as molecules rotate.
+/// @throws Error  if the near forces would have a longer range than the full forces
 ForceSettings near_settings(const ForceSettings& whole, const InnerScheme& inner);
 
-/// Throws, with the place, if the near forces of an inner scheme do not fit.
+/// Checks that the near forces of an inner scheme fit the full forces; throws an Error with its
+/// place if not.
 void check_near(const ForceSettings& whole, const NestedScheme& scheme, const std::string& place);
 
-/// Time of an evaluation of the near forces relative to one of all forces, at the state of the
-/// system, without energies and list builds: the minimum over several repeats of each, alternating.
-/// 0 without an inner scheme.
+/// The computing time of a near-force evaluation relative to an evaluation of all forces, at the
+/// state of the system. Energies and list builds are not included. Both evaluations are repeated
+/// several times in alternation, and the minima are used. The result is 0 without an inner scheme.
 double near_weight(const System& system, const std::optional<InnerScheme>& inner);
 
 }  // namespace polhode

@@ -14,12 +14,13 @@
 namespace polhode {
 namespace {
 
-constexpr double max_deviation = 0.002;  // [nm]: twice the last digit of most GRO files
+constexpr double max_deviation = 0.002;  // maximum deviation [nm], which is twice the last digit of
+                                         // most GRO files
 constexpr auto remedy =
     "give the coordinate file that was written with the checkpoint, or leave the checkpoint out, "
     "which starts from the digits of the coordinate file";
 
-/// The largest distance between the same site in both states, with its periodic image [nm].
+/// The largest distance between the positions of a site in two states, up to periodic images [nm].
 double deviation(const Molecule& molecule, std::size_t i, const State& a, const State& b) {
   const Vec3<double> centre = a.box.minimum_image(a.q[i] - b.q[i]);
   double largest = norm(centre);

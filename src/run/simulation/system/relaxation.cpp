@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t max_separation_steps = 2000;
 
-/// L of each body.
+/// The body-frame angular momentum L of each body.
 Vec3Column angular_momenta_in_body_frame(const State& state) {
   Vec3Column L(state.size());
   for (std::size_t i = 0; i < state.size(); ++i)

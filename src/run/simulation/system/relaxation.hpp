@@ -12,42 +12,46 @@
 
 namespace polhode {
 
-/// Minimises the energy of a system with its forces in double precision, since energies of overlaps
-/// exceed the range of a float. Each body keeps its momentum p and its angular momentum L in the
-/// body frame, so that a Maxwell distribution stays one.
-/// @throws RunError  naming two molecules, if a force is not finite
+/// Minimises the energy of a system. Forces are in double precision, because energies of overlaps
+/// exceed the range of a float. Each body keeps its momentum p and its body-frame angular momentum
+/// L, so that a Maxwell distribution is preserved.
+/// @throws RunError  if a force is not finite; the message names two molecules
 Minimisation minimise(System& system, const MinimisationSettings& settings = {},
                       const MinimisationWatch& watch = {}, Workers& workers = Workers::serial());
 
-/// Reports the progress of a minimisation, and ends it when the callbacks ask for it.
+/// Makes a watch that reports the progress of a minimisation, and ends it when the callbacks
+/// request this.
 MinimisationWatch watch_of(const Callbacks& callbacks);
 
-/// "minimised in 312 steps: largest force 9.98 kJ/mol/nm, largest torque 0.41 kJ/mol", or why it
-/// ended earlier.
+/// The result of a minimisation as text, such as "minimised in 312 steps: largest force 9.98
+/// kJ/mol/nm, largest torque 0.41 kJ/mol". If it ended early, the text gives the reason.
 std::string description(const Minimisation& minimisation);
 
-/// The forces [kJ/mol/nm] and torques [kJ/mol] with which dynamics in steps of 1 fs can begin:
-/// larger than those of liquids.
+/// The largest forces [kJ/mol/nm] and torques [kJ/mol] with which dynamics can begin at a 1 fs time
+/// step. They are larger than in liquids.
 inline constexpr double max_initial_force = 2e4, max_initial_torque = 500;
 
-/// Whether the forces or torques of a state are beyond these bounds, or not finite.
+/// Whether molecules of a state overlap: forces or torques exceed the bounds for initial
+/// configurations, or are not finite.
 bool molecules_overlap(const System& system, const State& state);
 
-/// Refuses a lattice from which dynamics are to begin at once, if its molecules overlap. Other
-/// initial configurations are as the user made them.
-/// @throws Error  naming two molecules, with a density at which the lattice does not overlap
+/// Rejects a lattice with overlapping molecules if dynamics would start directly from it. Other
+/// initial configurations are not checked.
+/// @throws Error  with two molecules, and a density at which the lattice does not overlap
 void check_lattice(const System& system, const Config& config);
 
-/// Minimises until forces and torques are within these bounds. Configurations without larger ones,
-/// such as those of liquids, stay unchanged bit by bit.
-/// @param stop  asked before every step; true ends it
-/// @return  the number of steps
-/// @throws RunError  naming two molecules, if forces are still larger after 2000 steps, as at
-///                   densities beyond that of the liquid
+/// Minimises until forces and torques are within the bounds for initial configurations. If they are
+/// within the bounds already, as in liquids, the configuration does not change, bit for bit.
+/// @param stop  function called before every step; the minimisation ends if it returns true
+/// @return  number of steps
+/// @throws RunError  if forces are still too large after 2000 steps, as at densities above the
+///   liquid density; the message names two molecules
 std::size_t separate_molecules(System& system, const std::function<bool()>& stop = {},
                                Workers& workers = Workers::serial());
 
-/// @throws RunError  naming two molecules, unless forces and torques are within these bounds
+/// Checks that molecules do not overlap.
+/// @throws RunError  unless forces and torques are within the bounds for initial configurations;
+///   the message names two molecules
 void check_separated(const System& system, const Minimisation& minimisation);
 
 }  // namespace polhode

@@ -10,25 +10,26 @@
 
 namespace polhode {
 
-/// The fastest motions of a liquid are about twice as fast as its Einstein frequency, so a warning
-/// at the stability limit itself would come too late.
+/// The fraction of the stability limit at which a warning is given. The fastest motions of a liquid
+/// are about twice as fast as its Einstein frequency, so a warning at the limit itself would be too
+/// late.
 inline constexpr double near_stability = 0.4;
 
-/// The step at which a run comes near the stability limit of its scheme: `near_stability` of it,
-/// for the fastest degrees of freedom at the positions of a state [ps]. Infinite if nothing moves,
-/// and with an inner scheme, whose limit is not known.
+/// The step at which a run comes near the stability limit of its scheme [ps]. It is
+/// `near_stability` times the limit for the fastest degrees of freedom at the positions of a state.
+/// It is infinite if nothing moves, or with an inner scheme, whose limit is not known.
 double max_stable_step(const System& system, const State& state, const TrajectorySettings& settings,
                        Workers& workers = Workers::serial());
 
-/// The step to try after a run blew up [ps]: max_stable_step() at the positions from which it
-/// started, as the warning before the run has it; half of its own if that is longer. Nothing if
-/// forces or torques there are beyond the bounds of relaxation.hpp: those of overlapping molecules
-/// say nothing about the step.
+/// The step to try after a run blew up [ps]. It is max_stable_step() at the initial positions, as
+/// in the warning before the run, or half of the run's step if this is shorter than
+/// max_stable_step(). The result is empty if molecules overlap at the initial positions, because
+/// their forces give no information about the step.
 std::optional<double> shorter_step(const System& system, const State& start,
                                    const TrajectorySettings& settings,
                                    Workers& workers = Workers::serial());
 
-/// "6.3 fs": a step [ps] with two digits, for advice.
+/// A step [ps] as text with two digits, such as "6.3 fs", for advice.
 std::string rounded_fs(double step);
 
 }  // namespace polhode

@@ -21,8 +21,8 @@
 namespace polhode {
 namespace {
 
-// Reads molecules and mixing from a topology file; the pairs of the run file are appended to those
-// of the topology.
+// Reads molecules and mixing from a topology file. The pairs of the run file are appended to the
+// pairs of the topology.
 void take_topology_file(const Config& config, const Frame& start, System& system) {
   RigidTopology read = read_topology(config.system.topology, &start);
   system.topology = std::move(read.topology);
@@ -44,11 +44,11 @@ void take_topology_file(const Config& config, const Frame& start, System& system
   }
 }
 
-// Call it before anything is allocated per molecule.
+// Checks the required memory; call it before anything is allocated per molecule.
 void check_size(const Topology& topology) {
   check_count(topology);
-  // Numbers stored by state, bodies, forces and list (without partners): per body, and per site.
-  constexpr double each_body = 500, each_site = 24;  // [bytes]
+  // Memory of state, bodies, forces and list (without partners), per body and per site.
+  constexpr double each_body = 500, each_site = 24;  // memory [bytes]
   double bytes = 0, molecules = 0;
   for (const auto& [molecule, count] : topology.parts) {
     const auto n = static_cast<double>(count);
@@ -81,7 +81,7 @@ double kinetic_temperature(const System& system) {
                      degrees_of_freedom(system.topology).all());
 }
 
-// The centre of mass is brought to rest.
+// Brings the centre of mass to rest.
 void bring_to_rest(System& system) {
   const Vec3<double> velocity = remove_total_momentum(system.state, system.bodies);
   system.removed_velocity = norm(velocity);
@@ -90,7 +90,7 @@ void bring_to_rest(System& system) {
   system.file_temperature = kinetic_temperature(system);
 }
 
-// The momenta of a checkpoint are kept bit by bit: its centre of mass is at rest.
+// The momenta of a checkpoint are kept bit for bit, because its centre of mass is at rest.
 void take_velocities(System& system, const SystemSettings& settings) {
   if (system.new_velocities)
     draw_momenta(system, settings.seed);
@@ -100,7 +100,7 @@ void take_velocities(System& system, const SystemSettings& settings) {
     system.file_temperature = kinetic_temperature(system);
 }
 
-/// At which density a lattice that overlaps would fit.
+/// Advice on the density at which an overlapping lattice would fit.
 std::string density_advice(const Config& config, const System& system) {
   if (!config.system.initial_configuration.empty()) return {};
   return fitting_density(system.topology, system.state.box, config.system.seed,
@@ -114,7 +114,8 @@ std::string density_advice(const Config& config, const System& system) {
                          });
 }
 
-// Minimisation moves molecules apart, and equilibration those of a lattice.
+// Minimisation moves overlapping molecules apart, and so does an equilibration that starts from a
+// lattice.
 void check_apart(const Config& config, const System& system) try {
   const bool is_lattice = config.system.initial_configuration.empty();
   if (!config.run.minimise && !(is_lattice && config.run.equilibrate > 0))

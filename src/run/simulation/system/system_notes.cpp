@@ -47,7 +47,7 @@ void note_velocities(const System& system, const Config& config, const Callbacks
   const bool temperature = config.gives("system.temperature"), seed = config.gives("system.seed");
   if (system.new_velocities || !(temperature || seed)) return;
   if (!config.ensemble.constant_energy()) {
-    // Hybrid Monte Carlo that refreshes all momenta begins with new ones.
+    // Hybrid Monte Carlo that refreshes all momenta begins with new momenta.
     if (const auto& hybrid = config.ensemble.hybrid_monte_carlo; hybrid && hybrid->refresh == 1)
       return;
     return callbacks.note(
@@ -78,7 +78,7 @@ void note_edges(const TrajectorySettings& settings, const Callbacks& callbacks) 
                   max_shape_change));
 }
 
-/// Where hybrid Monte Carlo makes the interval between moves of the box another than was asked for.
+/// Notes that hybrid Monte Carlo changes the requested interval between barostat moves.
 void note_moves(const TrajectorySettings& settings, const Callbacks& callbacks) {
   const EnsembleSettings& e = settings.ensemble;
   if (!e.barostat || !e.hybrid_monte_carlo) return;

@@ -14,14 +14,16 @@
 namespace polhode {
 namespace {
 
-/// What shows which molecules collided: its copy at each step costs half of that of the state.
+/// Copies the positions, which show the molecules that collided. Copying them at each step costs
+/// half as much as copying the state.
 void copy_positions(const State& from, State& to) {
   to.q = from.q;
   to.orientation = from.orientation;
   to.box = from.box;
 }
 
-/// @param shorter  step to try [ps]; nothing if no step is short enough
+/// Advice on how to avoid the blow-up.
+/// @param shorter  step to try [ps]; empty if no step is short enough
 std::string remedy(const TrajectorySettings& s, std::optional<double> shorter) {
   if (!shorter)
     return "molecules of the initial configuration overlap, which no step can help: use minimise = "

@@ -12,28 +12,31 @@
 
 namespace polhode {
 
-/// Ends the trajectory but keeps its results.
+/// An error that ends the trajectory but keeps its results.
 struct BlowUp : RunError {
   BlowUp(const std::string& what, std::string why) : RunError(what), cause(std::move(why)) {}
   std::string cause;
 };
 
-/// Knows the positions that a report of a blow-up needs: at the start, for a step that would have
-/// been short enough, and before the last step, for the molecules that collided.
+/// Stores the positions that a report of a blow-up needs. The initial positions give a step that
+/// would have been short enough. The positions before the last step show the molecules that
+/// collided.
 class BlowUpReport {
  public:
-  /// All are kept by reference.
+  /// Constructs the report; all arguments are kept by reference.
   BlowUpReport(const System& system, const TrajectorySettings& settings, Workers& workers);
 
-  /// To be called before each step.
+  /// Must be called before each step.
   void before_step();
 
-  /// @param step   that failed
-  /// @param cause  why
+  /// Ends the trajectory with a report.
+  /// @param step   number of the step that failed
+  /// @param cause  cause of the failure
   /// @throws BlowUp  with the molecules that collided, and the remedy
   [[noreturn]] void blow_up(std::size_t step, std::string cause) const;
 
-  /// The same for an energy or a force that is not finite, with a note if a law has an inner limit.
+  /// Ends the trajectory because an energy or a force is not finite. The report has a note if a law
+  /// has an inner limit.
   [[noreturn]] void not_finite(std::size_t step, const std::string& cause) const;
 
  private:

@@ -10,10 +10,11 @@
 
 namespace polhode {
 
-/// Computing time by part, added to that of an earlier part of the run.
+/// Measures computing time by part of the program, and adds it to the time of an earlier part of
+/// the run.
 class Clocks {
  public:
-  /// @param near  of an inner scheme, if there is one
+  /// @param near  near forces of an inner scheme, if there is one
   Clocks(const TimedForces& whole, const TimedForces* near, const Timings& earlier)
       : whole_(whole),
         near_(near),
@@ -21,11 +22,12 @@ class Clocks {
         list_before_(in_list(&whole)),
         near_list_before_(in_list(near)) {}
   double in_forces() const { return whole_.seconds + (near_ ? near_->seconds : 0); }
-  /// The time since the last call of this or skip() was spent in drifts, kicks and forces.
+  /// Adds the time since the last call of this function or skip_pause() to drifts, kicks and
+  /// forces.
   void add_motion() { motion_ += part_.lap(); }
   void skip() { part_.lap(); }
   void forces_of_sample(double seconds) { forces_of_samples_ += seconds; }
-  /// The time since the last call is not part of the trajectory.
+  /// Discards the time since the last call, because it is not part of the trajectory.
   void skip_pause() {
     run_.lap();
     skip();

@@ -11,14 +11,14 @@
 namespace polhode {
 namespace {
 
-/// With the interval between moves as it is, in place of the one that was asked for.
+/// The barostat settings with the actual interval between moves in place of the requested interval.
 BarostatSettings barostat_settings(const TrajectorySettings& settings) {
   BarostatSettings barostat = *settings.ensemble.barostat;
   barostat.every = settings.move_interval();
   return barostat;
 }
 
-/// Throws if the time constant of a type that has one is shorter than a step.
+/// Throws an Error if a thermostat or barostat has a time constant shorter than a step.
 template <class Type>
 void check_time_constant(const Type& type, double step) {
   if constexpr (requires { type.time_constant; })

@@ -15,16 +15,17 @@
 
 namespace polhode {
 
-/// Thermostat, barostat and hybrid Monte Carlo of a run; at constant energy there is none of them.
+/// The thermostat, barostat and hybrid Monte Carlo of a run. At constant energy there is none of
+/// them.
 class EnsembleMoves {
  public:
   /// @param system, workers  kept by reference
-  /// @throws Error  if the scheme does not suit: see check_ensemble()
+  /// @throws Error  if the scheme does not suit the ensemble, see check_ensemble()
   EnsembleMoves(const System& system, const TrajectorySettings& settings, Workers& workers);
   EnsembleMoves(const EnsembleMoves&) = delete;
   EnsembleMoves& operator=(const EnsembleMoves&) = delete;
 
-  /// The bath of the scheme: a reference for an Integrator.
+  /// The bath of the scheme, as a reference for an Integrator.
   struct Bath {
     EnsembleMoves* moves;
     void operator()(State& state, double t, StageNumber at) const;
@@ -34,15 +35,15 @@ class EnsembleMoves {
   /// Whether energies are required after step number `steps`, counted from 1.
   bool due(std::size_t steps) const { return decides(steps) || moves_box(steps); }
 
-  /// Before a step: draws momenta if a trajectory of hybrid Monte Carlo begins.
-  /// @param load  returns that of the state, with energies
+  /// Acts before a step: draws momenta if a trajectory of hybrid Monte Carlo begins.
+  /// @param load  function that returns the forces and energies of the state
   template <class LoadOf>
   void before_step(State& state, std::size_t steps, const LoadOf& load) {
     if (hybrid_ && steps % hybrid_->steps() == 0) hybrid_->begin(state, load(), steps);
   }
 
-  /// After a step for which due() was true.
-  /// @param load  of the state, with energies; afterwards that of the new state
+  /// Acts after a step for which due() was true.
+  /// @param load  load of the state, with energies; updated to the new state
   /// @return  whether positions or the box have changed
   bool after_step(State& state, std::size_t steps, Load& load, const Barostat::Evaluate& evaluate);
 
@@ -60,6 +61,7 @@ class EnsembleMoves {
   std::size_t steps_per_move_ = 0;
 };
 
+/// Checks the ensemble.
 /// @throws Error  unless thermostat, barostat and hybrid Monte Carlo suit each other and the scheme
 void check_ensemble(const TrajectorySettings& settings);
 

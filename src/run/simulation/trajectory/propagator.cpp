@@ -93,7 +93,8 @@ class Propagator::Impl {
         checkpoint(watch);
         sample(watch);
       }
-      while (steps_ < last && !stopped) {  // one by one, so that a failed step is identified
+      while (steps_ < last && !stopped) {  // steps are taken one by one, so that a failed step is
+                                           // identified
         for (std::size_t k = 0; k < settings_.steps_per_trajectory(); ++k) sampled_step(watch);
         stopped = watch.stop && watch.stop();
         if (stopped || steps_ == last || (watch.due && watch.due())) checkpoint(watch);
@@ -142,10 +143,10 @@ class Propagator::Impl {
 
   std::size_t steps_of_segment() const { return steps_ - segment_.first_step; }
 
-  /// Samples are counted from the beginning of the segment, which has the first one.
+  /// Samples are counted from the beginning of the segment, where the first sample is taken.
   bool sampled(std::size_t step) const { return (step - segment_.first_step) % interval_ == 0; }
 
-  /// What thermostat, barostat and hybrid Monte Carlo do between steps.
+  /// Applies thermostat, barostat and hybrid Monte Carlo between steps.
   void move() try {
     moved_ = integrator_.load(system_.state);
     const bool changed =
@@ -177,7 +178,8 @@ class Propagator::Impl {
       report_.not_finite(steps_, "the potential energy is no longer a finite number");
   }
 
-  /// At the end, possibly between two samples: a longer trajectory would not have this one.
+  /// Takes a sample at the end, possibly between two regular samples. A longer trajectory would not
+  /// have this sample.
   void last_sample(const Watch& watch) {
     before_last_sample_ = run_state();
     sample(watch);
@@ -190,12 +192,12 @@ class Propagator::Impl {
 
   System& system_;
   TrajectorySettings settings_;
-  std::size_t interval_;  // steps between samples
+  std::size_t interval_;  // number of steps between samples
   EnsembleMoves moves_;
   TimedIntegrator integrator_;
   BlowUpReport report_;
   Sampler sampler_;
-  Load moved_;    // after a move of the box or a decision
+  Load moved_;    // load after a barostat move or a decision
   double start_;  // time of the state at the first step of the segment [ps]
   std::size_t steps_ = 0;
   Segment segment_;

@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-/// The share of the potential energy by which rounding in mixed precision may change the total
+/// The fraction of the potential energy by which round-off in mixed precision may change the total
 /// energy of a run that begins almost at rest.
 constexpr double rounding_share = 1e-5;
 
@@ -67,7 +67,8 @@ Energies Sampler::energies_now(std::size_t step, double exchanged, Clocks& clock
   report_.not_finite(step, e.what());
 }
 
-/// Whether this sample is one of those that are taken every `every` [ps]; 0: never.
+/// Whether a quantity that is sampled at intervals of `every` [ps] is due at this sample; 0 for
+/// never.
 bool Sampler::due(double every) const {
   return every > 0 && statistics_.energies.samples % settings_.samples_per(every) == 0;
 }
@@ -83,7 +84,7 @@ void Sampler::sample_shadow(Energies& now, const Watch& watch) {
   if (watch.brackets) watch.brackets(both);
 }
 
-/// Nothing where it is not known.
+/// The time-step error of a sample; empty if it is not known.
 std::optional<StepError> Sampler::error_of(const Energies& now) const {
   if (!fixed_) return std::nullopt;
   const StepError error = step_error(now, *fixed_, ideal_);
@@ -93,15 +94,15 @@ std::optional<StepError> Sampler::error_of(const Energies& now) const {
 void Sampler::sample_configurational(std::size_t step, const std::optional<StepError>& error) {
   if (!due(settings_.configurational_sample)) return;
   constexpr std::uint64_t streams = std::uint64_t{1}
-                                    << 32;  // initial configurations use those below it
+                                    << 32;  // initial configurations use smaller numbers
   statistics_.configurational.add(
       configurational_sample(system_.state, system_.bodies, integrator_.all_forces(system_.state),
                              integrator_.whole.forces, Random(settings_.seed, streams + step)),
       error);
 }
 
-/// The kinetic energies of the momenta on which a bath within the steps acts: those of full steps
-/// lack a kick.
+/// Samples the kinetic energies of the momenta on which a bath within the steps acts. The momenta
+/// of full steps differ from these by a kick.
 void Sampler::sample_at_bath() {
   const double kick_after = settings_.scheme.kick_after_bath();
   if (kick_after == 0 || settings_.inner) return;
@@ -110,9 +111,10 @@ void Sampler::sample_at_bath() {
   statistics_.at_bath.add(energies_of(system_, half, integrator_.last_load(), workers_));
 }
 
-/// At constant energy since the start; a bath takes up a drift, so with one since the last sample.
-/// Errors count against the initial kinetic energy; almost at rest, against what the potential
-/// energy has set free. Hybrid Monte Carlo rejects such trajectories.
+/// Checks the change of the energy. At constant energy, it is the change since the start. With a
+/// bath, which absorbs a drift, it is the change since the last sample. The change is compared with
+/// the initial kinetic energy or, if the bodies were almost at rest, with the released potential
+/// energy. Hybrid Monte Carlo needs no check, because it rejects such trajectories.
 void Sampler::check_energy(std::size_t step, const Energies& now) {
   const Energies& first = statistics_.energies.first;
   const bool constant_energy = settings_.ensemble.constant_energy();

@@ -15,13 +15,14 @@ namespace polhode {
 /// Takes samples of a system between two steps, and keeps their statistics.
 class Sampler {
  public:
-  /// All are kept by reference.
+  /// Constructs the sampler; all arguments are kept by reference.
   Sampler(const System& system, const TrajectorySettings& settings, TimedIntegrator& integrator,
           const BlowUpReport& report, Workers& workers);
 
-  /// A sample of the current state, for the statistics and the watch.
+  /// Takes a sample of the current state, for the statistics and the watch.
   /// @param exchanged  heat and work received so far [kJ/mol]
-  /// @throws BlowUp  if the energy is not finite, or has changed by more than dynamics can
+  /// @throws BlowUp  if the energy is not finite, or has changed by more than is physically
+  ///   possible
   void sample(std::size_t step, double exchanged, Clocks& clocks, const Watch& watch);
 
   bool empty() const { return statistics_.energies.samples == 0; }
@@ -44,9 +45,9 @@ class Sampler {
   Workers& workers_;
   ErrorTerms terms_;
   std::optional<FixedMeans> fixed_;
-  double ideal_;  // N kT [kJ/mol]
+  double ideal_;  // ideal-gas term N kT [kJ/mol]
   TrajectoryStatistics statistics_;
-  /// Energies of the last sample [kJ/mol]; nothing if it was before a resume.
+  /// Energies of the last sample [kJ/mol]; empty if it was taken before the run was resumed.
   std::optional<double> conserved_, potential_;
 };
 

@@ -49,15 +49,16 @@ class TimedIntegrator {
     return apply([](const auto& integrator) { return integrator.memory(); });
   }
 
-  /// Of the positions of a state, with energies.
+  /// Forces and torques at the positions of a state, with energies.
   const Load& load(const State& state) {
     return apply([&](auto& integrator) -> const Load& { return integrator.load(state); });
   }
-  /// Of the last kick.
+  /// Forces and torques of the last kick.
   const Load& last_load() {
     return apply([](const auto& integrator) -> const Load& { return integrator.last_load(); });
   }
-  /// The same; with an inner scheme, whose outer one has the slow forces, all forces at a state.
+  /// Forces and torques of the last kick. With an inner scheme, where the outer scheme has only the
+  /// slow forces, they are all forces at a state.
   const Load& all_forces(const State& state) {
     if (!near) return last_load();
     whole.forces.forces_alone(state, complete_);
@@ -77,7 +78,7 @@ class TimedIntegrator {
   }
 
   TimedForces whole;
-  std::optional<TimedForces> near;  // of an inner scheme
+  std::optional<TimedForces> near;  // near forces of an inner scheme
 
  private:
   std::optional<Integrator<TimedForces, FreeDrift, EnsembleMoves::Bath>> single_;

@@ -31,7 +31,7 @@ Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySe
 
 bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch,
                  Workers& workers, const RunState* from) {
-  constexpr double step = 0.001, interval = 0.02;  // [ps]
+  constexpr double step = 0.001, interval = 0.02;  // time step and interval between rescalings [ps]
   const Scheme scheme = scheme_of("velocity-verlet");
   const Watch within{watch.sample, watch.stop};
   double done = 0;
@@ -47,7 +47,8 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
                                        .list = forces.list_memory(system.state.box)}
                             : RunState{};
   };
-  // An unfinished piece is repeated; the first one begins with the separation.
+  // An unfinished piece of the equilibration is repeated. The first piece begins with the
+  // separation of overlapping molecules.
   RunState here = resumable();
   bool stopped = false;
   if (done == 0)

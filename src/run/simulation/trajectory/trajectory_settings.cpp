@@ -16,9 +16,10 @@
 namespace polhode {
 namespace {
 
-constexpr double max_steps = 0x1p53;  // number of steps that a double can count
+constexpr double max_steps = 0x1p53;  // largest number of steps that a double can count
 
-/// "hoa2-ends", if there is room; none for stages without a name.
+/// The name of a scheme with its bath, such as "hoa2-ends", if it is short enough. It is empty for
+/// stages without a name.
 std::string name_with_bath(const Scheme& scheme) {
   if (!scheme.in_table() && !scheme.has_own_name()) return "";
   if (scheme.name() == "velocity-verlet") return "obabo";
@@ -26,7 +27,7 @@ std::string name_with_bath(const Scheme& scheme) {
   return name.size() <= Scheme::max_name ? name : "";
 }
 
-/// Cell rescaling follows the pressure.
+/// Checks external forces: cell rescaling needs their virial, because it follows the pressure.
 void check_external(const Config& config) {
   const ExternalForces* const external = config.forces.external.get();
   const auto& barostat = config.ensemble.barostat;
@@ -55,8 +56,8 @@ std::size_t TrajectorySettings::steps_per_trajectory() const {
   return ensemble.hybrid_monte_carlo ? ensemble.hybrid_monte_carlo->steps : 1;
 }
 
-// Within a trajectory of hybrid Monte Carlo a move would change the energy by which its end is
-// accepted, and a rejection would undo the move.
+// Within a trajectory of hybrid Monte Carlo, a barostat move would change the energy on which
+// acceptance depends, and a rejection would undo the move.
 std::size_t TrajectorySettings::steps_per_move() const {
   const std::size_t whole = steps_per_trajectory();
   const double trajectories =
@@ -71,7 +72,7 @@ double TrajectorySettings::move_interval() const {
 std::size_t TrajectorySettings::steps_per_sample() const {
   const double every = std::min(sample / step * (1 + 1e-12), max_steps);
   const std::size_t steps = std::max<std::size_t>(1, static_cast<std::size_t>(every));
-  const std::size_t whole = steps_per_trajectory();  // only its end is a sample
+  const std::size_t whole = steps_per_trajectory();  // only the end of a trajectory is a sample
   return (steps + whole - 1) / whole * whole;
 }
 
@@ -81,7 +82,7 @@ std::size_t TrajectorySettings::samples_per(double interval) const {
 }
 
 bool TrajectorySettings::has_shadow() const {
-  constexpr double rounding = 1e-12;  // of coefficients with 15 digits
+  constexpr double rounding = 1e-12;  // round-off of coefficients with 15 digits
   const ErrorTerms terms = error_terms(scheme);
   return !inner && polhode::fixed_means(ensemble, scheme) && scheme.palindromic() &&
          std::hypot(terms.alpha, terms.beta) > rounding;
@@ -138,7 +139,7 @@ TrajectorySettings trajectory_settings(const Config& config, double stretch) try
         "length",
         settings.step * units::fs_per_ps, settings.length * units::fs_per_ps));
   settings.steps();
-  constexpr double steps_per_shadow = 100;  // costs about 1 % of a run
+  constexpr double steps_per_shadow = 100;  // interval that costs about 1 % of a run
   settings.shadow_sample = config.run.shadow_sample.value_or(
       settings.has_shadow() ? steps_per_shadow * settings.step : 0);
   settings.check_shadow();
