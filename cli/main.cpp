@@ -38,7 +38,7 @@ void check_verb(const std::string& word) {
                           did_you_mean(word, names), join_names(names)));
 }
 
-/// What to write instead of an option that the verb does not have.
+/// A suggestion to replace an option that the verb does not have.
 std::string instead_of(const std::string& option, const CLI::App& verb) {
   if (verb.get_name() == "run" && option == "--steps")
     return "; the length of a run is a time: write --length \"8 fs\" for 4 steps of 2 fs";
@@ -47,7 +47,7 @@ std::string instead_of(const std::string& option, const CLI::App& verb) {
   return did_you_mean(option, names);
 }
 
-/// What is wrong with the value of an option, if that is what the parser says.
+/// A description of the invalid value of an option, if the parser reports one.
 std::string wrong_value(const CLI::ParseError& e) {
   const std::string what = e.what();
   if (dynamic_cast<const CLI::ConversionError*>(&e) != nullptr)
@@ -57,7 +57,8 @@ std::string wrong_value(const CLI::ParseError& e) {
   return uncapitalized(what);
 }
 
-/// A script passes an empty text where its variable is not set; the default would surprise.
+/// Rejects empty arguments. A script passes an empty text if its variable is not set, and silently
+/// using the default would be surprising.
 void refuse_empty(const CLI::App& verb) {
   for (const CLI::Option* option : verb.get_options())
     for (const std::string& text : option->results())
@@ -68,7 +69,7 @@ void refuse_empty(const CLI::App& verb) {
                         option->get_name(), verb.get_name()));
 }
 
-/// The parser's errors in the words of this program.
+/// Converts an error of the parser to the wording of this program.
 Error parse_error(const CLI::ParseError& e, const CLI::App& app) {
   const auto verbs = app.get_subcommands();
   const std::string help = verbs.empty() ? "" : " " + verbs[0]->get_name();
@@ -83,7 +84,7 @@ Error parse_error(const CLI::ParseError& e, const CLI::App& app) {
   return Error(fmt::format("{} ('polhode help{}' lists the options)", what, help));
 }
 
-/// The arguments; those of `help VERB` as those of `VERB --help`.
+/// The arguments of the program, where `help VERB` is converted to `VERB --help`.
 std::vector<std::string> arguments(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (!words.empty() && words[0] == "help") {
@@ -115,10 +116,10 @@ int run(std::vector<std::string> words) {
     }
   check_verb(words[0]);
   try {
-    std::reverse(words.begin(), words.end());  // the parser takes them from the back
+    std::reverse(words.begin(), words.end());  // the parser takes the words from the back
     app.parse(std::move(words));
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) {  // help, version
+    if (e.get_exit_code() == 0) {  // help or version was requested
       std::ostringstream text;
       const int code = app.exit(e, text, text);
       print_fitted(text.str());
@@ -166,11 +167,11 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     cli::log("error: {}\n", cli::no_memory());
     return cli::exit_code(1);
-  } catch (const std::length_error&) {  // more than can be addressed
+  } catch (const std::length_error&) {  // more memory than can be addressed
     cli::log("error: {}\n", cli::no_memory());
     return cli::exit_code(1);
   } catch (const std::exception& e) {
-    if (std::ferror(stdout)) return cli::exit_code(1);  // no more tokens
+    if (std::ferror(stdout)) return cli::exit_code(1);  // no further output is possible
     cli::log("error: {}\n", printable(e.what()));
     return cli::exit_code(1);
   }

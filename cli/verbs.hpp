@@ -44,7 +44,7 @@ struct VerbGroup {
   std::vector<Verb> verbs;
 };
 
-/// All verbs, in the order in which they are listed.
+/// All verbs, in the order in which help lists them.
 const std::vector<VerbGroup>& verb_groups();
 
 std::vector<std::string> verb_names();

@@ -18,42 +18,44 @@ class Option;
 
 namespace polhode::cli {
 
-/// An option that has been declared, and what its value must be.
+/// An option that has been declared, with conditions on its value.
 class CommandOption {
  public:
   explicit CommandOption(CLI::Option& option) : option_(&option) {}
 
   const CommandOption& required() const;
-  /// One word may hold several values with this character between them.
+  /// Allows one word to hold several values, separated by this character.
   const CommandOption& separated_by(char delimiter) const;
 
  private:
   CLI::Option* option_;
 };
 
-/// A verb on the command line. It refers to the parser's own command, which outlives it.
+/// A verb on the command line. It refers to a command object of the parser, which outlives it.
 class Command {
  public:
-  /// @param typed  the whole command as it could be typed
+  /// @param typed  whole command as a user could type it
   Command(CLI::App& app, std::string typed)
       : app_(&app), typed_(std::move(typed)), overlay_(std::make_shared<Overlay>()) {}
 
-  /// The command as it could be typed, with all that was given and has an effect on its files.
+  /// The command as a user could type it, with all options that have an effect on its files.
   const std::string& typed() const { return typed_; }
-  /// The name of the verb: "run".
+  /// The name of the verb, such as "run".
   std::string verb() const;
-  /// The settings that were given, once the command line is parsed.
+  /// The settings given on the command line, after it is parsed.
   const Overlay& overlay() const { return *overlay_; }
 
   CommandOption add_flag(const std::string& name, bool& value, const std::string& meaning);
-  /// @tparam Value  std::string, a number, or a std::vector of either; command.cpp lists them
-  /// @param name    "--step", or "FILE" for an argument without a name
-  /// @param value   takes the value when the command line is parsed; until then it is the default
+  /// Declares an option or an argument.
+  /// @tparam Value  std::string, a number, or a std::vector of either; command.cpp lists the types
+  /// @param name    name such as "--step", or "FILE" for an argument without a name
+  /// @param value   receives the value when the command line is parsed; before that, it is the
+  ///   default
   template <class Value>
   CommandOption add_option(const std::string& name, Value& value, const std::string& meaning);
-  /// The settings that the verb takes: "--hybrid-steps" for hybrid_steps.
+  /// Declares the settings that the verb takes, such as "--hybrid-steps" for hybrid_steps.
   void add_settings();
-  /// The options of a request: "--max-force" for max_force.
+  /// Declares the options of a request, such as "--max-force" for max_force.
   template <class Request>
   void add_request(Request& request) {
     for (const RequestOption<Request>& row : Request::options())
@@ -68,8 +70,8 @@ class Command {
   std::shared_ptr<Overlay> overlay_;
 };
 
-/// The words of a command as they could be typed in a shell, without the options that have no
-/// effect on what its files contain: --threads, --json, --verbose, --force and --resume.
+/// A command as it could be typed in a shell, without options that do not affect the contents of
+/// its files: --threads, --json, --verbose, --force and --resume.
 std::string typed_command(const std::vector<std::string>& words);
 
 }  // namespace polhode::cli

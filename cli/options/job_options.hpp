@@ -12,10 +12,11 @@
 
 namespace polhode::cli {
 
-/// How results are printed: by default what was asked for, which fits on a screen.
+/// The form in which results are printed. By default, only the requested results are printed, which
+/// fit on a screen.
 struct ResultForm {
   bool json = false;
-  bool verbose = false;  ///< whether to print details, too, such as the tables of a study
+  bool verbose = false;  ///< whether to print details as well, such as the tables of a study
 
   void declare_verbose(Command& command);
 };
@@ -25,25 +26,27 @@ struct JobOptions : ResultForm {
   bool force = false, resume = false;
 
   /// Declares FILE, --threads and --json.
-  /// @param of_threads  what the threads do: "simultaneous runs"
+  /// @param of_threads  description of the work of the threads, such as "simultaneous runs"
   void declare(Command& command, const std::string& of_threads);
   CommandOption declare_file(Command& command);
   void declare_threads(Command& command, const std::string& of_threads);
   void declare_force(Command& command);
   void declare_resume(Command& command);
 
-  /// The run file, or the default one, with the settings of the command line. Notes on what these
-  /// select are printed.
+  /// The settings of the run file, or of the default run, combined with the command line. Notes on
+  /// defaults that the command line selects are printed.
   /// @param quick  whether the quick version of the job is requested
-  /// @throws Error  as read_config()
+  /// @throws Error  under the same conditions as read_config()
   Config config(bool quick = false) const;
+  /// The output options.
   /// @throws Error  if both --resume and --force are given
   OutputOptions output() const;
-  /// @throws Error  naming --threads
+  /// The worker threads.
+  /// @throws Error  if --threads is invalid
   Workers workers() const;
 
  private:
-  std::optional<Command> command_;  // that these options are declared on
+  std::optional<Command> command_;  // command on which these options are declared
 };
 
 template <class Request>

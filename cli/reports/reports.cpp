@@ -18,7 +18,7 @@ void print_text(const RunReport& r) {
   print_fitted(run_text(r));
 }
 
-/// The files of an interrupted run, and how to resume it.
+/// Prints the files of an interrupted run, and how to resume it.
 void note_end(const RunResult& result, const std::string& checkpoint) {
   switch (result.end) {
     case RunEnd::complete:
@@ -43,7 +43,7 @@ std::string checkpoint_of(const Simulation& simulation) {
 
 void print_results(const Quantities& results, const ResultForm& form) {
   if (form.json) return fmt::print("{}\n", json_text(results));
-  if (form.verbose) return fmt::print("{}", text_of(results));  // tables are as wide as they are
+  if (form.verbose) return fmt::print("{}", text_of(results));  // tables are not wrapped
   if (std::any_of(results.begin(), results.end(), [](const Quantity& q) { return q.detail; }))
     log("--verbose prints tables and other details, too\n");
   print_fitted(text_of(results, false));

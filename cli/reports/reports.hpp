@@ -14,19 +14,21 @@ namespace polhode::cli {
 
 /// Prints results as JSON, or as text that fits into the terminal.
 void print_results(const Quantities& results, const ResultForm& form);
-/// Prints a list of records as JSON, or as a table with a title.
+/// Prints a list of records as JSON or as a table with a title.
 void print_results(const std::string& title, const std::vector<Quantities>& records, bool json);
 
-/// Prints the results of a run, and on standard error whether it was interrupted.
-/// @return  the exit code
+/// Prints the results of a run. If it was interrupted, this is reported on standard error.
+/// @return  exit code
 int print_run(const RunResult& result, const Simulation& simulation, bool json);
 
-/// Prints to standard error from where a run that ended with an error can be resumed, if it can.
+/// Prints to standard error the step from which a run that ended with an error can be resumed, if
+/// this is possible.
 void note_resumable(const Simulation& simulation);
 
-/// Prints the results of a study, none if no run ended, and how an interrupted study resumes.
-/// @param record  file of the runs so far
-/// @return  the exit code
+/// Prints the results of a study, and how to resume it if it was interrupted. Without a finished
+/// run there are no results.
+/// @param record  file with the runs so far
+/// @return  exit code
 template <class Report>
 int finish_study(const Report& report, const std::string& record, const ResultForm& form) {
   if (form.json || !report.points.empty()) print_results(quantities(report), form);

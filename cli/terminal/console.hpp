@@ -6,9 +6,9 @@
 
 namespace polhode::cli {
 
-/// Shows messages and progress, with the expected end, on standard error: see ProgressLine. Ctrl-C,
-/// SIGTERM, SIGHUP and SIGXCPU end the job early (interrupt.hpp). The line disappears with the last
-/// copy of the callbacks.
+/// Makes callbacks that show messages and progress with the expected end on standard error, see
+/// ProgressLine. Ctrl-C, SIGTERM, SIGHUP and SIGXCPU end the job early (interrupt.hpp). The
+/// progress line disappears when the last copy of the callbacks is destroyed.
 Callbacks console();
 
 }  // namespace polhode::cli

@@ -8,7 +8,7 @@
 namespace polhode::cli {
 namespace {
 
-// The flag is read by all threads of a study, while the handler may run in any of them.
+// All threads of a study read the flag, and the handler may run in any of them.
 std::atomic<bool> caught = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
@@ -27,12 +27,12 @@ void catch_interrupts() {
   // A second signal has its default effect and ends the program at once.
   for (const int signal_number : {SIGINT, SIGTERM})
     take(signal_number, static_cast<int>(SA_RESETHAND));
-  // These signals repeat by themselves: when a terminal closes, and each second beyond the limit of
-  // CPU time.
+  // These signals are repeated by the system: when a terminal closes, and every second beyond the
+  // limit of CPU time.
   take(SIGXCPU, 0);
   struct sigaction hangup {};
   sigaction(SIGHUP, nullptr, &hangup);
-  if (hangup.sa_handler != SIG_IGN) take(SIGHUP, 0);  // nohup ignores it
+  if (hangup.sa_handler != SIG_IGN) take(SIGHUP, 0);  // nohup ignores this signal
 }
 
 bool interrupted() { return caught; }

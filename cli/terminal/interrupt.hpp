@@ -5,7 +5,8 @@
 
 namespace polhode::cli {
 
-/// From now on the signals only set a flag; a second Ctrl-C or SIGTERM ends the program at once.
+/// Installs handlers, so that the signals only set a flag. A second Ctrl-C or SIGTERM ends the
+/// program immediately.
 void catch_interrupts();
 
 bool interrupted();

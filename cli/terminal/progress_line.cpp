@@ -17,7 +17,8 @@ std::string duration(double seconds) {
                   : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }
 
-/// @param worked  fraction of the work done since the start, in `elapsed` seconds
+/// The text of the progress line.
+/// @param worked  fraction of the work done in the `elapsed` seconds since the start
 std::string line_of(const Progress& now, double worked, double elapsed) {
   if (!now.done) return fmt::format("{} {}  {}", now.job, now.detail, duration(elapsed));
   std::string line = fmt::format("{} {:5.1f} %  {}", now.job, 100 * *now.done, duration(elapsed));

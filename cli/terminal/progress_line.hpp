@@ -18,10 +18,10 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows a job's progress: on a terminal at most five times a second, in a log at the pace of
-  /// ProgressPace.
+  /// Shows the progress of a job: on a terminal at most five times a second, and in a log at the
+  /// pace of ProgressPace.
   void show(const Progress& now);
-  /// Erases the line of a terminal, until progress is shown again.
+  /// Erases the line on a terminal until progress is shown again.
   void clear();
 
  private:
@@ -30,8 +30,8 @@ class ProgressLine {
 
   bool terminal_, shown_ = false;
   std::string job_;
-  Stopwatch watch_;           // of the job
-  double done_at_start_ = 0;  // of a job that was resumed
+  Stopwatch watch_;           // time since the start of the job [s]
+  double done_at_start_ = 0;  // fraction done when the job was resumed
   TerminalPace terminal_pace_;
   ProgressPace log_pace_;
 };

@@ -11,15 +11,17 @@
 
 namespace polhode::cli {
 
-/// Opens replacements for closed standard streams, so that no file gets their descriptors, and
-/// turns the signals of closed pipes and file size limits into write errors. Call it first.
+/// Opens replacements for closed standard streams, so that no other file gets their descriptors. It
+/// also turns the signals of closed pipes and file size limits into write errors. Call this
+/// function first.
 void prepare_streams();
 
-/// The exit code of a program that ends with `code`: 1 instead of 0, with a message, if standard
-/// output could not be written completely.
+/// The exit code of a program that would end with `code`. If standard output could not be written
+/// completely, it is 1 instead of 0, and a message is printed.
 int exit_code(int code);
 
-/// Prints to standard error. Write errors are ignored: no run ends because of its log.
+/// Prints to standard error. Write errors are ignored, so that a run does not end because of its
+/// log.
 template <class... Args>
 void log(fmt::format_string<Args...> format, Args&&... args) {
   const std::string text = fmt::format(format, std::forward<Args>(args)...);

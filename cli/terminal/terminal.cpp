@@ -12,23 +12,25 @@
 namespace polhode::cli {
 namespace {
 
-constexpr std::size_t min_width = 40, max_indent = 30;  // the parser's column of meanings
+constexpr std::size_t min_width = 40, max_indent = 30;  // smallest width, and largest indent of the
+                                                        // parser's column of meanings
 
-/// Number of columns: bytes that begin a character of UTF-8.
+/// The number of columns of a text, which is the number of bytes that begin a UTF-8 character.
 std::size_t columns(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xc0) != 0x80; }));
 }
 
-/// The column at which a broken line continues: that of its text after a label and two blanks, or
-/// that of the whole line.
+/// The column at which a wrapped line continues: the column of its text after a label and two
+/// blanks, or the column where the line begins.
 std::size_t indent_of(std::string_view line, std::size_t width) {
   const auto begin = line.find_first_not_of(' ');
   const auto text = line.find_first_not_of(' ', line.find("  ", begin));
   return std::min({text == line.npos ? begin : text, max_indent, width / 2});
 }
 
-/// The bytes of the longest front of a line that fits, broken at a blank; all if there is none.
+/// The number of bytes of the longest beginning of a line that fits and ends at a blank. If there
+/// is no blank, it is the whole line.
 std::size_t fitting(std::string_view line, std::size_t width) {
   std::size_t end = line.npos;
   const std::size_t first = line.find_first_not_of(' ');

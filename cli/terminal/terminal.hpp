@@ -8,15 +8,15 @@
 
 namespace polhode::cli {
 
-/// A text with lines of at most `width` columns, broken between words. What is broken off continues
-/// below the text of its line, as the meaning of an option does.
+/// Wraps a text between words, so that lines have at most `width` columns. Continuation lines begin
+/// below the text of the line, as in the meaning of an option.
 std::string wrapped(std::string_view text, std::size_t width);
 
-/// A text wrapped at the environment variable COLUMNS, or at the width of the terminal that a
-/// stream is; unchanged if it is none, as in a pipe or a file.
+/// Wraps a text at the environment variable COLUMNS, or at the width of the terminal to which a
+/// stream is connected. The text is unchanged if the stream is a pipe or a file.
 std::string fit_to_terminal(std::string_view text, int stream);
 
-/// Prints a text to standard output, wrapped if that is a terminal.
+/// Prints a text to standard output. The text is wrapped if standard output is a terminal.
 void print_fitted(std::string_view text);
 
 }  // namespace polhode::cli

@@ -19,7 +19,7 @@ namespace {
 
 using Options = RequestOptions<AdviceRequest>;
 
-/// Advice for hybrid Monte Carlo, which has no bias to bound.
+/// Gives advice for hybrid Monte Carlo, which has no bias that could be bounded.
 int advise_canonical(const Options& o, const Config& config, bool schemes_given) {
   const HybridAdviserSettings settings = o.request.hybrid_settings(config, schemes_given);
   Workers workers = o.workers();

@@ -25,7 +25,7 @@ struct Options : ResultForm {
   bool quick = false;
 };
 
-/// The processor's name according to the operating system.
+/// The name of the processor according to the operating system.
 std::string processor() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);)

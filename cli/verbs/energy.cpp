@@ -17,7 +17,7 @@ struct Options : JobOptions {
   bool forces = false, gradient = false;
 };
 
-/// Forces and torques as CSV, all numbers with 17 digits.
+/// Prints forces and torques as CSV, with 17 digits for all numbers.
 void print_loads(const SinglePoint& p) {
   fmt::print("body,molecule,fx,fy,fz,taux,tauy,tauz{}\n",
              p.derivative ? ",dfx,dfy,dfz,dtaux,dtauy,dtauz" : "");

@@ -41,13 +41,13 @@ double autocovariance(Runs runs, double mean, std::size_t lag) {
   return sum / static_cast<double>(all_samples(runs) - runs.size() * lag);
 }
 
-/// Whether a longer window adds more noise than signal, if ρ(t) falls exponentially with the time
-/// that τ corresponds to [wolff2004, Eqs. 51 and 52].
+/// Whether a longer window adds more noise than signal, assuming that ρ(t) decays exponentially
+/// with the time that corresponds to τ [wolff2004, Eqs. 51 and 52].
 bool window_ends(double tau, std::size_t lag, double samples) {
   constexpr double S = 1.5;
   const double t = static_cast<double>(lag);
   const double decay =
-      tau <= 0.5 ? 1e-9 : S / std::log((2 * tau + 1) / (2 * tau - 1));  // of ρ, times S
+      tau <= 0.5 ? 1e-9 : S / std::log((2 * tau + 1) / (2 * tau - 1));  // decay time of ρ, times S
   return std::exp(-t / decay) - decay / std::sqrt(t * samples) < 0;
 }
 

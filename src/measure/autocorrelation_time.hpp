@@ -8,25 +8,28 @@
 
 namespace polhode {
 
-/// The integrated autocorrelation time of a stationary series [samples]: τ = 1/2 + Σ ρ(t) over
-/// t ≥ 1, so that n samples are as good as n/(2τ) independent ones; 1/2 for independent samples.
+/// The integrated autocorrelation time of a stationary series [samples]: τ = 1/2 + Σ ρ(t) over t ≥
+/// 1. n samples have the information of n/(2τ) independent samples. For independent samples, τ is
+/// 1/2.
 struct AutocorrelationTime {
   double value = 0;
-  double error = 0;        ///< standard error, from the series itself [wolff2004, Eq. 42]
-  std::size_t window = 0;  ///< lags that were summed
+  double error = 0;        ///< standard error, estimated from the series [wolff2004, Eq. 42]
+  std::size_t window = 0;  ///< number of lags that were summed
 };
 
-/// From the autocovariance of the series about its own mean, summed over a window that balances
-/// the error of the sum and what lies beyond, and corrected for the variance of that mean
-/// [wolff2004, Eqs. 49, 51 and 52 with S = 1.5].
-/// @return  nothing with fewer than 10 samples, for a constant series, or where the series is
-///          shorter than four windows or 10 τ
+/// Estimates the autocorrelation time of a series from the autocovariance about its mean. The sum
+/// is over a window that balances the statistical error against the truncation error. It is
+/// corrected for the variance of the mean [wolff2004, Eqs. 49, 51 and 52 with S = 1.5].
+/// @return  the autocorrelation time; empty with fewer than 10 samples, for a constant series, or
+///   if the series is shorter than four windows or 10 τ
 std::optional<AutocorrelationTime> autocorrelation_time(std::span<const double> series);
 
-/// The same from independent runs of one process, about their common mean [wolff2004, Eq. 31].
-/// Short runs need it: about the mean of each, what is slower than a run does not appear.
-/// @return  nothing with fewer than 10 samples or two windows in the shortest run, for constant
-///          series, or where all runs together are shorter than four windows or 10 τ
+/// Estimates the autocorrelation time from independent runs of one process, about their common mean
+/// [wolff2004, Eq. 31]. This is needed for short runs, because processes slower than a run are not
+/// visible in deviations from the mean of this run.
+/// @return  the autocorrelation time; empty with fewer than 10 samples or two windows in the
+///   shortest run, for constant series, or if all runs together are shorter than four windows or 10
+///   τ
 std::optional<AutocorrelationTime> autocorrelation_time(
     std::span<const std::span<const double>> runs);
 

@@ -18,8 +18,8 @@ Vec3<double> signs(Random& random) {
 
 ConfigurationalSample configurational_sample(const State& state, const Bodies& bodies,
                                              const Load& load, ForceField& forces, Random random) {
-  // The displacement of each degree of freedom is scaled by its inertia: 1/√m for translation,
-  // 1/√J_k for rotation about an axis.
+  // The displacement of each degree of freedom is scaled by its inertia: by 1/√m for translation,
+  // and by 1/√J_k for rotation about an axis.
   Vec3Column dq(state.size()), dtheta(state.size());
   for (std::size_t i = 0; i < state.size(); ++i) {
     const auto root = [](double x) { return std::sqrt(x); };
@@ -31,7 +31,7 @@ ConfigurationalSample configurational_sample(const State& state, const Bodies& b
   forces.directional_derivative(state, dq, dtheta, slope);
   ConfigurationalSample sample{squared_force(state, bodies, load), {}};
   for (std::size_t i = 0; i < state.size(); ++i) {
-    // A rotation about its own axis leaves the axis where it is: no frame term.
+    // A rotation about an axis leaves this axis unchanged, so there is no frame term.
     const Vec3<double> tau = to_body(state.orientation[i], slope.tau[i]);
     sample.curvature[0] -= dot(dq[i], slope.f[i]);
     for (std::size_t k = 0; k < 3; ++k) sample.curvature[1 + k] -= dtheta[i][k] * tau[k];
@@ -49,7 +49,7 @@ StepResponse::Function temperature_of(std::size_t motion) {
   };
 }
 
-/// Of each motion that feels forces: those without have no curvature.
+/// Applies a function to each motion on which forces act. Motions without forces have no curvature.
 template <class Of>
 ByMotion<std::optional<SeriesEstimate>> of_motions(const TimeBlocks& blocks, const Of& of) {
   const std::vector<double> mean = blocks.means().mean();

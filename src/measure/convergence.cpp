@@ -10,7 +10,7 @@
 namespace polhode {
 namespace {
 
-/// Mean of the blocks from `first` to `end`.
+/// The mean of the blocks from `first` to `end`.
 std::vector<double> mean_of(const BlockMeans& blocks, std::size_t first, std::size_t end) {
   const auto begin = blocks.blocks().begin();
   return BlockMeans(

@@ -12,8 +12,9 @@
 namespace polhode {
 namespace {
 
-/// A series of block means, from which polynomials in time are subtracted degree by degree. They
-/// are orthonormal over the blocks with their weights, by the recurrence of Stieltjes.
+/// A series of block means, from which polynomials in time are subtracted degree by degree. The
+/// polynomials are orthonormal over the weighted blocks and are computed by the Stieltjes
+/// recurrence.
 class Modes {
  public:
   Modes(std::vector<double> weights, std::vector<double> times, std::vector<double> values)
@@ -25,7 +26,7 @@ class Modes {
     normalize();
   }
 
-  /// The coefficient of the polynomial of the next degree, from 0; the polynomial is subtracted.
+  /// Subtracts the polynomial of the next degree, starting with 0, and returns its coefficient.
   double next() {
     const double c = product(current_, rest_);
     for (std::size_t b = 0; b < rest_.size(); ++b) rest_[b] -= c * current_[b];
@@ -43,9 +44,9 @@ class Modes {
   /// The degree of the next polynomial.
   std::size_t degree() const { return degree_; }
 
-  /// The number of coefficients from degree() on.
+  /// The number of coefficients of degree() and higher.
   double left() const { return static_cast<double>(rest_.size() - degree_); }
-  /// The sum of their squares.
+  /// The sum of the squares of these coefficients.
   double squares_above() const { return product(rest_, rest_); }
 
  private:
@@ -63,22 +64,23 @@ class Modes {
   std::size_t degree_ = 0;
 };
 
-/// Number of modes that determine the noise of a mean: the slowest ones, twice as many if the noise
-/// is white.
+/// The number of slowest modes that determine the noise of a mean. It is doubled if the noise is
+/// white.
 constexpr std::size_t slowest = 4;
-/// Limits of the mean square of the slowest modes divided by that of all faster ones, and the
-/// growth of the noise towards the next slower mode with that ratio (docs/statistics.md).
+/// Limits of the ratio of the mean squares of the slowest modes and of all faster modes. They also
+/// determine the growth of the noise towards the next slower mode (docs/statistics.md).
 constexpr double white = 1.5, too_slow = 10, growth = 0.113;
 
-/// The noise of the mean, from the modes above it.
+/// The noise of the mean, estimated from the slowest modes.
 struct Noise {
   double variance = 0;
   Known known = Known::yes;
-  double modes = 0;  ///< from which it was estimated
+  double modes = 0;  ///< number of modes from which it was estimated
 };
 
-/// @param runs  each with all of its modes, the first of which is the deviation of its mean from
-///              the common one
+/// Estimates the noise of the mean.
+/// @param runs  runs with all of their modes; the first mode is the deviation of the run's mean
+///   from the common mean
 Noise noise(std::vector<Modes> runs) {
   double squares = 0, count = -1;
   for (Modes& run : runs) {
@@ -140,11 +142,11 @@ SeriesEstimate pooled_estimate(std::span<const BlockMeans> runs,
   SeriesEstimate result{statistic(all_runs.mean())};
   std::vector<Modes> modes;
   std::vector<double> without(all.sum.size());
-  double largest = 0;  // of the influences
+  double largest = 0;  // largest influence
   for (const BlockMeans& run : runs) {
     if (run.blocks().size() < min_samples) return result;
     std::vector<double> weights, times, influences;
-    double time = 0;  // in samples
+    double time = 0;  // time in samples
     for (const auto& [weight, sum] : run.blocks()) {
       const double rest = all.weight - weight;
       for (std::size_t k = 0; k < without.size(); ++k) without[k] = (all.sum[k] - sum[k]) / rest;
@@ -157,7 +159,7 @@ SeriesEstimate pooled_estimate(std::span<const BlockMeans> runs,
     }
     modes.emplace_back(std::move(weights), std::move(times), std::move(influences));
   }
-  constexpr double rounding = 1e-12;  // of sums of a few thousand equal numbers, relative
+  constexpr double rounding = 1e-12;  // relative round-off of sums of a few thousand equal numbers
   if (largest <= rounding * std::abs(result.value)) return {result.value, 0, Known::yes};
   const Noise found = noise(std::move(modes));
   return {result.value, std::sqrt(found.variance / all.weight), found.known, found.modes};
@@ -177,7 +179,8 @@ SeriesEstimate correlation_time(const SeriesEstimate& mean, double variance, dou
   if (mean.known != Known::yes || !(variance > 0))
     return {std::nan(""), 0, mean.known == Known::yes ? Known::not_defined : mean.known};
   const double square = mean.error * mean.error;
-  // About the mean of the run, the samples vary by the square of its error less.
+  // The variance about the mean of the run is smaller than the true variance by the square of the
+  // error of this mean.
   const double tau = samples * square / (2 * (variance + square));
   return {tau, tau * std::sqrt(2 / mean.modes), Known::yes, mean.modes};
 }

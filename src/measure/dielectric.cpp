@@ -18,10 +18,11 @@ double variance(std::span<const double> mean) {
   return mean[M2] - norm2(Vec3<double>{mean[Mx], mean[My], mean[Mz]});
 }
 
-// ε from the means of M, M² and V; not positive if the fluctuations are too large for any ε.
+// The dielectric constant ε from the means of M, M² and V. It is not positive if the fluctuations
+// are too large for any ε.
 double permittivity(std::span<const double> mean, double temperature,
                     double surroundings_permittivity) {
-  // 1/ε₀ is 4π times Coulomb's constant.
+  // The factor 1/ε₀ is 4π times Coulomb's constant.
   const double g = 4 * units::pi * units::coulomb * variance(mean) /
                    (3 * mean[volume] * units::boltzmann * temperature);
   if (std::isinf(surroundings_permittivity)) return 1 + g;
@@ -33,9 +34,9 @@ double mean_over_rms(const BlockMeans& means) {
   return norm(Vec3<double>{mean[Mx], mean[My], mean[Mz]}) / std::sqrt(mean[M2]);
 }
 
-/// Without an error where ⟨M⟩² is larger than in a sufficiently long run.
+/// Removes the error of a result if ⟨M⟩² is larger than in a sufficiently long run.
 SeriesEstimate at_rest(const BlockMeans& means, const SeriesEstimate& e) {
-  constexpr double limit = 0.1;  // of ⟨M²⟩
+  constexpr double limit = 0.1;  // largest ⟨M⟩², relative to ⟨M²⟩
   const double share = mean_over_rms(means);
   return e.known == Known::yes && share * share > limit
              ? SeriesEstimate{e.value, 0, Known::too_short}
@@ -81,7 +82,7 @@ TotalDipole::Result TotalDipole::result(double temperature, double surroundings_
                                                                             : Obstacle::none;
   result.convergence = convergence(length, relaxation_share(means, Mx, M2) * length,
                                    relaxations_of_dipole, obstacle);
-  // The relaxation time is itself uncertain in a short run.
+  // The relaxation time is uncertain as well in a short run.
   if (obstacle != Obstacle::none)
     result.convergence.needed = std::max(result.convergence.needed, 2 * length);
   if (!timed) result.convergence.unit = "frames";

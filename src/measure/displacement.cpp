@@ -47,7 +47,7 @@ BlockMeans Displacement::mean_square(std::size_t part, Workers& workers) {
 
 namespace {
 
-/// Values at the lags within a window.
+/// Lags within a window, and the values at these lags.
 struct Points {
   std::vector<double> t, y;
 };
@@ -68,7 +68,7 @@ double sixth_of_slope(std::span<const double> means, double interval, const FitW
   return t.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : slope(t, y).value / 6;
 }
 
-/// D with its error, whether or not the run is long enough.
+/// The diffusion coefficient D with its error, whether or not the run is long enough.
 SeriesEstimate estimate(const BlockMeans& squared, double interval, const FitWindow& window) {
   return series_estimate(squared,
                          [&](auto means) { return sixth_of_slope(means, interval, window); });
@@ -106,7 +106,7 @@ Convergence diffusion_convergence(const BlockMeans& squared, double interval,
 }
 
 double yeh_hummer_correction(double temperature, double viscosity, double edge) {
-  constexpr double xi = 2.837297;  // for a cubic lattice of images: yeh2004, Eq. 12
+  constexpr double xi = 2.837297;  // constant for a cubic lattice of images [yeh2004, Eq. 12]
   return xi * units::boltzmann * temperature / (6 * units::pi * viscosity * edge);
 }
 

@@ -12,8 +12,8 @@
 namespace polhode {
 namespace {
 
-/// What is summed: conserved, potential and total energy and volume relative to the first sample,
-/// squares, and the first volume divided by the volume.
+/// The columns of the sums: conserved, potential and total energy and volume relative to the first
+/// sample, their squares, and the first volume divided by the volume.
 enum Column : std::size_t {
   time,
   conserved_,
@@ -40,7 +40,7 @@ SeriesEstimate fluctuation(const BlockMeans& blocks, Column value, Column square
                          [=](auto mean) { return std::sqrt(variance(mean, value, square)); });
 }
 
-/// The mean of differences from a first value.
+/// The mean of a quantity whose differences from a first value were summed.
 SeriesEstimate mean_from(double first, const BlockMeans& blocks, Column column) {
   SeriesEstimate estimate = series_estimate(blocks, [=](auto mean) { return mean[column]; });
   estimate.value += first;
@@ -53,7 +53,7 @@ Energies kinetic_energies(std::span<const double> mean) {
           .rotation = {mean[rotation_1], mean[rotation_2], mean[rotation_3]}};
 }
 
-/// Not a number if the potential energy is constant.
+/// The ratio R; NaN if the potential energy is constant.
 double ratio_of(std::span<const double> mean) {
   const double potential = variance(mean, potential_, potential_square);
   return potential > 0 ? std::sqrt(variance(mean, conserved_, conserved_square) / potential)
@@ -104,7 +104,7 @@ Temperatures EnergyStatistics::temperatures(const DegreesOfFreedom& degrees_of_f
 }
 
 // The variance of the conserved energy is the mean variance within the blocks plus Σ c²/n over the
-// slow modes c. Its first part is a mean like any other. A slow mode is one normal variable, whose
+// slow modes c. The first part is an ordinary mean. A slow mode is one normal variable, whose
 // square has the variance 2 ⟨c²⟩² = 2/3 ⟨c⁴⟩.
 SeriesEstimate EnergyStatistics::ratio_with_error() const {
   const BlockMeans means = blocks.means();

@@ -7,17 +7,17 @@
 
 namespace polhode {
 
-/// The first sample of a series from which on its mean is most precise.
+/// The end of the equilibration of a series: the sample from which on the mean is most precise.
 struct Equilibration {
-  std::size_t start = 0;  ///< samples before it are discarded
-  double error = 0;       ///< standard error of the mean of all later ones
+  std::size_t start = 0;  ///< index of the first sample that is kept
+  double error = 0;       ///< standard error of the mean of the samples that are kept
 };
 
-/// The start with the smallest standard error of the mean of what follows [clark2024]. Samples of
-/// the approach to equilibrium make it larger, and so does discarding too much. The variance of the
-/// mean comes from autocovariances in a window of √n lags with triangular weights. The last tenth
-/// is always kept.
-/// @return  the whole series if it has fewer than 10 samples
+/// Finds the sample after which the mean has the smallest standard error [clark2024]. The error
+/// increases with samples of the approach to equilibrium, and also if too many samples are
+/// discarded. The variance of the mean is computed from autocovariances in a window of √n lags with
+/// triangular weights. The last 10 % of the samples are always kept.
+/// @return  the equilibration; the whole series is kept if it has fewer than 10 samples
 Equilibration equilibration(std::span<const double> series);
 
 }  // namespace polhode

@@ -8,10 +8,10 @@ namespace polhode {
 
 /// Kinetic energies [kJ/mol], momentum and mass of a range of bodies.
 struct KineticSums {
-  double translation;     ///< Σ p²/2m
-  double rotation[3];     ///< Σ L_k²/2J_k
-  Vec3<double> momentum;  ///< Σ p [u nm/ps]
-  double mass;            ///< Σ m [u]
+  double translation;     ///< kinetic energy of translation Σ p²/2m
+  double rotation[3];     ///< kinetic energies of rotation Σ L_k²/2J_k
+  Vec3<double> momentum;  ///< momentum Σ p [u nm/ps]
+  double mass;            ///< mass Σ m [u]
 };
 
 }  // namespace polhode

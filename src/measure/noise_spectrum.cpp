@@ -10,7 +10,7 @@
 namespace polhode {
 namespace {
 
-/// Variance of each mode, relative to white noise.
+/// The variance of each mode, relative to white noise.
 std::vector<double> powers(const Spectrum& spectrum, const SlowModes& modes) {
   std::vector<double> power(modes.count());
   for (std::size_t k = 0; k < power.size(); ++k)
@@ -23,7 +23,7 @@ std::vector<double> powers(const Spectrum& spectrum, const SlowModes& modes) {
 
 /// Sums over the modes, each divided by its variance relative to white noise.
 struct WeightedSums {
-  double line = 0, product = 0, values = 0;  ///< of line², line · value, value²
+  double line = 0, product = 0, values = 0;  ///< sums of line², line · value, and value²
   double log_variances = 0;
 
   WeightedSums(const SlowModes& modes, const std::vector<double>& power, double known) {
@@ -33,23 +33,24 @@ struct WeightedSums {
       line += modes.line[k] * modes.line[k] / variance;
       product += modes.line[k] * modes.values[k] / variance;
       values += modes.values[k] * modes.values[k] / variance;
-      variances *= variance;  // of 40 modes, below 1e5 each
+      variances *= variance;  // the product of 40 modes, each below 1e5
       if (variances > 1e200) log_variances += std::log(std::exchange(variances, 1.0));
     }
     log_variances += std::log(variances);
   }
-  /// Sum of squares about the weighted line.
+  /// The sum of squares about the weighted line.
   double residual() const { return std::max(0.0, values - product * product / line); }
 };
 
-/// One spectrum plus a walk of known strength, before normalization.
-/// @param known  variance per time of that walk
+/// The hypothesis of one spectrum plus a random walk of known strength, before normalization.
+/// @param known  variance per time of the known random walk
 /// @param scale  sum of squares of all modes, to which the likelihood is relative
 Hypothesis hypothesis(const SlowModes& modes, const Spectrum& spectrum, double known,
                       double scale) {
   constexpr int iterations = 20;
   constexpr double precision = 0.01;
-  constexpr double min_share = 1e-3;  // of white noise in the fastest mode
+  constexpr double min_share = 1e-3;  // smallest relevant fraction of white noise in the fastest
+                                      // mode
   const std::vector<double> power = powers(spectrum, modes);
   const auto degrees_of_freedom = static_cast<double>(modes.count() - 1);
   const double floor = std::max(min_share * scale / static_cast<double>(modes.count()) *
@@ -63,7 +64,8 @@ Hypothesis hypothesis(const SlowModes& modes, const Spectrum& spectrum, double k
     sums = WeightedSums(modes, power, known / std::max(white, floor));
   }
   white = std::max(white, floor);
-  double own = 0, variance = 0;  // of the weighted slope: part of the spectrum; of the plain slope
+  double own = 0, variance = 0;  // variance of the weighted slope due to the spectrum, and variance
+                                 // of the plain slope
   for (std::size_t k = 0; k < power.size(); ++k) {
     const double all = power[k] + known * modes.walk[k] / white;
     own += modes.line[k] * modes.line[k] * power[k] / (all * all);

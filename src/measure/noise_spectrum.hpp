@@ -12,33 +12,37 @@ namespace polhode {
 
 /// A hypothesis about the noise: the variances of the modes, up to a common factor.
 struct Spectrum {
-  double prior = 0;      ///< probability
-  double amplitude = 0;  ///< of the correlated part, relative to white noise
+  double prior = 0;      ///< prior probability
+  double amplitude = 0;  ///< amplitude of the correlated part, relative to white noise
   double time = 0;       ///< its correlation time divided by the length of the run
-  double walk = 0;       ///< of a random walk in the slowest mode, relative to white noise
+  double walk = 0;       ///< variance of a random walk in the slowest mode, relative to white noise
 };
 
-/// White noise with an exponentially correlated part.
+/// The spectra of white noise with an exponentially correlated part.
 std::vector<Spectrum> stationary_noise();
-/// White noise with a random walk of any strength. Noise that is correlated over a part of the run
-/// is not distinguished from a walk, which makes its slope uncertain by more.
+/// The spectra of white noise with a random walk of any strength. Noise that is correlated over a
+/// part of the run cannot be distinguished from a random walk, which makes the slope more
+/// uncertain.
 std::vector<Spectrum> walking_noise();
 
 /// A spectrum with its posterior probability and its result for the slope.
 struct Hypothesis {
   double probability = 0;
   double walk = 0;                ///< variance per time of the random walk of the spectrum
-  double slope = 0, error = 0;    ///< of the line of the least squares weighted by the spectrum
-  double degrees_of_freedom = 0;  ///< of `error`
-  double variance = 0;            ///< of the slope of the least-squares line without weights
+  double slope = 0, error = 0;    ///< slope and error of the least-squares line that is weighted by
+                                  ///< the spectrum
+  double degrees_of_freedom = 0;  ///< degrees of freedom of `error`
+  double variance = 0;            ///< variance of the slope of the least-squares line without
+                                  ///< weights
 };
 
-/// The posterior of all spectra, averaged over the strengths of a walk that is known independently.
+/// The posterior of all spectra, averaged over the possible strengths of an independently known
+/// random walk.
 std::vector<Hypothesis> posterior(const SlowModes& modes, const std::vector<Spectrum>& spectra,
                                   std::span<const WalkStrength> walks);
 
-/// How many times more probable the modes are with a random walk of unknown strength than with any
-/// stationary noise.
+/// The Bayes factor for a random walk: the probability of the modes with a random walk of unknown
+/// strength, divided by their probability with any stationary noise.
 /// @param walks  as in posterior()
 double evidence_of_walk(const SlowModes& modes, std::span<const WalkStrength> walks);
 

@@ -11,7 +11,8 @@
 namespace polhode {
 namespace {
 
-// Three unlike sites r_k on one body, each in the field V(x) = a x·Dx/2 + b (x·c)³/3 + g |x|⁴/4.
+// An external field on three unlike sites r_k of one body, V(x) = a x·Dx/2 + b (x·c)³/3 + g |x|⁴/4
+// for each site.
 Topology body() {
   return {{{rigid_molecule("top", {{.name = "1", .r = {0.10, 0.02, 0.00}, .mass = 3.0},
                                    {.name = "2", .r = {-0.05, 0.08, 0.03}, .mass = 2.0},
@@ -21,7 +22,7 @@ Topology body() {
 
 class Field {
  public:
-  /// @param anharmonic  1: full field; 0: without the terms of b and g
+  /// @param anharmonic  1 for the full field, 0 for a field without the terms of b and g
   Field(const Molecule& molecule, double anharmonic)
       : sites_(molecule.sites), cubic_(900 * anharmonic), quartic_(5000 * anharmonic) {}
 
@@ -69,9 +70,9 @@ class Field {
     return value;
   }
   std::vector<Site> sites_;
-  Vec3<double> stiffness_{900, 1400, 600};  // [kJ/mol/nm²]
+  Vec3<double> stiffness_{900, 1400, 600};  // stiffness [kJ/mol/nm²]
   Vec3<double> skew_{0.6, -0.5, 0.62};
-  double cubic_, quartic_;  // [kJ/mol/nm³], [kJ/mol/nm⁴]
+  double cubic_, quartic_;  // coefficients [kJ/mol/nm³], [kJ/mol/nm⁴]
 };
 
 State start() {
@@ -83,12 +84,13 @@ State start() {
   return state;
 }
 
-/// Including that of the centre of mass: the field is fixed in space, so its motion counts.
+/// The kinetic energy, including the centre of mass, because the field is fixed in space.
 double kinetic(const State& state, const Bodies& bodies, const Energies& e) {
   return e.kinetic() + norm2(total_momentum(state)) / (2 * total_mass(bodies));
 }
 
-/// @param integrator  an Integrator or a NestedIntegrator
+/// Measures the energy error of an integrator.
+/// @param integrator  Integrator or NestedIntegrator
 template <class AnyIntegrator>
 double energy_error(AnyIntegrator& integrator, const Bodies& bodies, double h, std::size_t steps) {
   State state = start();
@@ -123,12 +125,12 @@ double energy_error(const NestedScheme& scheme, double lambda, double h, std::si
 }  // namespace
 
 OrderMeasurement measure_order(const NestedScheme& scheme, double lambda) {
-  // Several periods, with steps that are large for the scheme [ps]; schemes with many stages still
-  // reach their order at 20 fs.
+  // The run takes several periods, with steps that are large for the scheme [ps]. Schemes with many
+  // stages still reach their order at 20 fs.
   constexpr double length = 0.64;
   const double max_step = scheme.outer.force_evaluations() < 8 ? 0.02 : 0.04;
-  // A finite difference amplifies rounding by 1/λ; otherwise a few units of 2⁻⁵³ per step add up as
-  // a random walk over a few hundred to about ten thousand steps.
+  // The round-off error. A finite difference amplifies it by 1/λ. Otherwise a few units of 2⁻⁵³ per
+  // step add up as a random walk over a few hundred to about ten thousand steps.
   const double rounding = scheme.has(Gradient::finite_difference) ? 1e-15 / lambda : 4e-14;
   OrderMeasurement result;
   double before = 0;

@@ -8,17 +8,18 @@
 
 namespace polhode {
 
-/// Test system: one asymmetric body with unlike sites in a smooth anharmonic field, the smallest
-/// system that couples translation, rotation and all terms of the gradient kick. The harmonic part
-/// of the field serves as the near forces of an inner scheme, whatever its cutoff.
+/// The measured order of a scheme. The test system is one asymmetric body with unlike sites in a
+/// smooth anharmonic field. It is the smallest system that couples translation, rotation and all
+/// terms of the gradient kick. The harmonic part of the field serves as the near forces of an inner
+/// scheme, whatever its cutoff.
 struct OrderMeasurement {
   struct Point {
-    double step;   ///< [ps]
+    double step;   ///< time step [ps]
     double error;  ///< maximum of |E − E₀| over the run, divided by the initial kinetic energy
   };
-  std::vector<Point> points;  ///< each with half the step of the one before
-  double order = 0;        ///< log₂ of the last ratio of errors that is not affected by rounding
-  double uncertainty = 0;  ///< change of the order upon the last halving
+  std::vector<Point> points;  ///< measurements, each with half the step of the previous one
+  double order = 0;        ///< log₂ of the last ratio of errors that is not affected by round-off
+  double uncertainty = 0;  ///< change of the order at the last halving of the step
 };
 
 OrderMeasurement measure_order(const NestedScheme& scheme, double lambda = 1e-4);

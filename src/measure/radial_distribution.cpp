@@ -43,13 +43,13 @@ Vec3<double> nearest(Vec3<double> d, const Vec3<double>& edge, const Vec3<double
   return d;
 }
 
-// The bins to which a cubic is fitted.
+// The range of bins to which a cubic is fitted.
 struct Bins {
   std::ptrdiff_t low, high;
 };
 
-// g averaged over the bins within 1.5 % of the distance on either side, so that the noise of single
-// bins does not affect the search for peaks.
+// The function g, averaged over the bins within 1.5 % of the distance on either side. Averaging
+// keeps the noise of single bins from affecting the search for peaks.
 std::vector<double> smoothed(std::span<const double> g) {
   constexpr double part = 0.015;
   std::vector<double> smooth(g.size());
@@ -61,8 +61,8 @@ std::vector<double> smoothed(std::span<const double> g) {
   return smooth;
 }
 
-// The bin of the first peak, from where g first comes near its largest value to where it has fallen
-// to half of the peak, because a second peak may be as high.
+// The bin of the first peak. The search begins where g first comes near its largest value. It ends
+// where g has fallen to half of the peak, because a second peak may be as high.
 std::ptrdiff_t first_summit(std::span<const double> g) {
   constexpr double near = 0.75, fallen = 0.5;
   const double largest = *std::max_element(g.begin(), g.end());
@@ -72,7 +72,7 @@ std::ptrdiff_t first_summit(std::span<const double> g) {
   return top - g.begin();
 }
 
-// Bins around a maximum in which g is above 0.9 of it; at least five.
+// The bins around a maximum in which g is above 90 % of the maximum; at least five bins.
 Bins about_summit(std::span<const double> g, std::ptrdiff_t top) {
   constexpr double share = 0.9;
   const auto at = [&](std::ptrdiff_t k) { return g[static_cast<std::size_t>(k)]; };
@@ -84,8 +84,9 @@ Bins about_summit(std::span<const double> g, std::ptrdiff_t top) {
           std::min(last, std::max(high, top + 2))};
 }
 
-// Bins around the smallest g between a maximum and 1.6 times its distance: a tenth of that distance
-// on each side. None if g is smallest in the last bin: its minimum may lie beyond.
+// The bins around the smallest g between a maximum and 1.6 times its distance, with 10 % of this
+// distance on each side. The result is empty if g is smallest in the last bin, because the minimum
+// may lie beyond it.
 std::optional<Bins> about_minimum(std::span<const double> g, std::ptrdiff_t top) {
   constexpr double search_end = 1.6, part = 0.1;
   const auto last = static_cast<std::ptrdiff_t>(g.size()) - 1;
@@ -98,16 +99,17 @@ std::optional<Bins> about_minimum(std::span<const double> g, std::ptrdiff_t top)
 }
 
 struct Extremum {
-  double position, height;  // in bins from the middle of bin 0; [1]
+  double position, height;  // position in bins from the middle of bin 0, and height [1]
 };
 
 using Cubic = std::array<double, 4>;  // coefficients of 1, x, x², x³
 
 double value(const Cubic& c, double x) { return c[0] + x * (c[1] + x * (c[2] + x * c[3])); }
 
-// The least-squares cubic through `sign` times g at x = −half, −half + 1 ... half, of lower degree
-// for fewer than four points: a sum of polynomials that are orthogonal on these points. Since they
-// are symmetric about 0, each is x times the previous one minus a multiple of the one before that.
+// The least-squares cubic through `sign` times g at x = −half, −half + 1, ..., half, with a lower
+// degree for fewer than four points. It is a sum of polynomials that are orthogonal on these
+// points. Because the points are symmetric about 0, each polynomial is x times the previous one
+// minus a multiple of the one before.
 Cubic fitted_cubic(std::span<const double> g, double sign) {
   const double half = static_cast<double>(g.size() - 1) / 2;
   Cubic sum{}, polynomial{1}, last{};
@@ -137,8 +139,8 @@ Extremum maximum(std::span<const double> g, const Bins& bins, double sign) {
   const Cubic c = fitted_cubic(g.subspan(static_cast<std::size_t>(bins.low),
                                          static_cast<std::size_t>(bins.high - bins.low + 1)),
                                sign);
-  // Where the slope is zero, with the sign of the root that makes it a maximum. A limit of the
-  // range only if there is no such point, because noise alone can make it higher.
+  // The maximum is where the slope is zero, with the appropriate sign of the root. A limit of the
+  // range is used only if there is no such point, because noise may make its value higher.
   const double root = std::sqrt(c[2] * c[2] - 3 * c[1] * c[3]);
   const double inside = c[2] < 0 ? c[1] / (root - c[2]) : (-c[2] - root) / (3 * c[3]);
   const double end = value(c, -half) > value(c, half) ? -half : half;
@@ -146,7 +148,7 @@ Extremum maximum(std::span<const double> g, const Bins& bins, double sign) {
   return {middle + best, sign * value(c, best)};
 }
 
-// Pairs of sites are distributed over this many tasks, each with its own histogram.
+// Pairs of sites are distributed over this many tasks, each with a separate histogram.
 constexpr std::size_t tasks = 32;
 
 std::size_t checked_bins(const RadialSettings& settings) {
@@ -272,7 +274,7 @@ void RadialDistribution::add(const State& state, Workers& workers,
                           static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(kind)});
   const CellList sites(placed, state.box, cutoff_);
 
-  // Integers, so that the sum does not depend on the distribution over tasks.
+  // Counts are integers, so that the sum does not depend on the distribution over tasks.
   std::vector<std::vector<std::uint64_t>> histograms(tasks);
   const double reach2 = std::pow(static_cast<double>(bins_) * width_, 2);
   workers.each(tasks, [&](std::size_t task) {
@@ -338,7 +340,7 @@ std::vector<double> RadialDistribution::coordination(std::size_t pair) const {
 
 double RadialDistribution::neighbours_within(std::size_t pair, double bins,
                                              std::span<const double> mean) const {
-  const std::vector<double> n = neighbours(pair, mean);  // up to the end of each bin
+  const std::vector<double> n = neighbours(pair, mean);  // neighbours up to the end of each bin
   const double ends = std::max(0.0, bins - 1);
   const auto k = std::min(static_cast<std::size_t>(ends), bins_ - 2);
   return n[k] + (ends - static_cast<double>(k)) * (n[k + 1] - n[k]);
@@ -358,11 +360,12 @@ std::optional<RadialDistribution::Peak> RadialDistribution::first_peak_bias(
 std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(
     std::size_t pair, const Estimate& estimate) const {
   const std::vector<double> g = smoothed(curve(pair, blocks_.means().mean()));
-  // Not a number in all bins if no two molecules have such sites.
+  // The result is NaN in all bins if no two molecules have such sites.
   if (g.size() < 2 || !(*std::max_element(g.begin(), g.end()) > 0)) return std::nullopt;
   const std::ptrdiff_t summit = first_summit(g);
   if (summit + 1 == static_cast<std::ptrdiff_t>(bins_)) return std::nullopt;
-  // The same bins with and without a block: otherwise the cubic would jump when a bin is added.
+  // The same bins are used with and without a block. Otherwise the cubic would jump when a bin is
+  // added.
   using Mean = std::span<const double>;
   const auto top = [&, bins = about_summit(g, summit)](Mean mean) {
     return maximum(curve(pair, mean), bins, 1);

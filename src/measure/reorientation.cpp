@@ -10,7 +10,7 @@
 namespace polhode {
 namespace {
 
-// Slope of the line through (t, ln C) with weights C².
+// The slope of the line through (t, ln C) with weights C².
 double decay_rate(std::span<const double> C, double interval, std::size_t first, std::size_t last) {
   double w = 0, wt = 0, wy = 0, wtt = 0, wty = 0;
   for (std::size_t lag = first; lag <= last; ++lag) {
@@ -32,7 +32,8 @@ double trapezia(std::span<const double> C, double interval, std::size_t last) {
 
 std::vector<BodyAxis> body_axes(const Molecule& molecule) {
   if (molecule.top == Top::atom) return {};
-  if (molecule.top == Top::linear) return {{"axis 1", {1, 0, 0}}};  // J1 = 0: along the molecule
+  if (molecule.top == Top::linear)
+    return {{"axis 1", {1, 0, 0}}};  // J1 = 0, so axis 1 is along the molecule
   std::vector<BodyAxis> axes = {
       {"axis 1", {1, 0, 0}}, {"axis 2", {0, 1, 0}}, {"axis 3", {0, 0, 1}}};
   if (has_dipole(molecule)) axes.push_back({"dipole", dipole_moment(molecule) / molecule.dipole()});

@@ -17,11 +17,12 @@ namespace polhode {
 
 /// A direction fixed in the body.
 struct BodyAxis {
-  std::string name;        ///< "axis 1", "dipole"
-  Vec3<double> direction;  ///< unit vector, body frame
+  std::string name;        ///< name of the axis: "axis 1", "dipole"
+  Vec3<double> direction;  ///< unit vector in the body frame
 };
 
-/// The principal axes and the dipole. A linear body has only its own axis, an atom none.
+/// The axes of a molecule: its principal axes and its dipole. A linear body has only the axis along
+/// the molecule, and an atom has none.
 std::vector<BodyAxis> body_axes(const Molecule& molecule);
 
 class Reorientation {
@@ -31,9 +32,9 @@ class Reorientation {
 
   const std::vector<BodyAxis>& axes(std::size_t part) const { return parts_[part].axes; }
 
-  /// ⟨P_l(u(t) · u(t + lag))⟩ for an axis u, with Legendre's P₁(x) = x and P₂(x) = (3x² − 1)/2
-  /// [allen2017, section 2.7].
-  /// @param rank  1 or 2
+  /// The correlation function ⟨P_l(u(t) · u(t + lag))⟩ of an axis u, with the Legendre polynomials
+  /// P₁(x) = x and P₂(x) = (3x² − 1)/2 [allen2017, section 2.7].
+  /// @param rank  degree l, 1 or 2
   BlockMeans legendre(std::size_t part, std::size_t axis, int rank,
                       Workers& workers = Workers::serial());
 
@@ -48,16 +49,18 @@ class Reorientation {
 
 /// Relaxation times of a correlation function that decays from 1 [ps].
 struct RelaxationTimes {
-  /// ∫ C dt: trapezoidal rule up to the end of the fit, the exponential beyond
+  /// integral ∫ C dt, by the trapezoidal rule up to the end of the fit and the exponential beyond
   SeriesEstimate integral;
-  SeriesEstimate exponential;  ///< of C ~ exp(−t/τ) between `from` and `to`
+  SeriesEstimate exponential;  ///< time constant of C ~ exp(−t/τ) between `from` and `to`
   double from = 0, to = 0;
-  Convergence convergence;  ///< of both; the run has `windows_of_lags` times the lag `to`
+  Convergence convergence;  ///< convergence of both: the run must be `windows_of_lags` times as
+                            ///< long as `to`
 };
 
-/// The exponential is fitted where C is between 1/e and 1/e³: librations have decayed by then, and
-/// the noise is still small. ln C is fitted by a line with weights C², since the errors of C are
-/// all similar there. Empty if C does not decay to 1/e³ within its lags.
+/// Computes the relaxation times. The exponential is fitted where C is between 1/e and 1/e³, where
+/// librations have decayed and the noise is still small. ln C is fitted by a line with weights C²,
+/// because the errors of C are all similar in this range. The result is empty if C does not decay
+/// to 1/e³ within its lags.
 std::optional<RelaxationTimes> relaxation_times(const BlockMeans& correlation, double interval);
 
 }  // namespace polhode

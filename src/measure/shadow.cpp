@@ -24,7 +24,7 @@ ErrorBrackets error_brackets(const State& state, const Bodies& bodies, const Loa
   ErrorBrackets brackets{0, std::accumulate(squares.begin(), squares.end(), 0.0)};
   for (std::size_t i = 0; i < state.size(); ++i) {
     const Quaternion<double> a = state.orientation[i];
-    const Vec3<double> acceleration =  // of a free body: J⁻¹ (L × ω)
+    const Vec3<double> acceleration =  // acceleration of a free body: J⁻¹ (L × ω)
         scaled(bodies.inverse_J[i], cross(to_body(a, state.ell[i]), omega[i]));
     brackets.second_derivative -= dot(v[i], slope.f[i]) + dot(omega[i], to_body(a, slope.tau[i])) +
                                   dot(acceleration, to_body(a, load.tau[i]));

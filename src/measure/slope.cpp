@@ -10,7 +10,8 @@
 namespace polhode {
 namespace {
 
-/// A walk is reported if the data make it this many times more probable than stationary noise.
+/// A random walk is reported if the data make it this many times more probable than stationary
+/// noise.
 constexpr double clear_evidence = 3;
 
 /// The energy drift with its significance, averaged over the posterior.
@@ -30,7 +31,7 @@ Drift drift_of(const SlowModes& modes, const std::vector<Hypothesis>& all) {
   return drift;
 }
 
-/// The posterior mean of the variance per time of a random walk, if there is one.
+/// The posterior mean of the variance per time of a random walk; 0 if there is none.
 double mean_walk(const std::vector<Hypothesis>& all) {
   double walking = 0, walk = 0;
   for (const Hypothesis& h : all)
@@ -42,7 +43,7 @@ double mean_walk(const std::vector<Hypothesis>& all) {
 /// noise cannot be extrapolated to the slope (docs/statistics.md).
 bool too_slow(const SlowModes& modes, double walk) {
   constexpr double limit = 10;
-  constexpr std::size_t first = 1, end = 5;  // those next to the mode that a line resembles most
+  constexpr std::size_t first = 1, end = 5;  // modes next to the mode that a line resembles most
   const double slope = modes.slope();
   double slow = 0, fast = 0, fast_walk = 0;
   for (std::size_t k = first; k < modes.count(); ++k) {
@@ -75,7 +76,7 @@ std::vector<WalkStrength> walk_strengths(const BlockMeans& blocks, std::size_t t
   if (blocks.blocks().size() < min_samples || modes.count() == 0) return {};
   const std::vector<Spectrum> spectra = walking_noise();
   const std::vector<Hypothesis> all = posterior(modes, spectra, {});
-  std::map<double, WalkStrength> walks;  // by their strength relative to white noise
+  std::map<double, WalkStrength> walks;  // strengths of walks, by strength relative to white noise
   for (std::size_t i = 0; i < all.size(); ++i) {
     WalkStrength& walk = walks.try_emplace(spectra[i].walk, WalkStrength{0, 0}).first->second;
     walk.probability += all[i].probability;

@@ -24,9 +24,9 @@ Columns columns(const BlockMeans& means, std::size_t time, std::size_t quantity)
   return c;
 }
 
-/// The covariance of a random walk of unit rate between block means, times the roots of their
-/// weights: min(t, t') between the centres of two blocks, and less within a block by a sixth of its
-/// duration.
+/// The covariance of a random walk of unit rate between block means, times the square roots of
+/// their weights. Between the centres of two blocks it is min(t, t'). Within a block it is smaller
+/// by a sixth of the duration of the block.
 std::vector<double> walk_covariance(const Columns& c, double time_per_sample) {
   const std::size_t n = c.weights.size();
   std::vector<double> covariance(n * n);
@@ -80,7 +80,7 @@ SlowModes slow_modes(const BlockMeans& means, std::size_t time, std::size_t quan
   std::vector<double> covariance = walk_covariance(c, modes.length / modes.samples);
   project_out(covariance, constant);
   const SymmetricEigen eigen = symmetric_eigen(covariance);
-  for (std::size_t k = n - 1; k > 0; --k) {  // the smallest eigenvalue is that of the constant
+  for (std::size_t k = n - 1; k > 0; --k) {  // the smallest eigenvalue belongs to the constant
     double value = 0, line = 0;
     for (std::size_t b = 0; b < n; ++b) {
       const double weight = eigen.vectors[k][b] * std::sqrt(c.weights[b]);

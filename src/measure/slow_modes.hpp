@@ -10,16 +10,16 @@
 namespace polhode {
 
 /// Coefficients of a series of block means in the eigenvectors of the covariance of a random walk,
-/// from the slowest on: half cosines over the run, if all blocks are equal. White noise has the
-/// variance of a sample in each. The mean is subtracted.
+/// beginning with the slowest mode. If all blocks are equal, the modes are half cosines over the
+/// run. White noise has the variance of a sample in each mode. The mean is subtracted.
 struct SlowModes {
-  double samples = 0, length = 0;  ///< length [time]
+  double samples = 0, length = 0;  ///< number of samples, and length of the run [time]
   std::vector<double> values;      ///< coefficients of the series
   std::vector<double> line;        ///< coefficients of the time itself
   std::vector<double> walk;        ///< variances of a random walk of variance 1 per time
 
   std::size_t count() const { return values.size(); }
-  /// (π k)² of the mode k of equal blocks, k = 1, 2, ...
+  /// The squared wave number (π k)² of mode k of equal blocks, k = 1, 2, ...
   double wave_number_squared(std::size_t k) const { return samples * length / walk[k]; }
 
   double line_squared() const;
@@ -27,7 +27,8 @@ struct SlowModes {
   double slope() const;
 };
 
-/// @param time, quantity  which of the sums
+/// Computes the slow modes of a series.
+/// @param time, quantity  indices of the two sums
 SlowModes slow_modes(const BlockMeans& blocks, std::size_t time, std::size_t quantity);
 
 }  // namespace polhode

@@ -17,10 +17,11 @@ enum Quantity : std::size_t {
   volume_square
 };
 
-/// [K] for one [kJ/mol] of kinetic energy; 0 without degrees of freedom.
+/// The temperature per kinetic energy [K mol/kJ]; 0 without degrees of freedom.
 double kelvin(double degrees_of_freedom) { return polhode::temperature(1, degrees_of_freedom); }
 
-/// ⟨1/V⟩ to second order of the fluctuations; those of a liquid of a hundred molecules are 2 %.
+/// The mean ⟨1/V⟩ to second order in the fluctuations, which are 2 % in a liquid of a hundred
+/// molecules.
 double mean_inverse_volume(std::span<const double> mean) {
   const double V = mean[volume];
   if (!(V > 0)) return 0;

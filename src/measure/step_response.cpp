@@ -9,11 +9,11 @@ namespace polhode {
 namespace {
 
 /// The sums of a sample: the factors, the averages, and the products of each factor with all
-/// averages. The kinetic energy and the pressure are averages that come before the others.
+/// averages. The first averages are the kinetic energy and the pressure.
 constexpr std::size_t error = 0, total = 1, volume = 2, factors = 3;
 constexpr std::size_t kinetic = 0, pressure = 1, others = 2;
 
-/// What the step changes in each average, from the means of the sums.
+/// The time-step shift of each average, from the means of the sums.
 class Shifts {
  public:
   Shifts(std::span<const double> mean, const std::vector<double>& first, double degrees_of_freedom,
@@ -40,8 +40,9 @@ class Shifts {
   std::span<const double> mean_;
   std::size_t averages_;
   double kT_ = 0;
-  double warmer_ = 0;    // relative shift of the temperature, so that the kinetic energy has none
-  double pressure_ = 0;  // bias of the pressure at constant volume, which the volume takes up
+  double warmer_ = 0;    // relative shift of the temperature that removes the shift of the kinetic
+                         // energy
+  double pressure_ = 0;  // bias of the pressure at constant volume, to which the volume responds
 };
 
 /// The derivative of a function of averages along their shifts.

@@ -10,11 +10,12 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t max_groups = 32;
-constexpr std::size_t chunks_per_window = 4;  // more need more transforms, fewer give few blocks
+constexpr std::size_t chunks_per_window = 4;  // more chunks need more transforms, fewer chunks give
+                                              // fewer blocks
 
 using Modes = Column<std::complex<double>>;
 
-// Number of functions of one vector whose products add up to a Product of two vectors.
+// The number of functions of one vector whose products add up to a Product of two vectors.
 std::size_t terms(Product product) {
   switch (product) {
     case Product::displacement:
@@ -27,7 +28,7 @@ std::size_t terms(Product product) {
   }
 }
 
-// (a · b)² = Σ a_i a_j b_i b_j: three squares, and three mixed terms that occur twice.
+// (a · b)² = Σ a_i a_j b_i b_j consists of three squares and of three mixed terms that occur twice.
 double term(Product product, std::size_t k, const Vec3<double>& a) {
   switch (product) {
     case Product::displacement:
@@ -77,7 +78,7 @@ void TimeCorrelation::add(const std::function<Vec3<double>(std::size_t)>& value,
   if (fresh_ == chunk_) sum_up(workers);
 }
 
-// Adds the products of the new frames with all stored frames, and keeps the last window of them.
+// Adds the products of the new frames with all stored frames, and keeps the last window of frames.
 void TimeCorrelation::sum_up(Workers& workers) {
   if (fresh_ == 0) return;
   workers.each(groups_, [&](std::size_t group) { sum_up(group); });
@@ -99,22 +100,24 @@ void TimeCorrelation::sum_up(Workers& workers) {
   fresh_ = 0;
 }
 
-// Σ_t b(t) a(t − lag) over new t, where a contains all frames and b the new ones, preceded by
-// zeros: its transform is that of b times the complex conjugate of that of a.
+// Adds Σ_t b(t) a(t − lag) over new times t, where a contains all frames, and b contains zeros
+// followed by the new frames. The transform of this sum is the transform of b times the complex
+// conjugate of the transform of a.
 void TimeCorrelation::sum_up(std::size_t group) {
   const std::size_t held = before_ + fresh_, row = lags_ + chunk_;
   Scratch scratch(transform_);
   for (std::size_t p = 0; p < products_.size(); ++p) {
     const Product product = products_[p];
     Modes correlation(transform_.modes());
-    std::vector<double> squares(held + 1, 0.0);  // Σ |a|² over the group and the preceding frames
+    std::vector<double> squares(held + 1, 0.0);  // sums Σ |a|² over the group and the preceding
+                                                 // frames
     for (std::size_t i = group; i < bodies_; i += groups_) {
       const double* const x = &history_[3 * i * row];
       const auto vector = [&](std::size_t t) {
         return Vec3<double>{x[t], x[row + t], x[2 * row + t]};
       };
-      // Displacements do not depend on the origin; close to it, differences of squares retain
-      // digits.
+      // Displacements do not depend on the origin. With an origin close to the positions,
+      // differences of squares lose fewer digits.
       const Vec3<double> origin = product == Product::displacement ? vector(0) : Vec3<double>{};
       for (std::size_t k = 0; k < terms(product); ++k) {
         for (std::size_t t = 0; t < transform_.size(); ++t)

@@ -14,27 +14,29 @@
 
 namespace polhode {
 
-/// What is averaged over bodies and origins, for a vector a at times t and t + lag.
+/// The product that is averaged over bodies and time origins, for a vector a at times t and t +
+/// lag.
 enum class Product {
   displacement,  ///< |a(t + lag) − a(t)|²
   dot,           ///< a(t) · a(t + lag)
   dot_squared,   ///< (a(t) · a(t + lag))²
-  x,             ///< a_x(t) a_x(t + lag), and likewise for the other components
+  x,             ///< a_x(t) a_x(t + lag), and similarly for the other components
   y,
   z,
 };
 
-/// Sums of products by Fourier transforms of a quarter of a window together with the preceding
-/// window (Wiener and Khinchin; frenkel2002, section 4.4). Compared with a multiple-tau correlator
-/// [ramirez2010], which needs less memory, it gives every lag exactly as the direct sum does:
-/// spectra need evenly spaced lags, and nothing is smoothed. Memory: 30 bytes per body and lag.
+/// Computes time correlation functions by Fourier transforms of a quarter of a window together with
+/// the preceding window (Wiener-Khinchin theorem; [frenkel2002, section 4.4]). A multiple-tau
+/// correlator [ramirez2010] would need less memory. However, this class gives every lag exactly as
+/// a direct sum, without smoothing, and spectra need evenly spaced lags. It needs 30 bytes of
+/// memory per body and lag.
 ///
 /// Bodies are distributed over groups, 32 or as many as there are bodies. Each group is one task,
-/// so all sums are bitwise identical for any number of threads. Errors come from blocks of time:
-/// the motion of different bodies over the same time is correlated.
+/// so all sums are bitwise identical for any number of threads. Errors are computed from blocks of
+/// time, because the motion of different bodies over the same time is correlated.
 class TimeCorrelation {
  public:
-  /// @param lags  number of lags, 0 to lags − 1, in frames
+  /// @param lags  number of lags; they are 0 to lags − 1 frames
   TimeCorrelation(std::size_t bodies, std::size_t lags, std::vector<Product> products);
 
   std::size_t bodies() const { return bodies_; }
@@ -45,8 +47,8 @@ class TimeCorrelation {
 
   /// The mean of the k-th product at each lag over all frames so far, in blocks of time. Lags are
   /// limited to half of the frames, so that at least half of the frames serve as origins. The mean
-  /// of all blocks is that of all products; a block deviates from it by the contribution of its
-  /// products.
+  /// of all blocks is the mean of all products. A block deviates from this mean by the contribution
+  /// of its products.
   BlockMeans means(std::size_t k, Workers& workers = Workers::serial());
 
  private:
@@ -57,12 +59,13 @@ class TimeCorrelation {
   std::size_t bodies_, lags_, chunk_, groups_;
   std::vector<Product> products_;
   RealTransform transform_;
-  Column<double> history_;  // [body][component][window + chunk]
-  std::size_t before_ = 0;  // older frames, already used as origins for all lags
-  std::size_t fresh_ = 0;   // newer frames, not yet summed
+  Column<double> history_;  // history by [body][component][window + chunk]
+  std::size_t before_ = 0;  // number of older frames, which have been used as origins for all lags
+  std::size_t fresh_ = 0;   // number of newer frames that have not been summed yet
   std::size_t frames_ = 0;  // total number of frames
-  std::vector<std::vector<std::vector<double>>> sums_;  // of new frames: [group][product][lag]
-  std::vector<TimeBlocks> blocks_;  // per product: its sum at each lag, then the counts
+  std::vector<std::vector<std::vector<double>>> sums_;  // sums of new frames, by
+                                                        // [group][product][lag]
+  std::vector<TimeBlocks> blocks_;  // for each product: its sum at each lag, then the counts
 };
 
 }  // namespace polhode

@@ -86,7 +86,7 @@ BlockMeans running_integral(const BlockMeans& correlation, double interval) {
 
 namespace {
 
-/// The trapezoidal rule over every `stride`-th lag, up to one of them.
+/// The integral by the trapezoidal rule over every `stride`-th lag, up to a given lag.
 double trapezia(std::span<const double> C, double interval, std::size_t stride, std::size_t last) {
   double sum = (C.front() + C[last]) / 2;
   for (std::size_t lag = stride; lag < last; lag += stride) sum += C[lag];
@@ -114,7 +114,7 @@ Convergence integral_convergence(const BlockMeans& correlation, double interval)
   return c;
 }
 
-// A block deviates from the mean by its contribution to first order.
+// A block deviates from the mean by its contribution, to first order.
 BlockMeans normalized(const BlockMeans& correlation) {
   const std::vector<double> C = correlation.mean();
   if (C.empty() || C.front() == 0) return correlation;

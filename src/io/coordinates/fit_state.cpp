@@ -23,8 +23,8 @@ bool begins_with(std::string_view word, std::string_view start) {
   return std::equal(start.begin(), start.end(), word.begin(), same);
 }
 
-// Names differ between programs ("OW", "O", "OH2"); they share the element at the beginning,
-// sometimes preceded by digits ("1HW").
+// The element at the beginning of an atom name. Names differ between programs ("OW", "O", "OH2"),
+// but all contain the element at the beginning, sometimes preceded by digits ("1HW").
 bool matches(std::string_view atom, const Site& site) {
   if (atom == site.name) return true;
   // "X" in XYZ files, which have only elements, and "X1" in LAMMPS data files, which have only
@@ -32,7 +32,7 @@ bool matches(std::string_view atom, const Site& site) {
   if (site.mass == 0 && atom.substr(0, 1) == "X" &&
       atom.find_first_not_of("0123456789", 1) == atom.npos)
     return true;
-  // "T1" there, for a mass of no element: that of a united atom
+  // "T1" in LAMMPS data files, for a mass of no element, such as the mass of a united atom
   if (atom.substr(0, 1) == "T" && atom.size() > 1 && element_of_mass(site.mass).empty() &&
       atom.find_first_not_of("0123456789", 1) == atom.npos)
     return site.mass > 0;
@@ -106,7 +106,7 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
   }
   const Quaternion<double> orientation =
       molecule.top == Top::atom ? Quaternion<double>{} : best_rotation(body, lab, mass);
-  // No angular momentum about an axis without inertia.
+  // There is no angular momentum about an axis with no moment of inertia.
   Vec3<double> L = to_body(orientation, ell);
   for (std::size_t k = 0; k < 3; ++k)
     if (molecule.J[k] == 0) L[k] = 0;
@@ -133,7 +133,8 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
   state.ell.set(i, to_lab(orientation, L));
 }
 
-// A molecule can be made whole by minimum images only if it is shorter than half of the box.
+// A molecule can be made whole by minimum images only if it is shorter than half of the shortest
+// box edge.
 void check_size(const Molecule& molecule, const Frame& frame) {
   double max_length = 0;
   for (const Site& a : molecule.sites)

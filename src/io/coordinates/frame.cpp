@@ -13,14 +13,15 @@
 namespace polhode {
 namespace {
 
-// J⁻¹ L; for a vanishing moment the angular momentum is also zero.
+// The product J⁻¹ L. If a moment vanishes, the angular momentum along its axis is also zero.
 double over(double L, double J) { return J > 0 ? L / J : 0.0; }
 
 bool visible(const Site& site, MasslessSites massless) {
   return massless == MasslessSites::keep || site.mass != 0;
 }
 
-// The element that a name begins with; ions are residues of one atom, named after the element.
+// The element with which a name begins. Ions are residues of one atom, which are named after the
+// element.
 std::string element_of(const AtomKind& kind) {
   static constexpr std::string_view organic = "HBCNOFPSIK";
   static constexpr std::array<std::string_view, 12> ions = {"LI", "NA", "RB", "CS", "MG", "CA",

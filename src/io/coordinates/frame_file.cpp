@@ -109,7 +109,7 @@ std::unique_ptr<FrameWriter> writer(const std::string& path, const Topology& top
                                          topology, choice);
 }
 
-// Kinds and residues of atoms, from another file.
+// Kinds and residues of atoms, taken from another file.
 class Names {
  public:
   explicit Names(const Frame& frame) : kinds_(frame.kinds), source_(frame.source) {
@@ -128,7 +128,7 @@ class Names {
 
  private:
   std::vector<AtomKind> kinds_;
-  std::vector<std::pair<std::uint32_t, int>> atoms_;  // kind and residue
+  std::vector<std::pair<std::uint32_t, int>> atoms_;  // kind and residue of each atom
   std::string source_;
 };
 
@@ -155,10 +155,11 @@ std::unique_ptr<FrameReader> with_names(std::unique_ptr<FrameReader> frames, con
   return std::make_unique<NamedReader>(std::move(frames), *names);
 }
 
-// A reader together with the stream that it reads from.
+// A reader together with the stream from which it reads.
 class FileReader : public FrameReader {
  public:
-  /// @param read  makes the reader of the stream
+  /// Opens a file for a reader.
+  /// @param read  function that makes the reader of the stream
   template <class Read>
   FileReader(const std::string& path, const Read& read)
       : stream_(open_text_file(path)), frames_(read(stream_, path)) {
@@ -185,7 +186,7 @@ const Format& format_of(const std::string& path) {
 
 std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names) {
   const Format& format = format_of(path);
-  open_text_file(path);  // throws a precise error if the file cannot be opened
+  open_text_file(path);  // throws a more precise error if the file cannot be opened
   std::error_code unknown;
   if (std::filesystem::is_regular_file(path, unknown) && std::filesystem::is_empty(path, unknown))
     throw Error(
@@ -252,7 +253,7 @@ std::vector<std::string_view> writable_formats() {
 Frame read_start(const std::string& name_or_path) {
   const std::string path = "start/" + name_or_path + ".gro";
   if (const auto text = embedded_text(path)) return parse_gro(*text, path);
-  open_text_file(name_or_path);  // throws a precise error if the file cannot be opened
+  open_text_file(name_or_path);  // throws a more precise error if the file cannot be opened
   if (!format_of(name_or_path).has_names)
     throw Error(
         fmt::format("'{0}' is of a format without atom names, which an initial configuration "

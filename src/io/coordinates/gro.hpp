@@ -11,14 +11,14 @@
 
 namespace polhode {
 
-/// The first frame of a GRO file.
-/// @throws Error  with file and line: what was found, and what was expected
+/// Reads the first frame of a GRO file.
+/// @throws Error  with file, line, the text found and the text expected
 Frame read_gro(const std::string& path);
 
-/// Parses the first frame of a text; `file` is its name in errors.
+/// Parses the first frame of a text; `file` is the file name in error messages.
 Frame parse_gro(std::string_view text, const std::string& file);
 
-/// Writes a frame; positions have `decimals` decimals, velocities one more, as in GROMACS.
+/// Writes a frame. Positions have `decimals` decimals, and velocities have one more, as in GROMACS.
 void write_gro(std::ostream& out, const Frame& frame, int decimals = 10);
 
 /// Writes the frame of a state atom by atom.

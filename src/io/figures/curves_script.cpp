@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-// The palette of Okabe and Ito for lines that are not schemes.
+// The Okabe-Ito palette, for lines that are not schemes.
 const std::vector<std::string> palette = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                           "#E69F00", "#56B4E9", "#000000"};
 
@@ -19,7 +19,7 @@ std::size_t readable_across(std::size_t panels) {
   return panels == 1 ? 1 : panels <= 4 ? 2 : panels <= 12 ? 3 : 4;
 }
 
-/// Sizes [pixels] of a panel with its axes; a figure has that width at least.
+/// Sizes of a panel with its axes [pixels]; a figure has at least this width.
 struct Layout {
   std::size_t across, down, width, height;
 };
@@ -45,14 +45,16 @@ std::vector<std::string> legend_of(const CurvesFigure::Panel& panel) {
   return names;
 }
 
-/// Entries of a legend that fit next to one another in a width [pixels], as gnuplot measures them.
+/// The number of legend entries that fit next to each other in a width [pixels], as gnuplot
+/// measures them.
 std::size_t legend_columns(const std::vector<std::string>& names, std::size_t width) {
   std::size_t longest = 1;
   for (const std::string& name : names) longest = std::max(longest, character_count(name));
   return std::max<std::size_t>(1, width / (7 * longest + 47));
 }
 
-/// Ends of consecutive ranges, counted from 1 as gnuplot does: first to last, none if last is less.
+/// Ends of consecutive ranges, counted from 1 as in gnuplot. A range is empty if `last` is less
+/// than `first`.
 struct Ranges {
   std::vector<std::size_t> first, last;
   void add(std::size_t count) {
@@ -81,7 +83,7 @@ void add_curves(FigureScript& script, const CurvesFigure& figure) {
     curves.add(panel.curves.size());
     bands.add(banded.size() - before);
   }
-  banded.push_back(1);  // gnuplot reads an element even where it loops over none
+  banded.push_back(1);  // gnuplot evaluates an element even if it loops over none
   curves.write(script, "curve");
   bands.write(script, "band");
   script.texts("name", names).texts("colour", colours);
@@ -100,7 +102,7 @@ void add_lines(FigureScript& script, const CurvesFigure& figure) {
     }
     lines.add(panel.lines.size());
   }
-  // As above.
+  // gnuplot evaluates an element even if it loops over none
   names.emplace_back();
   for (std::vector<double>* ends : {&x, &y}) ends->insert(ends->end(), {0, 0});
   script.texts("line_name", names).numbers("line_x", x).numbers("line_y", y);
@@ -123,7 +125,7 @@ std::string script_of(const CurvesFigure& figure, const Image& image) {
     rows = std::max(rows, (legend.size() + columns.back() - 1) / columns.back());
   }
   const bool titled = std::any_of(titles.begin(), titles.end(), [](auto& t) { return !t.empty(); });
-  const std::size_t head = 8 + 18 * rows + (titled ? 22 : 0);  // [pixels] above a panel
+  const std::size_t head = 8 + 18 * rows + (titled ? 22 : 0);  // height above a panel [pixels]
   constexpr std::size_t caption = 40, foot = 44;
   FigureScript script(image, static_cast<int>(layout.across * layout.width + 34),
                       static_cast<int>(caption + foot + layout.down * (layout.height + head)));

@@ -71,7 +71,7 @@ FigureScript& FigureScript::schemes(const std::vector<SchemeRows>& schemes) {
     names.push_back(rows.scheme);
     first.push_back(rows.first), last.push_back(rows.last);
   }
-  if (names.empty()) names.emplace_back();  // gnuplot needs a colour even where it loops over none
+  if (names.empty()) names.emplace_back();  // gnuplot needs a colour even if it loops over none
   for (const SchemeStyle& style : scheme_styles(names)) {
     colours.push_back(style.colour);
     filled.push_back(static_cast<std::size_t>(style.filled));

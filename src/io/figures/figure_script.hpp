@@ -11,32 +11,35 @@
 
 namespace polhode {
 
-/// A script under construction. Texts are quoted so that nothing in them is evaluated; templates
-/// contain no text of users.
+/// Builds a gnuplot script. Texts are quoted so that nothing in them is evaluated. Templates
+/// contain no text from users.
 class FigureScript {
  public:
-  /// @param width, height  in pixels; bitmaps have twice as many
+  /// @param width, height  size in pixels; bitmaps have twice as many
   FigureScript(const Image& image, int width, int height);
 
-  /// With a decimal point: gnuplot divides integers to integers.
+  /// Defines a number, with a decimal point because gnuplot divides integers to integers.
   FigureScript& number(std::string_view name, double value);
   FigureScript& count(std::string_view name, std::size_t value);
   FigureScript& text(std::string_view name, std::string_view value);
-  /// A file next to the script.
+  /// Defines a file next to the script.
   FigureScript& file(std::string_view name, std::string_view path);
-  /// Arrays of gnuplot, from 1; one element, 0 or an empty text, if there are none.
+  /// Defines gnuplot arrays, which are indexed from 1. An empty array has one element, 0 or an
+  /// empty text.
   FigureScript& counts(std::string_view name, std::span<const std::size_t> values);
   FigureScript& numbers(std::string_view name, std::span<const double> values);
   FigureScript& texts(std::string_view name, std::span<const std::string> values);
-  /// The number of schemes, their names, colours, markers, and first and last rows: `curves`,
-  /// `name`, `colour`, `filled`, `open`, `first`, `last`.
+  /// Defines the number of schemes and their names, colours, markers, and first and last rows:
+  /// `curves`, `name`, `colour`, `filled`, `open`, `first`, `last`.
   FigureScript& schemes(const std::vector<SchemeRows>& schemes);
 
   /// The script, with the style and the template data/plots/NAME.gp.
   std::string with(std::string_view name) const;
 
  private:
-  /// @param none  the element of an empty array, which gnuplot evaluates where it loops over none
+  /// Defines an array.
+  /// @param none  element of an empty array, because gnuplot evaluates an element even if it loops
+  ///   over none
   FigureScript& array(std::string_view name, auto values, std::string_view none,
                       const auto& text_of);
 

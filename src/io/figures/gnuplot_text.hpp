@@ -7,15 +7,15 @@
 
 namespace polhode {
 
-/// A text between single quotes, in which gnuplot replaces neither `commands` nor backslashes.
-/// Characters that are not printable are escaped first, so that the text stays on one line.
+/// Quotes a text with single quotes, in which gnuplot replaces neither `commands` nor backslashes.
+/// Unprintable characters are escaped first, so that the text stays on one line.
 std::string gnuplot_text(std::string_view text);
 
-/// A file next to the script, quoted. It begins with "./", because gnuplot takes "<command"
-/// and "|command" for pipes and "~" for a home folder.
+/// Quotes the name of a file next to the script. The result begins with "./", because gnuplot
+/// interprets "<command" and "|command" as pipes and "~" as a home folder.
 std::string gnuplot_file(std::string_view path);
 
-/// A text in a comment, on one line.
+/// Writes a text as a comment on one line.
 std::string gnuplot_comment(std::string_view text);
 
 }  // namespace polhode

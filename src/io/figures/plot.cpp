@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file of a program on the search path, empty if there is none. Folders that are not absolute
-// are left out, so that no program in the data folder is run.
+// The file of a program on the search path; empty if there is none. Relative folders are skipped,
+// so that no program in the data folder is run.
 std::string found_program(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::string_view rest = path == nullptr ? "" : path;
@@ -39,8 +39,8 @@ std::string found_program(const std::string& program) {
   return {};
 }
 
-// In the process that becomes gnuplot: only calls that are safe between fork and exec. The alarm
-// outlives exec and ends the process.
+// Runs in the process that becomes gnuplot, and makes only calls that are safe between fork and
+// exec. The alarm remains active after exec and ends the process.
 [[noreturn]] void become(const char* program, const char* folder, const char* script,
                          unsigned seconds) {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
@@ -51,12 +51,12 @@ std::string found_program(const std::string& program) {
   ::sigprocmask(SIG_UNBLOCK, &alarm, nullptr);
   for (const int signal_number : {SIGALRM, SIGPIPE, SIGXFSZ}) ::signal(signal_number, SIG_DFL);
   ::alarm(seconds);
-  // -d: ignore the user's settings, which may contain commands.
+  // The option -d makes gnuplot ignore the user's settings, which may contain commands.
   if (::chdir(folder) == 0) ::execl(program, program, "-d", script, static_cast<char*>(nullptr));
   ::_exit(127);
 }
 
-// Runs gnuplot silently in the script's folder; returns a message if that did not work.
+// Runs gnuplot silently in the script's folder. Returns a message if this failed.
 std::string gnuplot_trouble(const std::string& program, const fs::path& script,
                             std::chrono::seconds limit) {
   const std::string folder = script.has_parent_path() ? script.parent_path().string() : ".";
@@ -75,7 +75,7 @@ std::string gnuplot_trouble(const std::string& program, const fs::path& script,
   return fmt::format("gnuplot exited with code {}", WEXITSTATUS(status));
 }
 
-/// Writes the script of a figure next to its data, with their name, and draws the image.
+/// Writes the script of a figure next to its data, under the same name, and draws the image.
 bool draw(const auto& figure, const std::string& data, const std::string& format,
           std::ostream& warnings) {
   const fs::path script = fs::path(data).replace_extension("gp");
@@ -83,7 +83,7 @@ bool draw(const auto& figure, const std::string& data, const std::string& format
   write_file(script.string(), [&](std::ostream& out) {
     out << script_of(figure, {image.filename().string(), format});
   });
-  remove_output(image.string());  // gnuplot would write through a link
+  remove_output(image.string());  // gnuplot would write through a symbolic link
   return run_gnuplot(script.string(), warnings);
 }
 

@@ -11,8 +11,8 @@ namespace polhode {
 
 /// An image to be drawn.
 struct Image {
-  std::string name;    ///< of the file
-  std::string format;  ///< "svg" or "png"
+  std::string name;    ///< name of the image file
+  std::string format;  ///< format: "svg" or "png"
 };
 
 std::string script_of(const EnergyFigure& figure, const Image& image);

@@ -7,14 +7,14 @@
 
 namespace polhode {
 
-/// How a scheme is drawn.
+/// The style in which a scheme is drawn.
 struct SchemeStyle {
-  std::string colour;        ///< "#RRGGBB"
+  std::string colour;        ///< colour as "#RRGGBB"
   int filled = 7, open = 6;  ///< point types of gnuplot
 };
 
-/// The styles of the schemes of a figure: those of data/plots/schemes.toml; schemes that it does
-/// not name, such as those written as text, get its other styles in order.
+/// The styles of the schemes of a figure, from data/plots/schemes.toml. Schemes that this file does
+/// not name, such as schemes written as text, get its remaining styles in order.
 std::vector<SchemeStyle> scheme_styles(const std::vector<std::string>& schemes);
 
 }  // namespace polhode

@@ -42,7 +42,7 @@ std::uint64_t number_at(std::string_view bytes, std::size_t at) {
 CheckpointWriter::CheckpointWriter(std::ostream& out, const ProgramVersion& program) : out_(out) {
   put(magic.data(), magic.size());
   (*this)(format_version);
-  const std::uint64_t length = 0;  // filled in at the end
+  const std::uint64_t length = 0;  // is filled in at the end
   out_.write(reinterpret_cast<const char*>(&length), number);
   (*this)(program.version);
   (*this)(program.instruction_set);
@@ -100,8 +100,8 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
   if (sum != number_at(rest_, sum_at))
     throw DamagedCheckpoint(
         fmt::format("the checkpoint '{}' is damaged: its checksum is wrong", path_));
-  // All formats so far have the same checksum: another version with a wrong checksum is a flipped
-  // bit.
+  // All versions of the format have the same checksum. A different version number with a wrong
+  // checksum is therefore a flipped bit.
   if (const std::uint64_t version = number_at(rest_, magic.size()); version != format_version)
     throw OutputError(
         fmt::format("the checkpoint '{}' is of format {}, and this program reads {}; resume with "
@@ -152,7 +152,7 @@ template <class Columns>
 void CheckpointReader::columns(Columns& values, std::size_t components) {
   std::uint64_t n;
   (*this)(n);
-  const std::size_t bytes = n > rest_.size() ? n : n * sizeof(double);  // of a component
+  const std::size_t bytes = n > rest_.size() ? n : n * sizeof(double);  // bytes of a component
   std::string_view all = take(n > rest_.size() ? n : components * bytes);
   values = Columns(n);
   for (std::size_t k = 0; k < components; ++k) {

@@ -17,24 +17,27 @@
 
 namespace polhode {
 
-/// The program that wrote a file. Only the same program continues bitwise identically.
+/// The version of the program that wrote a file. Only the same version continues bitwise
+/// identically.
 struct ProgramVersion {
   std::string version;
   std::string instruction_set;
 };
 
-/// In place of an instruction set: a reader that does not resume bit for bit accepts each.
+/// Stands for any instruction set, for readers that do not resume bit for bit.
 inline constexpr auto any_instruction_set = "any";
 
-/// A checkpoint that is missing, truncated or altered; an earlier one may be usable.
+/// An error for a checkpoint that is missing, truncated or altered; an earlier checkpoint may be
+/// usable.
 class DamagedCheckpoint : public Error {
   using Error::Error;
 };
 
-/// Writes values to a file one after the other, without buffering them all.
+/// Writes the values of a checkpoint one after the other, without buffering all of them.
 class CheckpointWriter {
  public:
-  /// @param out  a seekable stream
+  /// Constructs the writer.
+  /// @param out  seekable stream
   CheckpointWriter(std::ostream& out, const ProgramVersion& program);
   void operator()(double x);
   void operator()(std::uint64_t n);
@@ -43,7 +46,7 @@ class CheckpointWriter {
   void operator()(const Vec3<double>& v);
   void operator()(const Vec3Column& vectors) { columns(vectors, 3); }
   void operator()(const QuaternionColumn& orientations) { columns(orientations, 4); }
-  /// Writes length and checksum; nothing may follow.
+  /// Writes the length and the checksum; nothing may follow.
   void end();
 
  private:
@@ -54,14 +57,14 @@ class CheckpointWriter {
   std::uint64_t sum_ = 0;
 };
 
-/// Reads the values back in the same order.
+/// Reads the values of a checkpoint in the order in which they were written.
 class CheckpointReader {
  public:
   /// Reads the whole file and verifies its checksum.
-  /// @throws DamagedCheckpoint  if it is missing, not a checkpoint, truncated or altered
-  /// @throws Error              if it was written by another program or instruction set
+  /// @throws DamagedCheckpoint  if the file is missing, not a checkpoint, truncated or altered
+  /// @throws Error              if another program or instruction set wrote the file
   CheckpointReader(const std::string& path, const ProgramVersion& reader);
-  /// The same for bytes that were read from `path`.
+  /// Reads bytes that were read from the file `path`, and verifies their checksum.
   CheckpointReader(std::string bytes, const std::string& path, const ProgramVersion& reader);
   void operator()(double& x);
   void operator()(std::uint64_t& n);
@@ -70,6 +73,7 @@ class CheckpointReader {
   void operator()(Vec3<double>& v);
   void operator()(Vec3Column& vectors) { columns(vectors, 3); }
   void operator()(QuaternionColumn& orientations) { columns(orientations, 4); }
+  /// Checks that the reader is at the end.
   /// @throws DamagedCheckpoint  unless everything has been read
   void end() const;
 

@@ -19,7 +19,7 @@ namespace {
 // The polynomial of ECMA-182 in reversed bit order, as in the XZ format.
 constexpr std::uint64_t polynomial = 0xc96c5795d7870f42;
 
-// table[k][b]: the contribution of a byte b that is followed by k bytes.
+// table[k][b] is the contribution of a byte b that is followed by k bytes.
 constexpr auto table = [] {
   std::array<std::array<std::uint64_t, 256>, 8> t{};
   for (std::uint64_t b = 0; b < 256; ++b) {

@@ -8,23 +8,23 @@
 
 namespace polhode {
 
-/// The CRC-64 of bytes that follow others with the checksum `before`; 0 is that of no bytes. The
-/// polynomial is that of ECMA-182, with the rest as in the XZ format: "123456789" gives
-/// 0x995dc9bbdf1939fa.
+/// The CRC-64 of bytes that follow other bytes with the checksum `before`, which is 0 if there are
+/// none. The polynomial is from ECMA-182, and the other conventions are from the XZ format:
+/// "123456789" gives 0x995dc9bbdf1939fa.
 std::uint64_t crc64(const void* bytes, std::size_t count, std::uint64_t before = 0);
 
-/// The same for the bytes of a file from one offset to another.
-/// @throws Error  if it cannot be read, or is shorter than that
+/// The CRC-64 of the bytes of a file from one offset to another.
+/// @throws Error  if the file cannot be read, or is shorter than the second offset
 std::uint64_t file_crc64(const std::string& path, std::uint64_t from, std::uint64_t to,
                          std::uint64_t before = 0);
 
-/// Refuses a file if the checksum of its bytes from one offset to another is not what it was when a
+/// Rejects a file if the checksum of its bytes from one offset to another has changed since a
 /// checkpoint was written.
 /// @throws Error  also if the file is missing or shorter
 void check_crc64(const std::string& path, std::uint64_t from, std::uint64_t to,
                  std::uint64_t expected);
 
-/// The text of that error, for formats that are not checked byte by byte.
+/// The text of the error about a changed file, for formats that are not checked byte by byte.
 std::string not_the_file(const std::string& path);
 
 }  // namespace polhode

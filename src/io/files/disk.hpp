@@ -8,37 +8,37 @@
 
 namespace polhode {
 
-/// The folder of a file; "." for a bare name.
+/// The folder of a file; "." for a name without a folder.
 std::filesystem::path folder_of(const std::string& path);
 
 /// A message about a file that cannot be written, with the remedy for this errno.
 std::string cannot_write(const std::string& path, int error);
 
-/// What to do about an errno of opening a file.
+/// The remedy for an errno from opening a file.
 std::string remedy_of(int error);
 
-/// Refuses a file name whose folder does not exist or cannot be written to.
-/// @throws Error  in both cases
+/// Checks the folder of a file.
+/// @throws Error  if the folder does not exist or cannot be written to
 void check_folder(const std::string& path);
 
-/// Removes the name of an output that is written again. What else has its contents, such as
-/// the target of a symbolic link, is not changed.
-/// @throws Error  if that cannot be done
+/// Removes the name of an output that will be written again. Other names of the same contents, such
+/// as the target of a symbolic link, do not change.
+/// @throws Error  if the name cannot be removed
 void remove_output(const std::string& path);
 
 /// Syncs the contents of a file to disk.
-/// @throws RunError  if that cannot be done
+/// @throws RunError  if syncing fails
 void sync_file(const std::string& path);
 
-/// Syncs the name of a file to disk. Folders that do not support this are ignored.
+/// Syncs the name of a file to disk. Errors of folders that do not support this are ignored.
 void sync_folder(const std::string& path);
 
-/// Refuses a file that is missing or shorter than it was.
-/// @throws Error  in both cases
+/// Checks the length of a file.
+/// @throws Error  if the file is missing or shorter than before
 void check_length(const std::string& path, std::uint64_t bytes);
 
-/// Truncates a file to its first bytes.
-/// @throws Error  if it is shorter than that, or cannot be truncated
+/// Truncates a file to a length.
+/// @throws Error  if the file is shorter than this length, or cannot be truncated
 void cut_file(const std::string& path, std::uint64_t bytes);
 
 }  // namespace polhode

@@ -21,9 +21,11 @@ namespace polhode {
 namespace {
 
 constexpr std::string_view front = "unfinished-";
-constexpr std::size_t digits = 8, longer = front.size() + digits + 1;  // than the final name
+constexpr std::size_t digits = 8,
+                      longer = front.size() + digits + 1;  // characters by which a draft's name is
+                                                           // longer than the final name
 
-/// A temporary name in the same folder, with the same extension.
+/// A temporary file name in the same folder, with the same extension.
 std::string name_beside(const std::string& path) {
   static std::random_device random;
   const std::filesystem::path file(path);
@@ -32,7 +34,7 @@ std::string name_beside(const std::string& path) {
       .string();
 }
 
-/// The final name of a draft with this name; empty if it is none.
+/// The final name of the draft with a given name; empty if the name is not the name of a draft.
 std::string_view final_name(std::string_view name) {
   if (!name.starts_with(front) || name.size() <= longer || name[longer - 1] != '-') return {};
   const std::string_view number = name.substr(front.size(), digits);
@@ -64,7 +66,7 @@ void Draft::create_named() {
     file_ = ::open(draft_.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
   } while (file_ < 0 && errno == EEXIST);
   if (file_ < 0) throw Error(cannot_write(path_, errno));
-  ::close(std::exchange(file_, -1));  // its writer may create it again
+  ::close(std::exchange(file_, -1));  // its writer may create the file again
   has_name_ = true;
 }
 
@@ -88,7 +90,7 @@ void Draft::finish(const std::string& keep) {
   sync_folder(path_);
 }
 
-// The old file is replaced atomically: at no time is there no file.
+// The old file is replaced atomically, so that a file exists at all times.
 void Draft::replace() {
   if (!has_name_) {
     std::string name;
@@ -98,7 +100,7 @@ void Draft::replace() {
     has_name_ = true;
   }
   if (std::rename(draft_.c_str(), path_.c_str()) != 0) refuse(errno);
-  has_name_ = false;  // the draft's
+  has_name_ = false;  // name of the draft
 }
 
 void Draft::refuse(int error) const {

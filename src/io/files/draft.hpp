@@ -7,26 +7,28 @@
 
 namespace polhode {
 
-/// A file that gets its name when it is complete. Until then it has no name, or a unique one if the
-/// file system supports only named files or if the name must show the format. If it is never
-/// completed it disappears; no other file is overwritten or removed.
+/// A file that gets its name only when it is complete. Until then it has no name, or a unique name
+/// if the file system supports only named files or if the name must show the format. A draft that
+/// is never completed disappears. No other file is overwritten or removed.
 class Draft {
  public:
   enum class Name { none, unique };
 
+  /// Creates the draft.
   /// @throws Error  if no file can be created next to `path`
   explicit Draft(const std::string& path, Name name = Name::none);
   ~Draft();
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
 
-  /// The path under which it is opened for writing.
+  /// The path under which the draft is opened for writing.
   const std::string& path() const { return draft_; }
-  /// A message about the draft, with the final name of the file in place of its own.
+  /// A message about the draft in which the name of the draft is replaced by the final name of the
+  /// file.
   std::string with_final_name(std::string message) const;
-  /// Syncs it to disk and gives it its name.
-  /// @param keep  new name for an existing file; if empty, that file is replaced
-  /// @throws RunError  if that cannot be done
+  /// Syncs the draft to disk and gives it its final name.
+  /// @param keep  new name for an existing file; if empty, the existing file is replaced
+  /// @throws RunError  if syncing or renaming fails
   void finish(const std::string& keep = {});
 
  private:
@@ -40,12 +42,13 @@ class Draft {
   bool has_name_ = false;
 };
 
-/// Refuses a file name that is too long for the file system, or whose draft's name is.
+/// Rejects a file name if it, or the name of its draft, is too long for the file system.
 /// @throws Error  with the length
 void check_length_of_name(const std::string& path);
 
-/// Removes drafts of these files, all in one folder, that killed processes left behind. Their names
-/// do not tell whether their process still exists, so call it only with a lock for the files.
+/// Removes drafts of files in one folder that killed processes left behind. The name of a draft
+/// does not show whether its process still exists, so call this function only with a lock for the
+/// files.
 void remove_drafts(const std::vector<std::string>& files);
 
 }  // namespace polhode

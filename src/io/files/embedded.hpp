@@ -9,13 +9,13 @@
 namespace polhode {
 
 struct EmbeddedFile {
-  std::string_view path;  ///< "molecules/tip4p.toml"
+  std::string_view path;  ///< path such as "molecules/tip4p.toml"
   std::string_view text;
 };
 
 std::span<const EmbeddedFile> embedded_files();
 
-/// The text of an embedded file, if there is one with that path.
+/// The text of the embedded file with a given path; empty if there is none.
 std::optional<std::string_view> embedded_text(std::string_view path);
 
 }  // namespace polhode

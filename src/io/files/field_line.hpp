@@ -16,25 +16,28 @@ inline constexpr std::size_t max_name_length = 63;
 
 class FieldLine {
  public:
-  /// @param text  must outlive this
+  /// Splits a line into fields.
+  /// @param text  line, which must outlive this object
   FieldLine(std::string_view text, TextPlace place);
 
   std::size_t size() const { return fields_.size(); }
   std::string_view operator[](std::size_t k) const { return fields_[k]; }
   /// The name in field k, checked for its length.
-  /// @throws Error  if it is longer than `max_name_length`: macros can expand a short file
-  /// enormously
+  /// @throws Error  if the name is longer than `max_name_length`; the limit is needed because
+  ///   macros can expand a short file enormously
   std::string word(std::size_t k) const;
   const TextPlace& place() const { return place_; }
 
   /// The number in field k; `what` names the quantity, such as "charge".
-  /// @throws Error  if it is not a finite number
+  /// @throws Error  if the field is not a finite number
   double number(std::size_t k, std::string_view what) const;
-  /// @throws Error  if it is not an integer from `least` to `most`
+  /// The integer in field k.
+  /// @throws Error  if the field is not an integer from `least` to `most`
   std::int64_t integer(std::size_t k, std::string_view what, std::int64_t minimum,
                        std::int64_t maximum) const;
-  /// @param what  names the required fields
-  /// @throws Error  if there are fewer than `least`
+  /// Checks the number of fields.
+  /// @param what  names of the required fields
+  /// @throws Error  if there are fewer fields than `minimum`
   void require(std::size_t minimum, std::string_view what) const;
 
   [[noreturn]] void refuse(const std::string& what) const;

@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::string_view head = "polhode lock: ";
 
-/// "process 1234 on host node7 since 2026-11-22 06:31:03 UTC"
+/// A text that identifies this process, such as "process 1234 on host node7 since 2026-11-22
+/// 06:31:03 UTC".
 std::string this_process() {
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
@@ -30,14 +31,14 @@ std::string this_process() {
                      printable(host.data()), fmt::gmtime(std::time(nullptr)));
 }
 
-/// The first bytes of an open file, up to the length of a lock's text.
+/// The first bytes of an open file, up to the length of the text of a lock.
 std::string text_of(int file) {
   std::array<char, 512> text{};
   const ssize_t length = TEMP_FAILURE_RETRY(::pread(file, text.data(), text.size(), 0));
   return {text.data(), length > 0 ? static_cast<std::size_t>(length) : 0};
 }
 
-/// Who wrote a lock's text, which may not be there yet.
+/// The process that holds a lock, from the text of the lock, which may not be written yet.
 std::string holder(const std::string& text) {
   const auto end = text.find('\n');
   if (!text.starts_with(head) || end == text.npos) return "another process";
@@ -53,13 +54,13 @@ FileLock::FileLock(std::string path) : path_(std::move(path)) {
     do {
       if (file_ >= 0) ::close(file_);
       take();
-    } while (!is_at_its_path());  // its owner removed the file while it was opened here
+    } while (!is_at_its_path());  // the owner may have removed the file while it was opened here
   } catch (...) {
     if (file_ >= 0) ::close(file_);
     throw;
   }
   const std::string text = std::string(head) + this_process() + "\n";
-  // On a full disk the lock works but lacks the owner's name.
+  // On a full disk the lock works, but its file does not contain the name of the owner.
   [[maybe_unused]] const bool written =
       ::ftruncate(file_, 0) == 0 && ::pwrite(file_, text.data(), text.size(), 0) > 0;
 }
@@ -91,7 +92,7 @@ bool FileLock::is_at_its_path() const {
 }
 
 FileLock::~FileLock() {
-  ::unlink(path_.c_str());  // while locked, so that no other lock is removed
+  ::unlink(path_.c_str());  // removed while locked, so that no other lock is removed
   ::close(file_);
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A text with commas or quotes is quoted, its own quotes doubled (RFC 4180).
+// A text with commas or quotes is quoted, and its quotes are doubled (RFC 4180).
 std::string quote_field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string result = "\"";
@@ -111,7 +111,7 @@ void GrowingTable::check() {
 
 namespace {
 
-/// Refuses a line of a table.
+/// Rejects a line of a table.
 [[noreturn]] void refuse_line(const std::string& path, std::size_t number,
                               const std::string& what) {
   throw Error(what, fmt::format("{}:{}", path, number));
@@ -124,7 +124,7 @@ void check_head(const std::string& path, std::size_t number, const std::string& 
                 fmt::format("the table has the columns '{}' and must have '{}'", line, head));
 }
 
-/// The numbers of a line.
+/// Reads the numbers of a line.
 void read_row(const std::string& path, std::size_t number, const std::string& line,
               std::size_t columns, std::vector<double>& row) {
   row.clear();
@@ -229,7 +229,7 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
     out.close();
     if (!out) refuse();
     draft.finish(keep);
-  } catch (const Error& e) {  // the computation was done: the input is not wrong
+  } catch (const Error& e) {  // the computation is complete, so the input was valid
     throw RunError(e.what());
   }
 }

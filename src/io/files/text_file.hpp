@@ -9,14 +9,14 @@
 
 namespace polhode {
 
-/// The contents of a file; throws an Error that names it.
+/// The contents of a file. Throws an Error with the name of the file.
 std::string file_text(const std::string& path);
 
-/// The same from a stream.
-/// @param expected  length, if known: that much memory is reserved at once
+/// The contents of a stream.
+/// @param expected  length if it is known; this much memory is reserved initially
 std::string stream_text(std::istream& in, const std::string& file, std::size_t expected = 0);
 
-/// A file opened for reading; throws an Error that names it.
+/// Opens a file for reading. Throws an Error with the name of the file.
 std::ifstream open_text_file(const std::string& path);
 
 /// A message about the first byte that cannot occur in a text file, if there is one.

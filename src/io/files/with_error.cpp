@@ -11,12 +11,13 @@ namespace polhode {
 std::string with_error(double value, double error) {
   if (!std::isfinite(value) || !std::isfinite(error) || !(error > 1e-12 * std::abs(value)))
     return fmt::format("{:.6g}", value);
-  // Exponent of the error as printed: 0.0996 has two digits as 0.10.
+  // The decimal exponent of the error after rounding: with two digits, 0.0996 is printed as 0.10.
   const int exponent = std::stoi(fmt::format("{:.1e}", error).substr(4));
   const int decimals = 1 - exponent;
   const double size = std::max(std::abs(value), error);
   constexpr double small = 1e-3, large = 1e7;
-  if ((decimals > 6 && size < small) || size >= large) {  // powers of ten, of the same exponent
+  if ((decimals > 6 && size < small) || size >= large) {  // a power of ten is factored out, the
+                                                          // same for both numbers
     const int power = static_cast<int>(std::floor(std::log10(size)));
     const double unit = std::pow(10.0, power);
     const int digits = std::clamp(power + decimals, 1, 15);

@@ -30,8 +30,8 @@ T decode(const std::uint8_t* from, std::endian order) {
   return std::bit_cast<T>(bytes);
 }
 
-/// Reads a file sequentially and keeps the position for errors. It allocates no more than it reads:
-/// a wrong length in an untrusted header costs no memory.
+/// Reads a file sequentially and keeps the position for errors. It does not allocate more than it
+/// reads, so a wrong length in an untrusted header does not cost memory.
 class BinaryInput {
  public:
   BinaryInput(std::istream& in, std::string file, std::endian order)
@@ -44,7 +44,7 @@ class BinaryInput {
   T take(const char* what) {
     return decode<T>(block(sizeof(T), what).data(), order);
   }
-  /// The next bytes, until the next call.
+  /// The next bytes, which are valid until the next call.
   std::span<const std::uint8_t> block(std::uint64_t bytes, const char* what) {
     constexpr std::uint64_t piece = 1 << 20;
     held_.clear();
@@ -74,7 +74,7 @@ class BinaryInput {
   std::vector<std::uint8_t> held_;
 };
 
-/// Bytes to be written to a file.
+/// Collects bytes to be written to a file.
 class BinaryOutput {
  public:
   explicit BinaryOutput(std::endian order) : order_(order) {}

@@ -14,13 +14,14 @@ namespace {
 
 constexpr std::int32_t head_length = 84;
 constexpr std::int32_t head_length_swapped = head_length << 24;
-// Positions in the file.
-constexpr std::size_t count_at = 8;     // of the number of frames
-constexpr std::size_t delta_at = 44;    // of the interval
-constexpr std::size_t title_at = 100;   // the title, which begins with the first frame's time
-constexpr std::size_t time_width = 24;  // in characters
+// The following constants are positions in the file.
+constexpr std::size_t count_at = 8;     // position of the number of frames
+constexpr std::size_t delta_at = 44;    // position of the interval
+constexpr std::size_t title_at = 100;   // position of the title, which begins with the time of the
+                                        // first frame
+constexpr std::size_t time_width = 24;  // width of the time in characters
 
-// CHARMM's unit of time: that of u, Å and kcal/mol, 48.888 fs.
+// The unit of time in CHARMM, 48.888 fs, which follows from u, Å and kcal/mol.
 double time_unit() {
   return unit("A", Dimension::length) / std::sqrt(unit("kcal/mol", Dimension::energy));
 }
@@ -41,7 +42,7 @@ class DcdReader : public FrameReader {
       if (record.size() != sizeof(float) * count_)
         in_.refuse(fmt::format("a record of positions is {} bytes long; for {} atoms it must be {}",
                                record.size(), count_, sizeof(float) * count_));
-      if (k == 0) frame.atoms.assign(count_, {});  // their number is now known to be right
+      if (k == 0) frame.atoms.assign(count_, {});  // the number of atoms is now known to be correct
       for (std::size_t i = 0; i < count_; ++i) {
         const auto x =
             static_cast<double>(decode<float>(record.data() + sizeof(float) * i, in_.order));
@@ -144,13 +145,12 @@ void put_head(BinaryOutput& out, const FrameView& frame) {
   out.put(head_length);
   out.text("CORD", 4);
   std::array<std::int32_t, 20> words{};
-  words[1] = frame.time > 0
-                 ? 1
-                 : 0;  // the first frame's time, until the second frame determines the interval
+  words[1] = frame.time > 0 ? 1 : 0;  // the time of the first frame, until the second frame
+                                      // determines the interval
   words[2] = 1;
   words[9] = std::bit_cast<std::int32_t>(static_cast<float>(frame.time / time_unit()));
-  words[10] = 1;   // a unit cell
-  words[19] = 24;  // the CHARMM version of this layout
+  words[10] = 1;   // there is a unit cell
+  words[19] = 24;  // version of CHARMM with this layout
   for (const std::int32_t word : words) out.put(word);
   out.put(head_length);
   out.put(std::int32_t{84});

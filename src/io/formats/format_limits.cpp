@@ -78,8 +78,8 @@ void FrameFit::check_alone(const FrameExtent& frame) const {
                     frame.edge, format_, limits_.edge));
 }
 
-// At worst, files store times as floats: the relative rounding error of 2⁻²⁴ applies to this time
-// and, multiplied by the number of frames, to the interval.
+// In the worst case, files store times as floats with a relative round-off error of 2⁻²⁴. This
+// error applies to the time itself and, multiplied by the number of frames, to the interval.
 void FrameFit::check_time(const FrameExtent& frame) const {
   if (before_ < 2) return;
   const auto n = static_cast<double>(before_);

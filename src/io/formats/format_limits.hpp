@@ -12,40 +12,43 @@
 
 namespace polhode {
 
-/// Limits of a format.
+/// The limits of a file format.
 struct FormatLimits {
   std::size_t atoms = std::numeric_limits<std::size_t>::max();
-  double min = -std::numeric_limits<double>::infinity();  ///< coordinate [nm]
-  double max = std::numeric_limits<double>::infinity();   ///< coordinate [nm]
+  double min = -std::numeric_limits<double>::infinity();  ///< smallest coordinate [nm]
+  double max = std::numeric_limits<double>::infinity();   ///< largest coordinate [nm]
   double edge = std::numeric_limits<double>::infinity();  ///< longest edge of the box [nm]
-  bool same_atoms = false;       ///< all frames have as many atoms as the first
-  bool same_velocities = false;  ///< all frames have velocities, or none
-  bool even_times = false;       ///< the interval between frames is constant
+  bool same_atoms = false;       ///< whether all frames must have as many atoms as the first
+  bool same_velocities = false;  ///< whether all frames must have velocities if the first frame has
+                                 ///< them
+  bool even_times = false;       ///< whether the interval between frames must be constant
 };
 
 /// The properties of a frame that a format limits.
 struct FrameExtent {
   std::size_t atoms = 0;
-  double min = 0, max = 0;  ///< coordinates [nm]
+  double min = 0, max = 0;  ///< smallest and largest coordinate [nm]
   double edge = 0;          ///< longest edge of the box [nm]
   bool has_velocities = false;
-  double time = 0;        ///< [ps]
-  bool of_a_run = false;  ///< frames have the interval of the run, except possibly the last one
+  double time = 0;        ///< time [ps]
+  bool of_a_run = false;  ///< whether frames have the interval of the run, except possibly the last
+                          ///< frame
 };
 
 FrameExtent extent_of(const Frame& frame);
 
-/// The extent of all frames that a run with this box can write: centres are in the box, sites
-/// around them.
+/// The extent of all frames that a run with this box can write. Centres are in the box, and sites
+/// may be around it.
 FrameExtent extent_of(const State& state, const Topology& topology, const FrameChoice& choice);
 
-/// Checks the frames written to one file.
+/// Checks the frames that are written to one file.
 class FrameFit {
  public:
-  /// @param format  its extension, for errors
+  /// @param format  file extension of the format, for error messages
   FrameFit(std::string_view format, const FormatLimits& limits)
       : format_(format), limits_(limits) {}
 
+  /// Checks a frame.
   /// @throws Error  if the file cannot store the frame after the previous ones
   void check(const FrameExtent& frame);
 
@@ -56,8 +59,8 @@ class FrameFit {
   std::string format_;
   FormatLimits limits_;
   std::optional<FrameExtent> first_;
-  double interval_ = 0;     // between the first two frames [ps]
-  std::size_t before_ = 0;  // frames checked
+  double interval_ = 0;     // interval between the first two frames [ps]
+  std::size_t before_ = 0;  // number of frames checked so far
 };
 
 }  // namespace polhode

@@ -11,21 +11,21 @@
 
 namespace polhode {
 
-/// A frame that is not stored as a whole: its atoms are visited one after another. It only refers
-/// to its sources.
+/// A frame that is not stored as a whole. Its atoms are visited one after another, and it only
+/// refers to its sources.
 struct FrameView {
   std::string title;
   std::vector<AtomKind> kinds;
   std::size_t atoms = 0;
   bool has_velocities = false;
-  Box box;          ///< [nm]
-  double time = 0;  ///< [ps]
+  Box box;          ///< box [nm]
+  double time = 0;  ///< time [ps]
   std::function<void(const std::function<void(const Atom&)>&)> each_atom;
 };
 
 FrameView view_of(const State& state, const Topology& topology, const FrameChoice& choice = {});
 
-/// All atoms are written, since a frame does not say which ones have no mass.
+/// Makes a view of a frame. All atoms are written, because a frame does not contain masses.
 FrameView view_of(const Frame& frame, const FrameChoice& choice = {});
 
 }  // namespace polhode

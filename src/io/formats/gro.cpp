@@ -17,12 +17,14 @@
 namespace polhode {
 namespace {
 
-// Columns of an atom: residue number and name, atom name, atom number, five characters each.
+// The columns of an atom are residue number, residue name, atom name and atom number, with five
+// characters each.
 constexpr std::size_t first_number = 20;
 
 constexpr const char* in_columns = "; atom lines have columns of fixed width";
 
-// All numbers of a line have the width between its first two decimal points.
+// All numbers of a line have the same width, which is the distance between its first two decimal
+// points.
 std::size_t column_width(std::string_view line, const Lines& lines) {
   const auto p1 = line.find('.', first_number);
   const auto p2 = p1 == line.npos ? p1 : line.find('.', p1 + 1);
@@ -48,7 +50,7 @@ struct AtomLine {
   bool has_velocity = false;
 };
 
-// Identified by the characters of the residue and atom names.
+// Kinds are identified by the characters of the residue and atom names.
 std::uint32_t kind_of(std::string_view line, AtomKinds& kinds, const Lines& lines) {
   return kinds.of(line.substr(5, 10), [&] {
     const std::string_view name = trimmed(line.substr(10, 5));
@@ -58,7 +60,7 @@ std::uint32_t kind_of(std::string_view line, AtomKinds& kinds, const Lines& line
   });
 }
 
-// An atom without its kind.
+// An atom before its kind is known.
 AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines) {
   static constexpr std::array names = {"x coordinate", "y coordinate", "z coordinate",
                                        "x velocity",   "y velocity",   "z velocity"};
@@ -132,7 +134,7 @@ class GroLines {
   }
   void box(const Box& box) {
     for (std::size_t k = 0; k < 3; ++k) {
-      text_.append(" ");  // the box has no columns
+      text_.append(" ");  // the numbers of the box have no fixed columns
       text_.fixed(box.edge[k], width_ - 1, decimals_);
     }
     text_.end_line();
@@ -142,32 +144,34 @@ class GroLines {
   // Numbers of residues and atoms have five digits and start again at 0.
   static constexpr int digits5 = 100000;
 
-  // Sign, digits, decimal point and decimals of the widest number, but at least five more than the
-  // decimals, as in GROMACS. Readers infer the width from the distance between decimal points.
+  // The width of numbers: sign, digits, decimal point and decimals of the widest number, but at
+  // least the number of decimals plus five, as in GROMACS. Readers infer the width from the
+  // distance between decimal points.
   static std::size_t width_of(const FrameView& frame, int decimals) {
     double r = 0, v = 0;
     const auto widen = [](double& largest, const Vec3<double>& x) {
-      largest =
-          std::max({largest, -10 * x.x, x.x, -10 * x.y, x.y, -10 * x.z, x.z});  // a sign is a digit
+      largest = std::max({largest, -10 * x.x, x.x, -10 * x.y, x.y, -10 * x.z,
+                          x.z});  // a sign needs the space of a digit
     };
     frame.each_atom([&](const Atom& atom) {
       widen(r, atom.r);
       widen(v, atom.v);
     });
-    const double largest = frame.has_velocities ? std::max(r, 10 * v) : r;  // one decimal more
+    const double largest =
+        frame.has_velocities ? std::max(r, 10 * v) : r;  // velocities have one decimal more
     std::size_t width = static_cast<std::size_t>(decimals) + 5;
     for (double power = 9999; largest > power && power < 1e300; power *= 10) ++width;
     return width;
   }
 
   TextBuffer text_;
-  std::vector<std::string> names_;  // of each kind
+  std::vector<std::string> names_;  // names of each kind
   int decimals_, number_ = 0;
   std::size_t width_;
   bool velocities_;
 };
 
-// The frames of a file, one after another.
+// Reads the frames of a file one after another.
 class GroReader : public FrameReader {
  public:
   GroReader(std::istream& in, const std::string& file) : lines_(in, file) {}
@@ -180,7 +184,7 @@ class GroReader : public FrameReader {
     frame.time = title_time(frame.title);
     line = lines_.next();
     while (frame.title.empty() && line && trimmed(*line).empty()) line = lines_.next();
-    if (frame.title.empty() && !line) return false;  // blank lines at the end
+    if (frame.title.empty() && !line) return false;  // these are blank lines at the end
     if (!line) lines_.refuse("the file ends where the number of atoms must be");
     const auto count = parsed<std::size_t>(*line);
     if (!count)

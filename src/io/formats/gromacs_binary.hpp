@@ -9,7 +9,7 @@ namespace polhode {
 
 inline constexpr std::endian xdr = std::endian::big;
 
-/// Three vectors of a box, x y z each [nm].
+/// The three vectors of a box, each with x, y, z [nm].
 template <class Real>
 Box take_box(BinaryInput& in) {
   std::array<double, 9> m;

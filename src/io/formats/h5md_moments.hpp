@@ -13,12 +13,14 @@
 
 namespace polhode {
 
-/// One number for each value, or an offset and an increment for all [debuyl2014, "time-dependent
-/// elements"].
+/// The steps or times of a series: one number for each value, or an offset and an increment for all
+/// values [debuyl2014, "time-dependent elements"].
 class Moments {
  public:
-  /// @param dataset  'step' or 'time': a list, or a scalar, perhaps with an attribute 'offset'
-  /// @throws Error  if it cannot be read, or if a number is not finite
+  /// Reads the steps or times.
+  /// @param dataset  dataset 'step' or 'time', which is a list, or a scalar with an optional
+  ///   attribute 'offset'
+  /// @throws Error  if the dataset cannot be read, or if a number is not finite
   Moments(hid_t dataset, const std::string& name) {
     const auto extents = hdf5::extents(dataset);
     if (extents.size() > 1)
@@ -37,7 +39,7 @@ class Moments {
   }
 
   bool is_list() const { return is_list_; }
-  std::size_t size() const { return numbers_.size(); }  ///< of the list
+  std::size_t size() const { return numbers_.size(); }  ///< number of entries in the list
 
   double at(std::size_t n) const {
     return is_list_ ? numbers_[n] : offset_ + static_cast<double>(n) * numbers_[0];
@@ -53,7 +55,7 @@ class Moments {
     }
     const double place = (moment - offset_) / numbers_[0];
     const double whole = std::nearbyint(place);
-    constexpr double rounding = 1e-6;  // for computed times
+    constexpr double rounding = 1e-6;  // relative round-off of computed times
     if (!(whole >= 0 && whole < 0x1p53 && std::abs(place - whole) <= rounding)) return std::nullopt;
     return static_cast<std::size_t>(whole);
   }
@@ -69,7 +71,7 @@ class Moments {
     const hdf5::Handle space(H5Aget_space(attribute), H5Sclose);
     const bool single = H5Sget_simple_extent_npoints(space) == 1;
     if (!single || H5Aread(attribute, H5T_NATIVE_DOUBLE, &offset_) < 0)
-      offset_ = std::numeric_limits<double>::quiet_NaN();  // which is refused
+      offset_ = std::numeric_limits<double>::quiet_NaN();  // this value is rejected
   }
   void sort() {
     for (std::size_t n = 0; n < numbers_.size(); ++n) sorted_.emplace_back(numbers_[n], n);
@@ -78,7 +80,7 @@ class Moments {
 
   bool is_list_ = false;
   double offset_ = 0;
-  std::vector<double> numbers_;  // the list, or the increment alone
+  std::vector<double> numbers_;  // list of numbers, or only the increment
   std::vector<std::pair<double, std::size_t>> sorted_;
 };
 

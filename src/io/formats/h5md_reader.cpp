@@ -23,13 +23,13 @@ namespace {
 
 using hdf5::Handle;
 
-// A value at each step or time, or one for all.
+// An element with a value at each step or time, or with one value for all.
 struct Series {
   Handle values;
   std::vector<hsize_t> extents;
   bool changes = false;
   double unit = 1;
-  struct Pairing {  // of values with separate steps or times, with the positions
+  struct Pairing {  // The pairing of positions with values that have separate steps or times.
     Moments own, of_positions;
   };
   std::optional<Pairing> pairing;
@@ -46,7 +46,7 @@ struct Series {
 
 class H5mdReader : public FrameReader {
  public:
-  // From a file, or from its bytes.
+  // Opens a file, or reads it from its bytes.
   H5mdReader(std::string file, const std::vector<char>* bytes) : name_(std::move(file)) {
     hdf5::be_quiet();
     if (bytes != nullptr)
@@ -91,7 +91,7 @@ class H5mdReader : public FrameReader {
     bytes_ = bytes.size();
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_fapl_core(access, 1 << 16, false);
-    // The library copies the bytes, although its interface takes them as mutable.
+    // The library copies the bytes, although its interface declares them as mutable.
     H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size());
     file_ = {H5Fopen("image", H5F_ACC_RDONLY, access), H5Fclose};
   }
@@ -100,7 +100,7 @@ class H5mdReader : public FrameReader {
     bytes_ = std::filesystem::file_size(name_, unknown);
     const Handle access = hdf5::reading_access();
     file_ = {H5Fopen(name_.c_str(), H5F_ACC_RDONLY, access), H5Fclose};
-    if (!file_.is_open())  // it is being written, or its program was killed
+    if (!file_.is_open())  // the file is being written, or its program was killed
       file_ = {H5Fopen(name_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access), H5Fclose};
   }
 
@@ -141,7 +141,7 @@ class H5mdReader : public FrameReader {
     name_atoms(static_cast<std::size_t>(atoms));
   }
 
-  // Finds which value of an element belongs to which position.
+  // Finds the value of an element for each position.
   void pair(Series& series, const std::string& element) {
     for (const char* kind : {"/step", "/time"}) {
       const std::string own = element + kind, of_positions = std::string("position") + kind;
@@ -169,7 +169,7 @@ class H5mdReader : public FrameReader {
     return {numbers, name};
   }
 
-  // Values of an element of the group, with their unit.
+  // The values of an element of the group, with their unit.
   Series series(const std::string& element, std::vector<Dimension> dimensions) const {
     Series found;
     const std::string place = root_ + element;
@@ -183,8 +183,8 @@ class H5mdReader : public FrameReader {
     return found;
   }
 
-  // Numbers, limited by the size of the file: the library allocates whole chunks and returns fill
-  // values for numbers that were never written.
+  // Reads numbers, at most as many as the size of the file allows. The limit is needed because the
+  // library allocates whole chunks, and returns fill values for numbers that were never written.
   void check_numbers(hid_t values, const std::string& place) const {
     const Handle type(H5Dget_type(values), H5Tclose);
     const H5T_class_t kind = H5Tget_class(type);
@@ -193,7 +193,7 @@ class H5mdReader : public FrameReader {
     const auto check_size = [&](const char* what, std::span<const hsize_t> extents) {
       double size = static_cast<double>(H5Tget_size(type));
       for (const hsize_t extent : extents) size *= static_cast<double>(extent);
-      constexpr double deflated = 1032;  // the largest expansion of a byte by deflate
+      constexpr double deflated = 1032;  // largest expansion of a byte by deflate
       if (size > deflated * static_cast<double>(bytes_))
         refuse(fmt::format("{}'{}' is {:.3g} bytes long, more than the {} bytes of the file", what,
                            place, size, bytes_));
@@ -229,7 +229,7 @@ class H5mdReader : public FrameReader {
     return texts;
   }
 
-  // A length, a time, or a length per time: "nm", "Angstrom", "nm ps-1".
+  // Parses the unit of a length, a time, or a length per time: "nm", "Angstrom", "nm ps-1".
   double unit_of(hid_t values, const std::string& element,
                  const std::vector<Dimension>& dimensions) const {
     const auto texts = text_attribute(values, "unit");
@@ -307,7 +307,7 @@ class H5mdReader : public FrameReader {
     return {edges_.unit * Vec3<double>{values_[0], values_[1], values_[2]}};
   }
 
-  // One frame's values.
+  // The values of one frame.
   void take(const Series& series, hsize_t number, std::vector<double>& into) const {
     std::vector<hsize_t> from(series.extents.size(), 0), count = series.extents;
     if (series.changes) {
@@ -334,7 +334,7 @@ class H5mdReader : public FrameReader {
     return v;
   }
 
-  // Names are not part of H5MD; files of this program have them.
+  // H5MD does not define names of atoms, but files of this program contain them.
   void name_atoms(std::size_t count) {
     atoms_.resize(count);
     kinds_.assign(1, {});
@@ -388,14 +388,14 @@ class H5mdReader : public FrameReader {
   }
 
   std::string name_, root_;
-  std::uint64_t bytes_ = 0;  // of the file
+  std::uint64_t bytes_ = 0;  // size of the file
   Handle file_;
   Series position_, edges_;
   std::optional<Series> velocity_;
   std::optional<Moments> times_;
   double time_unit_ = 1;
   std::vector<AtomKind> kinds_;
-  std::vector<Atom> atoms_;  // their names
+  std::vector<Atom> atoms_;  // names of the atoms
   std::vector<double> values_;
   hsize_t frames_ = 0, number_ = 0;
 };

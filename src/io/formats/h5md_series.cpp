@@ -21,7 +21,7 @@ constexpr std::array names_of_series = {step,
                                         "particles/all/velocity",
                                         "particles/bodies/position",
                                         "particles/bodies/orientation",
-                                        "particles/bodies/attitude",  // up to version 0.1
+                                        "particles/bodies/attitude",  // name up to version 0.1
                                         "particles/bodies/momentum",
                                         "particles/bodies/angular_momentum"};
 

@@ -31,11 +31,13 @@ using h5md::time;
 using h5md::value_path;
 using hdf5::Handle;
 
-// Shorter rows share a chunk of this many bytes. Nothing is compressed: most bits of positions and
-// momenta are noise, so deflate reduces a file by 7 % and triples the cost of a frame.
+// Size of a chunk in bytes, which short rows share. Nothing is compressed, because most bits of
+// positions and momenta are noise. Deflate would reduce a file by only 7 % and triple the cost of a
+// frame.
 constexpr hsize_t small_row = 4096;
-constexpr std::size_t chunks_in_memory = 1;       // of a series: the one that is being filled
-constexpr std::size_t index_in_memory = 1 << 20;  // [bytes], of a file
+constexpr std::size_t chunks_in_memory = 1;       // number of chunks of a series in memory: the
+                                                  // chunk that is being filled
+constexpr std::size_t index_in_memory = 1 << 20;  // size of the index of a file in memory [bytes]
 
 class H5mdWriter : public FrameWriter {
  public:
@@ -110,8 +112,8 @@ class H5mdWriter : public FrameWriter {
     bound_memory();
   }
 
-  // Reading while writing requires the latest file format. Data are written as they come: a cache
-  // of chunks could only grow, by the bytes of each short row.
+  // Reading while writing requires the latest file format. Data are written immediately, because a
+  // cache of chunks would only grow by the bytes of each short row.
   Handle access_properties() const {
     Handle access = make_handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST));
@@ -119,7 +121,8 @@ class H5mdWriter : public FrameWriter {
     return access;
   }
 
-  // The index of chunks grows with the number of frames: what is not in memory is read again.
+  // The index of chunks grows with the number of frames. Parts that are not in memory are read
+  // again.
   void bound_memory() const {
     H5AC_cache_config_t metadata{};
     metadata.version = H5AC__CURR_CACHE_CONFIG_VERSION;
@@ -136,13 +139,14 @@ class H5mdWriter : public FrameWriter {
     return properties;
   }
 
-  // The file of a killed program can be read but not safely changed: it may use space that its
-  // header does not record. So a resumed run appends to a copy, which replaces the file atomically.
+  // The file of a killed program can be read but not safely changed, because it may use space that
+  // its header does not record. A resumed run therefore appends to a copy, which replaces the file
+  // atomically.
   void reopen(std::uint64_t frames) {
-    Draft copy(path_, Draft::Name::unique);  // the library resolves names
+    Draft copy(path_, Draft::Name::unique);  // needed because the library resolves names
     const char* const part = copy.path().c_str();
     try {
-      open_to_resume();  // or an error that names what is missing
+      open_to_resume();  // throws an error that names missing parts
       // The library (1.10) crashes when it closes a file on a full disk.
       const bool copied = done_in_own_process([&] {
         Handle file = make_handle(
@@ -188,7 +192,7 @@ class H5mdWriter : public FrameWriter {
     return file;
   }
 
-  // In one call, so that hard links are preserved.
+  // This is done in one call, so that hard links are preserved.
   void copy_all(hid_t from, hid_t to) const {
     check(H5Ocopy(from, "/", to, "all", H5P_DEFAULT, H5P_DEFAULT));
     {
@@ -302,7 +306,8 @@ class H5mdWriter : public FrameWriter {
     if (!texts.empty()) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, letters.data()));
   }
 
-  // The constant data, and the datasets of the series: none can be added while others read.
+  // Creates the constant data and the datasets of the series. No dataset can be added while other
+  // programs read the file.
   void begin(const FrameView& frame, const State* state, std::span<const FrameNumber> observables) {
     attribute(new_group("h5md"), "version", std::vector<int>{1, 1});
     attribute(new_group("h5md/author"), "name", "unknown");
@@ -411,10 +416,10 @@ class H5mdWriter : public FrameWriter {
 
   void append(const FrameView& frame) {
     const auto number =
-        static_cast<std::int64_t>(frames_);  // the step, which frames do not contain
+        static_cast<std::int64_t>(frames_);  // a step number, which frames do not contain
     put(series_.at(step), H5T_NATIVE_INT64, &number);
     put(series_.at(time), H5T_NATIVE_DOUBLE, &frame.time);
-    // Full vectors: some readers support no shorter form.
+    // The box is stored as full vectors, because some readers do not support the shorter form.
     const Vec3<double> edge = frame.box.edge;
     put("particles/all/box/edges", {edge.x, 0, 0, 0, edge.y, 0, 0, 0, edge.z});
     std::vector<double> r, v;
@@ -457,9 +462,9 @@ class H5mdWriter : public FrameWriter {
   Handle file_;
   std::map<std::string, Series> series_;  // closed before the file
   std::uint64_t frames_ = 0;
-  std::uint64_t summed_ = 0, checksum_ = 0;  // of the frames until the last mark
+  std::uint64_t summed_ = 0, checksum_ = 0;  // frames until the last mark and their checksum
   bool started_ = false;
-  mutable bool broken_ = false;  // a write failed
+  mutable bool broken_ = false;  // whether a write has failed
 };
 
 }  // namespace

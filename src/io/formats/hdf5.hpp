@@ -15,7 +15,7 @@
 
 namespace polhode::hdf5 {
 
-/// An open HDF5 identifier, closed at the end of its scope.
+/// An open HDF5 identifier, which is closed at the end of its scope.
 class Handle {
  public:
   Handle() = default;
@@ -31,9 +31,10 @@ class Handle {
   }
   operator hid_t() const { return id_; }  // implicit: the C interface takes it everywhere
   bool is_open() const { return id_ >= 0; }
-  /// Never closes it: closing what could not be written makes the library (1.10) crash.
+  /// Gives up the identifier without closing it. Closing an object that could not be written makes
+  /// the library (1.10) crash.
   void abandon() { id_ = -1; }
-  /// Closes before the end of the scope; negative if writing failed.
+  /// Closes the identifier before the end of the scope. The result is negative if writing failed.
   herr_t close() { return close_(std::exchange(id_, -1)); }
 
  private:
@@ -41,14 +42,14 @@ class Handle {
   herr_t (*close_)(hid_t) = nullptr;
 };
 
-/// Called first: turns off the library's messages on stderr, since errors are thrown, and its
-/// writing at exit, where a full disk would make it crash.
+/// Turns off the library's messages on stderr, because errors are thrown. It also turns off writing
+/// at exit, where a full disk would make the library crash. Call this function first.
 inline void be_quiet() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// Access that follows no link out of the file.
+/// Access properties that do not follow links out of the file.
 /// @param kind  H5P_LINK_ACCESS, or the access class of the object, which derives from it
 inline Handle inside(hid_t kind) {
   Handle access(H5Pcreate(kind), H5Pclose);
@@ -59,19 +60,19 @@ inline Handle inside(hid_t kind) {
 }
 
 /// Number of attempts to read metadata with a valid checksum while another program writes. The
-/// library waits 1 ns before the second attempt and doubles the wait each time: 17 ms in total.
-/// With its default of 100 attempts a damaged file would take years.
+/// library waits 1 ns before the second attempt and doubles the wait each time, which gives 17 ms
+/// in total. With the default of 100 attempts, a damaged file would take years.
 inline constexpr unsigned read_attempts = 24;
 
-/// Access to a file that another program may be writing.
+/// Access properties for a file that another program may be writing.
 inline Handle reading_access() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_metadata_read_attempts(access, read_attempts);
   return access;
 }
 
-/// Whether an object of this name exists.
-/// @throws Error  if it is in another file
+/// Whether an object with a given name exists.
+/// @throws Error  if the object is in another file
 inline bool has(hid_t where, const std::string& name) {
   const Handle access = inside(H5P_LINK_ACCESS);
   for (auto end = name.find('/');; end = name.find('/', end + 1)) {
@@ -91,6 +92,7 @@ inline Handle group(hid_t where, const std::string& name) {
   return {H5Gopen2(where, name.c_str(), inside(H5P_GROUP_ACCESS)), H5Gclose};
 }
 
+/// Opens a dataset.
 /// @throws Error  if its numbers are in another file
 inline Handle dataset(hid_t where, const std::string& name) {
   Handle set(H5Dopen2(where, name.c_str(), inside(H5P_DATASET_ACCESS)), H5Dclose);

@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-// What a column of the atoms is, and which coordinate.
+// The meaning of a column of the atoms: a property and its coordinate.
 struct DumpColumn {
   enum class What {
     id,
@@ -42,7 +42,8 @@ DumpColumn column(std::string_view name) {
     if (name == 'v' + letter) return {What::velocity, d};
   }
   for (std::size_t d = 0; d < 4; ++d) {
-    for (const char* property : {"orientation", "attitude"})  // the second up to version 0.1
+    for (const char* property :
+         {"orientation", "attitude"})  // "attitude" was used up to version 0.1
       if (name == fmt::format("d2_{}[{}]", property, d + 1)) return {What::orientation, d};
     if (d < 3 && name == fmt::format("d2_angular_momentum[{}]", d + 1))
       return {What::angular_momentum, d};
@@ -50,7 +51,7 @@ DumpColumn column(std::string_view name) {
   return {};
 }
 
-// What the columns of a particle have besides those of an atom.
+// The data that a particle has in addition to the data of an atom.
 struct ParticleColumns {
   Quaternion<double> orientation;
   Vec3<double> ell;
@@ -58,7 +59,8 @@ struct ParticleColumns {
 
 class LammpsDumpReader : public FrameReader {
  public:
-  /// @param topology  of particles, each of which is a molecule; null if the file has atoms
+  /// Constructs the reader.
+  /// @param topology  molecules, if each particle is a molecule; null if the file has atoms
   LammpsDumpReader(std::istream& in, const std::string& file, const Topology* topology = nullptr)
       : lines_(in, file) {
     if (topology != nullptr) topology_ = *topology;
@@ -128,7 +130,7 @@ class LammpsDumpReader : public FrameReader {
     return *count;
   }
 
-  // "pp pp pp"; a triclinic box has other words in front of these.
+  // The boundaries are three words such as "pp pp pp". A triclinic box has other words before them.
   void read_box(Frame& frame, std::string_view boundaries) {
     for (auto word = take_word(boundaries); !word.empty(); word = take_word(boundaries))
       if (word != "pp")
@@ -148,7 +150,7 @@ class LammpsDumpReader : public FrameReader {
     }
   }
 
-  // A vector has all its components, or none.
+  // A vector must have all its components, or none.
   void check_complete(const std::array<bool, 3>& met, const char* what, const char* names) const {
     const auto count = std::count(met.begin(), met.end(), true);
     if (count != 0 && count != 3)
@@ -251,7 +253,7 @@ class LammpsDumpReader : public FrameReader {
     return {normalized(particle.orientation), particle.ell};
   }
 
-  // The sites of the molecules that the particles are.
+  // Replaces the particles by the sites of their molecules.
   void place_sites(Frame& frame) const {
     if (frame.atoms.size() != topology_->size())
       lines_.refuse(fmt::format(

@@ -38,7 +38,8 @@ class Lines {
 
   const std::string& file() const { return file_; }
 
-  /// The next line, without its line end, valid until the next call; empty at the end of the text.
+  /// The next line, without its line end, which is valid until the next call. Empty at the end of
+  /// the text.
   std::optional<std::string_view> next() {
     ++number_;
     if (!std::getline(in_, line_)) return std::nullopt;
@@ -46,7 +47,8 @@ class Lines {
     if (const auto odd = odd_byte(line_, file_)) refuse(*odd);
     return number_ == 1 ? without_mark(line_) : line_;
   }
-  /// @param expected  describes the line
+  /// Throws an Error about a line.
+  /// @param expected  description of the expected line
   template <class Expected>
   std::string_view next(const Expected& expected) {
     const auto line = next();
@@ -56,8 +58,8 @@ class Lines {
   [[noreturn]] void refuse(const std::string& what) const {
     throw Error(what, fmt::format("{}:{}", file_, number_));
   }
-  /// A finite number.
-  /// @param hint  explains its position: "; atom lines have columns of fixed width"
+  /// A finite number in a field.
+  /// @param hint  explanation of its position, such as "; atom lines have columns of fixed width"
   double number(std::string_view field, const char* what, const char* hint = "") const {
     const auto value = parsed<double>(field);
     if (!value)

@@ -7,8 +7,8 @@
 namespace polhode {
 
 /// Performs an action in a forked process, which prints nothing and then exits.
-/// @param cpu_seconds  limit of CPU time; 0: no limit
-/// @return  whether it finished without an exception or a signal
+/// @param cpu_seconds  limit of CPU time; 0 for no limit
+/// @return  whether the process finished without an exception or a signal
 bool done_in_own_process(const std::function<void()>& action, unsigned cpu_seconds = 0);
 
 }  // namespace polhode

@@ -15,8 +15,8 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-// Ranges of small differences. Three numbers below ranges[k] take k bits: ranges[k] is about
-// 2^(k/3), with the values of the original program. clang-format off
+// Ranges of small differences. Three numbers below ranges[k] need k bits together, so ranges[k] is
+// about 2^(k/3). The values are from the original program. clang-format off
 constexpr std::array<std::int32_t, 73> ranges = {
     0,        0,        0,       0,       0,       0,       0,       0,       0,       8,
     10,       12,       16,      20,      25,      32,      40,      50,      64,      80,
@@ -30,15 +30,16 @@ constexpr std::array<std::int32_t, 73> ranges = {
 constexpr std::int32_t first_range = 9;
 constexpr auto last_range = static_cast<std::int32_t>(ranges.size()) - 1;
 constexpr std::uint32_t largest_joint = 0xffffff;  // above this, coordinates are packed one by one
-constexpr std::size_t max_run_length = 8;          // atoms stored as differences
+constexpr std::size_t max_run_length = 8;          // largest number of atoms stored as differences
 
 std::int32_t range_of(std::int32_t index) { return ranges[static_cast<std::size_t>(index)]; }
 
-// How one full position is packed: three numbers below `sizes`, jointly if these are small enough.
+// The packing of one full position, which consists of three numbers below `sizes`. They are packed
+// jointly if the sizes are small enough.
 struct Layout {
   std::array<std::uint32_t, 3> sizes;
   std::array<unsigned, 3> single_bits{};
-  unsigned joint_bits = 0;  // 0: one by one
+  unsigned joint_bits = 0;  // number of bits if packed jointly; 0 if packed one by one
 
   Layout(const IntegerVector& lower, const IntegerVector& upper) {
     Wide all = 1;
@@ -59,7 +60,7 @@ class BitOutput {
     for (waiting_ += bits; waiting_ >= 8; waiting_ -= 8)
       bytes_.push_back(static_cast<std::uint8_t>(held_ >> (waiting_ - 8)));
   }
-  // Three numbers combined into one, the lowest byte first.
+  // Combines three numbers into one, with the lowest byte first.
   void put(const std::array<std::uint32_t, 3>& numbers, const std::array<std::uint32_t, 3>& sizes,
            unsigned bits) {
     Wide joint = (Wide{numbers[0]} * sizes[1] + numbers[1]) * sizes[2] + numbers[2];
@@ -74,7 +75,7 @@ class BitOutput {
  private:
   std::vector<std::uint8_t> bytes_;
   std::uint64_t held_ = 0;
-  unsigned waiting_ = 0;  // bits not yet in bytes_
+  unsigned waiting_ = 0;  // number of bits that are not in bytes_ yet
 };
 
 class BitInput {
@@ -118,7 +119,7 @@ class BitInput {
   std::span<const std::uint8_t> bytes_;
   std::size_t next_ = 0;
   std::uint64_t held_ = 0;
-  unsigned waiting_ = 0;  // bits not yet read
+  unsigned waiting_ = 0;  // number of bits that have not been read yet
 };
 
 bool within(const IntegerVector& a, const IntegerVector& b, std::int64_t bound) {
@@ -164,14 +165,15 @@ PackedIntegers pack_integers(std::vector<IntegerVector> atoms) {
   const std::int32_t largest = std::min(last_range, small + 8);
   const std::int32_t smallest = std::max(first_range, largest - 8);
   BitOutput bits;
-  std::size_t last_run = max_run_length + 1;  // none
+  std::size_t last_run = max_run_length + 1;  // a value that no run has
   IntegerVector previous{};
   for (std::size_t i = 0; i < atoms.size();) {
     const std::int32_t half = range_of(small) / 2;
     int change = small > smallest ? -1 : 0;
     if (small < largest && i > 0 && within(atoms[i], previous, range_of(largest) / 2)) change = 1;
     bool near = i + 1 < atoms.size() && within(atoms[i], atoms[i + 1], half);
-    // The second atom of a water is stored first, as both others are close to the oxygen.
+    // The second atom of a run is stored first, because in water both hydrogens are close to the
+    // oxygen.
     if (near) std::swap(atoms[i], atoms[i + 1]);
     if (!near && change < 0) change = 0;
 

@@ -15,16 +15,17 @@ namespace polhode {
 using IntegerVector = std::array<std::int32_t, 3>;
 
 struct PackedIntegers {
-  IntegerVector lower{}, upper{};  ///< of each coordinate
-  std::int32_t small_range = 0;    ///< of the first differences: an index into the table of ranges
-  std::vector<std::uint8_t> bits;  ///< most significant first
+  IntegerVector lower{}, upper{};  ///< bounds of each coordinate
+  std::int32_t small_range = 0;    ///< range of the first differences, as an index into the table
+                                   ///< of ranges
+  std::vector<std::uint8_t> bits;  ///< packed bits, most significant first
 };
 
 /// Packs the coordinates of atoms.
 PackedIntegers pack_integers(std::vector<IntegerVector> atoms);
 
-/// Unpacks `count` atoms. They are appended as they are read: memory is at most 48 bytes per byte
-/// of `bits`.
+/// Unpacks the coordinates of `count` atoms. Memory grows as atoms are read, so it is at most 48
+/// bytes per byte of `bits`.
 /// @throws Error  without a place, if the bits end early or are inconsistent
 std::vector<IntegerVector> unpack_integers(const IntegerVector& lower, const IntegerVector& upper,
                                            std::int32_t small_range,

@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-// Columns of the format, counted from one as in its description.
+// Columns of the format, counted from 1 as in the description of the format.
 std::string_view columns(std::string_view line, std::size_t first, std::size_t last) {
   return line.size() < first ? std::string_view{} : line.substr(first - 1, last - first + 1);
 }
@@ -45,7 +45,7 @@ class PdbReader : public FrameReader {
       else if (record == "TITLE")
         take_title(frame, columns(*line, 11, line->size()));
       else if (record == "ENDMDL" || record == "END" || record == "MODEL")
-        ended = !frame.atoms.empty();  // MODEL: the previous one has no ENDMDL
+        ended = !frame.atoms.empty();  // a MODEL line, where the previous model has no ENDMDL
     }
     if (frame.atoms.empty()) return false;
     if (!(box_.volume() > 0))
@@ -57,7 +57,8 @@ class PdbReader : public FrameReader {
   }
 
  private:
-  // "ATOM  ", or "ATOM 1" of a serial of six digits, which begins a column early.
+  // An atom line begins with "ATOM  ", or with "ATOM 1" if a serial of six digits begins a column
+  // early.
   bool is_atom(std::string_view line) const {
     if (line.starts_with("HETATM")) return true;
     if (!line.starts_with("ATOM")) return false;
@@ -67,7 +68,7 @@ class PdbReader : public FrameReader {
                               columns(line, 1, 6)));
   }
 
-  // A serial that is too long may have pushed all other columns to the right.
+  // A serial that is too long may have shifted all other columns to the right.
   void check_columns(std::string_view line) const {
     const auto is_digit = [&](std::size_t k) {
       return line.size() >= k && std::isdigit(static_cast<unsigned char>(line[k - 1])) != 0;
@@ -123,8 +124,8 @@ class PdbReader : public FrameReader {
     return atom;
   }
 
-  // Numbers that do not fit are written as letters or stars, or start again at 0, so residues are
-  // counted.
+  // Residue numbers that do not fit are written as letters or stars, or start again at 0. Residues
+  // are therefore counted.
   int residue(std::string_view field) {
     if (residue_ == 0 || field != residue_field_) {
       residue_field_ = field;
@@ -162,14 +163,14 @@ class PdbReader : public FrameReader {
   std::string title_, residue_field_;
   double time_ = 0;
   int residue_ = 0;
-  char location_ = ' ';  // of the residue's atoms that have one
+  char location_ = ' ';  // alternate location of the atoms of the residue, if they have one
   Box box_{};
   double angstrom_ = unit("A", Dimension::length);
 };
 
-// A serial in five characters: decimal up to 99999, then hybrid-36, which continues with A0000 and
-// uses letters as digits (cci.lbl.gov/hybrid_36). Serials in upper case end at ZZZZZ, those in
-// lower case begin at a0000.
+// A serial in five characters. It is decimal up to 99999, and then hybrid-36, which continues with
+// A0000 and uses letters as digits (cci.lbl.gov/hybrid_36). Serials in upper case end at ZZZZZ, and
+// serials in lower case begin at a0000.
 std::string serial(std::size_t number) {
   constexpr std::size_t width = 5, decimal = 100'000, digit = 36 * 36 * 36 * 36;
   if (number < decimal) return fmt::format("{:5}", number);
@@ -184,7 +185,7 @@ std::string serial(std::size_t number) {
   return text;
 }
 
-// Names of elements with one letter begin in the second of four columns.
+// Atom names whose element has one letter begin in the second of four columns.
 std::string atom_name(const AtomKind& kind) {
   return kind.name.size() < 4 && kind.element.size() < 2 ? fmt::format(" {:<3}", kind.name)
                                                          : fmt::format("{:<4.4}", kind.name);

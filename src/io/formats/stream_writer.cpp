@@ -66,7 +66,7 @@ class StreamWriter : public FrameWriter {
   HeldFile held_;
   std::fstream stream_;
   std::uint64_t frames_ = 0;
-  std::uint64_t summed_ = 0, checksum_ = 0;  // of the bytes until the last mark
+  std::uint64_t summed_ = 0, checksum_ = 0;  // bytes until the last mark and their checksum
 };
 
 }  // namespace

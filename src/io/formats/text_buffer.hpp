@@ -25,13 +25,13 @@ class TextBuffer {
     fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
   }
   void append(std::string_view text) { text_.append(text); }
-  /// Like "{:width.decimalsf}": the same digits, but faster.
+  /// Appends a number in the format "{:width.decimalsf}", with the same digits as fmt but faster.
   void fixed(double x, std::size_t width, int decimals) {
     const double power = powers_of_ten.at(static_cast<std::size_t>(decimals));
     const double scaled = x * power, whole = std::nearbyint(scaled);
     if (!(std::abs(whole) < 0x1p53)) return print("{:>{}.{}f}", x, width, decimals);
     auto digits = static_cast<std::int64_t>(whole);
-    // The fractional part, and the rounding error of the product: both exact.
+    // The fractional part and the round-off error of the product are both exact.
     const double lacks = scaled - whole, lost = std::fma(x, power, -scaled);
     if (lacks + lost > 0.5 || (lacks == 0.5 && lost > 0)) ++digits;
     if (lacks + lost < -0.5 || (lacks == -0.5 && lost < 0)) --digits;
@@ -66,7 +66,7 @@ class TextBuffer {
 
   static constexpr std::array powers_of_ten = {1e0, 1e1, 1e2, 1e3, 1e4,  1e5,
                                                1e6, 1e7, 1e8, 1e9, 1e10, 1e11};
-  static constexpr std::size_t piece = 1 << 16;  // bytes
+  static constexpr std::size_t piece = 1 << 16;  // size of a piece in bytes
   std::ostream& out_;
   fmt::memory_buffer text_;
 };

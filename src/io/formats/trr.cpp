@@ -38,7 +38,7 @@ class TrrReader : public FrameReader {
         read<double>(frame);
       else
         read<float>(frame);
-      if (length_[positions] > 0) return true;  // frames with velocities or forces only are skipped
+      if (length_[positions] > 0) return true;  // frames with only velocities or forces are skipped
     }
     return false;
   }
@@ -94,7 +94,7 @@ class TrrReader : public FrameReader {
     in_.block(length(forces), "the forces");
   }
 
-  // The vectors of one part, which is read at once.
+  // Reads the vectors of one part as a whole.
   template <class Real, class Visit>
   void each(Part part, const char* what, const Visit& visit) {
     auto block = in_.block(length(part), what);
@@ -132,10 +132,10 @@ void append_trr(std::iostream& file, const FrameView& frame, std::uint64_t befor
   length[velocities] = frame.has_velocities ? vectors : 0;
   for (const std::int32_t bytes : length) out.put(bytes);
   out.put(static_cast<std::int32_t>(frame.atoms));
-  out.put(static_cast<std::int32_t>(before));  // the step, which frames do not contain
-  out.put(std::int32_t{0});                    // energies
+  out.put(static_cast<std::int32_t>(before));  // the step number, which frames do not contain
+  out.put(std::int32_t{0});                    // number of energies
   out.put(static_cast<float>(frame.time));
-  out.put(0.0f);  // lambda
+  out.put(0.0f);  // value of lambda
   put_box(out, frame.box);
   frame.each_atom([&](const Atom& atom) {
     for (std::size_t k = 0; k < 3; ++k) out.put(static_cast<float>(atom.r[k]));

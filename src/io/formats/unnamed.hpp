@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// Atoms of one kind without a name, with positions to be filled in.
+/// Begins a frame of atoms of one unnamed kind, whose positions are filled in later.
 inline void begin_unnamed(Frame& frame, const std::string& file) {
   frame.source = file;
   frame.title.clear();
@@ -19,7 +19,7 @@ inline void begin_unnamed(Frame& frame, const std::string& file) {
   frame.has_velocities = false;
 }
 
-/// Throws if a coordinate is not finite.
+/// Returns a position. Throws an Error if a coordinate is not finite.
 inline const Vec3<double>& finite(const Vec3<double>& r, const BinaryInput& in) {
   if (!std::isfinite(r.x) || !std::isfinite(r.y) || !std::isfinite(r.z))
     in.refuse("a coordinate or velocity is not finite");

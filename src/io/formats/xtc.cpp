@@ -10,10 +10,13 @@ namespace polhode {
 namespace {
 
 constexpr std::int32_t magic = 1995;
-constexpr std::int32_t magic_of_large = 2023;    // the length of packed coordinates has 64 bits
-constexpr std::size_t max_of_small = 298261617;  // atoms whose packed length fits in 32 bits
-constexpr std::size_t unpacked_count = 9;        // up to here coordinates are stored uncompressed
-constexpr float precision = 1000;                // [1/nm]
+constexpr std::int32_t magic_of_large = 2023;    // magic number for lengths of packed coordinates
+                                                 // with 64 bits
+constexpr std::size_t max_of_small = 298261617;  // number of atoms whose packed length certainly
+                                                 // fits in 32 bits
+constexpr std::size_t unpacked_count = 9;        // number of atoms up to which coordinates are
+                                                 // stored uncompressed
+constexpr float precision = 1000;                // stored integers per nm [1/nm]
 
 class XtcReader : public FrameReader {
  public:
@@ -86,7 +89,7 @@ class XtcReader : public FrameReader {
   BinaryInput in_;
 };
 
-std::int32_t to_integer(double r) {  // within `xtc_limits`
+std::int32_t to_integer(double r) {  // coordinates are within `xtc_limits`
   return static_cast<std::int32_t>(std::nearbyint(r * static_cast<double>(precision)));
 }
 
@@ -102,7 +105,7 @@ void append_xtc(std::iostream& file, const FrameView& frame, std::uint64_t befor
   const auto count = static_cast<std::int32_t>(frame.atoms);
   out.put(large ? magic_of_large : magic);
   out.put(count);
-  out.put(static_cast<std::int32_t>(before));  // the step, which frames do not contain
+  out.put(static_cast<std::int32_t>(before));  // the step number, which frames do not contain
   out.put(static_cast<float>(frame.time));
   put_box(out, frame.box);
   out.put(count);

@@ -51,7 +51,7 @@ class XyzLines {
   }
 
   TextBuffer text_;
-  std::vector<std::string> species_;  // of each kind
+  std::vector<std::string> species_;  // species of each kind
   bool velocities_;
   double angstrom_ = unit("A", Dimension::length);
 };
@@ -68,7 +68,7 @@ struct Property {
   std::size_t words;
 };
 
-// Key="value" pairs of a comment line, one after another.
+// Reads the Key="value" pairs of a comment line, one after another.
 struct Pair {
   std::string_view key, value;
 };
@@ -122,7 +122,7 @@ class XyzReader : public FrameReader {
   void read_comment(Frame& frame) {
     frame.time = 0;
     frame.box = {};
-    // A line without Properties is plain: an element and x y z.
+    // Without Properties, an atom line has the plain form of an element and x y z.
     properties_ = {{Property::What::species, 1}, {Property::What::position, 3}};
     std::string_view rest = lines_.next([] { return "the comment line with the Lattice"; });
     std::array<bool, 4> met{};
@@ -145,7 +145,7 @@ class XyzReader : public FrameReader {
             fmt::format("the Properties do not contain {}, which every atom must have", name));
   }
 
-  // Which of two values applies cannot be known.
+  // A repeated key is an error, because it is unknown which value applies.
   void refuse_second(std::string_view key, std::array<bool, 4>& met) const {
     constexpr std::array<std::string_view, 4> once = {"Lattice", "Properties", "Time", "pbc"};
     for (std::size_t k = 0; k < once.size(); ++k)
@@ -185,7 +185,7 @@ class XyzReader : public FrameReader {
     return {angstrom_ * Vec3<double>{m[0], m[4], m[8]}};
   }
 
-  // "species:S:1:pos:R:3": name, type and number of words.
+  // Properties such as "species:S:1:pos:R:3" consist of name, type and number of words.
   std::vector<Property> columns(std::string_view text) const {
     using What = Property::What;
     std::vector<Property> found;

@@ -13,7 +13,8 @@
 namespace polhode {
 namespace {
 
-// More atoms than a rigid molecule has: the pair loops support 64 interacting sites.
+// Maximum number of atoms, which is more than a rigid molecule has. The pair loops support 64
+// interacting sites.
 constexpr std::size_t max_atoms = 256;
 
 // The molecules of one type in the initial configuration, if it has an atom for each atom of the
@@ -36,7 +37,7 @@ class Copies {
     }
   }
   std::size_t size() const { return firsts_.size(); }
-  // Positions of the real atoms of one copy, made whole across periodic boundaries.
+  // The positions of the real atoms of one copy, made whole across periodic boundaries.
   Shape operator()(std::size_t k) const {
     Shape shape;
     const Vec3<double> base = start_.atoms[firsts_[k] + real_.front()].r;
@@ -54,7 +55,8 @@ class Copies {
 struct FoundShape {
   Shape shape;
   std::string origin;
-  bool of_topology = true;  // or of the run file or the initial configuration
+  bool of_topology = true;  // whether the topology determines the shape, rather than the run file
+                            // or the initial configuration
 };
 
 class Shapes {
@@ -99,7 +101,7 @@ class Shapes {
   }
 
  private:
-  // A given shape, which must be that of its settles and constraints.
+  // A given shape, which must agree with the settles and constraints.
   Shape check(const Shape& shape, const GromacsMolecule& molecule) const {
     const std::size_t atoms = real_atoms(molecule).size();
     if (shape.size() != atoms)
@@ -123,8 +125,8 @@ class Shapes {
                          std::size_t atoms) const {
     PlacedPoints found = place_points(atoms, distances);
     if (found.dimension < 3 || start_ == nullptr) return {std::move(found.points), {}};
-    // Distances do not distinguish a shape from its mirror image; the first molecule in the initial
-    // configuration does.
+    // Distances do not distinguish a shape from its mirror image. The first molecule in the initial
+    // configuration decides which of them is used.
     const Shape there = Copies(gromacs_, index, *start_)(0);
     Shape mirror = mirror_image(found.points);
     const bool mirrored = difference(mirror, there) < difference(found.points, there);
@@ -155,7 +157,7 @@ class Shapes {
     return settled ? "rigid by settles" : "rigid by constraints";
   }
 
-  // Why a molecule that was not declared rigid is flexible.
+  // The reason why a molecule that was not declared rigid is flexible.
   static Error refusal(const GromacsMolecule& molecule, const Error& reason) {
     const auto moving = std::find_if(
         molecule.relations.begin(), molecule.relations.end(), [](const GromacsRelation& r) {
@@ -187,7 +189,7 @@ void check_names(const GromacsTopology& gromacs, const TopologySettings& setting
   for (const auto& [name, shape] : settings.shapes) require(name, "has a shape");
 }
 
-// The atoms in the principal frame, without virtual sites.
+// The atoms that are not virtual sites, in the principal frame.
 Shape shape_of(const Molecule& molecule, const GromacsMolecule& gromacs) {
   Shape shape;
   for (const std::size_t atom : real_atoms(gromacs)) shape.push_back(molecule.sites[atom].r);

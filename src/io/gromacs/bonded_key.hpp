@@ -8,7 +8,7 @@
 
 namespace polhode::gromacs {
 
-/// Bonded types of atoms as one text, "C O", independent of their order.
+/// The bonded types of atoms as one text, such as "C O", which does not depend on their order.
 inline std::string bonded_key(const std::vector<std::string>& types) {
   std::string forth, back;
   for (const std::string& type : types) {

@@ -23,7 +23,7 @@ namespace {
 
 using gromacs::MdpParameters;
 
-/// A text or a list of texts as TOML.
+/// Writes a text or a list of texts as TOML.
 std::string toml_text(const toml::node& value) {
   std::ostringstream out;
   out << toml::toml_formatter(value, toml::format_flags::none);
@@ -38,7 +38,7 @@ class Translation {
 
  private:
   void table(const char* name) { text_ += fmt::format("\n[{}]\n", name); }
-  /// A line of the run file; its comment names the parameters of GROMACS.
+  /// Adds a line to the run file; its comment names the parameters of GROMACS.
   void line(const char* key, const std::string& value, const char* comment) {
     text_ += fmt::format("{:<38} # {}\n", fmt::format("{} = {}", key, value), comment);
   }
@@ -62,7 +62,7 @@ class Translation {
   }
   bool minimises();
   bool has_thermostat() { return stochastic() || !mdp_.is("tcoupl", "no"); }
-  /// A time given as a number of steps [ps].
+  /// A time [ps] that is given as a number of steps.
   double time_of(std::string_view steps, double fallback) {
     return mdp_.number(steps, fallback) * mdp_.number("dt", 0.001);
   }
@@ -242,7 +242,7 @@ void Translation::thermostat() {
                  "time constant replaces it");
 }
 
-/// Groups of edges that are scaled together, as TOML; empty if all are.
+/// Groups of edges that are scaled together, as TOML; empty if all edges are scaled together.
 std::string Translation::edges() {
   const std::vector<double> soft = mdp_.numbers("compressibility"), P = mdp_.numbers("ref-p");
   const auto rigid = [&](std::size_t k) { return k < soft.size() && soft[k] == 0; };

@@ -18,7 +18,7 @@
 namespace polhode::gromacs {
 namespace {
 
-/// Letters and digits, as GROMACS compares names and words.
+/// The letters and digits of a text, by which GROMACS compares names and words.
 std::string normal(std::string_view text) {
   std::string letters;
   for (const char letter : text) {
@@ -28,8 +28,8 @@ std::string normal(std::string_view text) {
   return letters;
 }
 
-/// Parameters without counterpart, by the beginning of their names, and why. The first that fits
-/// applies.
+/// Parameters without a counterpart, given by the beginning of their names, and the reason. The
+/// first entry that fits applies.
 struct Reason {
   std::string_view beginning, text;
 };
@@ -90,7 +90,7 @@ constexpr auto reasons = std::to_array<Reason>({
     {"rcoulombswitch", "the switching distance of the short-range laws applies"},
 });
 
-/// Words that switch a parameter off.
+/// Whether a value is a word that switches a parameter off.
 bool is_off(std::string_view value) {
   static constexpr std::array<std::string_view, 4> off = {"", "no", "none", "0"};
   return std::any_of(off.begin(), off.end(),

@@ -16,25 +16,30 @@ namespace polhode::gromacs {
 
 class MdpParameters {
  public:
+  /// Reads the parameters of an .mdp file.
   /// @throws Error  if a line is not "name = value", or a name occurs twice
   MdpParameters(std::string_view text, const std::string& file);
 
-  /// The value of a parameter, which counts as translated; empty if it is absent or has none.
+  /// The value of a parameter, which is then marked as translated. Empty if the parameter is absent
+  /// or has no value.
   std::string text(std::string_view name);
-  /// Whether the value is this word, by its letters and digits; an absent parameter has `fallback`.
+  /// Whether the value of a parameter is a given word, compared by letters and digits. If the
+  /// parameter is absent, its value is `fallback`.
   bool is(std::string_view name, std::string_view word, std::string_view fallback = "no");
   std::vector<double> numbers(std::string_view name);
   double number(std::string_view name, double fallback);
 
-  /// Records that a parameter has another meaning in the run file. An absent one is the default.
+  /// Records that a parameter has another meaning in the run file. An absent parameter has its
+  /// default.
   void differs(std::string_view name, const std::string& reason, std::string_view fallback = "");
 
-  /// What was recorded, and all parameters that were not asked for, in the order of the file.
+  /// The recorded differences, and all parameters that were not translated, in the order of the
+  /// file.
   std::vector<MdpDifference> differences() const;
 
  private:
   struct Parameter {
-    std::string name, value;  // as written
+    std::string name, value;  // name and value as written
     TextPlace place;
     bool asked = false;
     std::string reason{};
@@ -42,7 +47,7 @@ class MdpParameters {
   Parameter* find(std::string_view name);
 
   std::vector<Parameter> parameters_;
-  std::map<std::string, std::size_t> index_;  // by letters and digits
+  std::map<std::string, std::size_t> index_;  // index of each parameter by its letters and digits
   std::vector<MdpDifference> of_defaults_;
 };
 

@@ -12,10 +12,10 @@
 namespace polhode::gromacs {
 namespace {
 
-// Limits far above those of any real topology, so that untrusted ones terminate: nested files,
-// total files and characters, nested macros, nested conditions, and the length of a line in
-// characters and words. Macros can make a short file long, so the total number of words to which
-// they expand is also limited.
+// Limits that are far above the needs of any real topology, so that untrusted files terminate. They
+// apply to nested files, total files and characters, nested macros, nested conditions, and the
+// length of a line in characters and words. Macros can make a short file long, so the total number
+// of words to which they expand is also limited.
 constexpr std::size_t max_include_depth = 32, max_includes = 10'000, max_characters = 1 << 25;
 constexpr std::size_t max_macro_depth = 16, max_condition_depth = 256, max_line_length = 1 << 16;
 constexpr std::size_t max_replaced = 1 << 22;
@@ -41,7 +41,9 @@ std::optional<Line> Preprocessor::next() {
       continue;
     }
     const std::string_view text = trimmed(*line);
-    if (text.empty() || text.front() == '*') continue;  // '*': the whole line is a comment
+    if (text.empty() || text.front() == '*')
+      continue;  // with '*' at the beginning, the whole line
+                 // is a comment
     if (text.front() == '#') {
       directive(text.substr(1));
     } else if (!skipped()) {

@@ -14,13 +14,13 @@
 
 namespace polhode::gromacs {
 
-/// A preprocessed line: without comment, not empty.
+/// A preprocessed line, which has no comment and is not empty.
 struct Line {
   std::string text;
   TextPlace place;
 };
 
-/// Returns the lines of a text and of all included files, one after another.
+/// A preprocessor that returns the lines of a text and of all included files, one after another.
 class Preprocessor {
  public:
   Preprocessor(std::string_view text, const std::string& file, const IncludeLoader& loader,
@@ -31,19 +31,20 @@ class Preprocessor {
   struct Source {
     std::shared_ptr<const std::string> file;
     std::string text;
-    std::size_t at = 0;          // first unread character
+    std::size_t at = 0;          // position of the first unread character
     std::size_t line = 0;        // number of the last line read
-    std::size_t conditions = 0;  // open conditions at its beginning
+    std::size_t conditions = 0;  // number of open conditions at the beginning of the file
   };
   struct Condition {
-    bool taken, reached;  // whether its lines are active, and whether the enclosing ones are
+    bool taken, reached;  // whether the lines of the condition are active, and whether the
+                          // enclosing lines are
     bool otherwise;       // whether #else was found
     TextPlace place;
   };
   struct Expansion {
-    std::vector<std::string_view> within;  // macros being expanded
+    std::vector<std::string_view> within;  // macros that are being expanded
     std::string& out;
-    std::size_t words;  // expanded so far
+    std::size_t words;  // number of words expanded so far
   };
 
   bool skipped() const;
@@ -58,10 +59,10 @@ class Preprocessor {
   [[noreturn]] void refuse(const std::string& what) const;
 
   const IncludeLoader& loader_;
-  std::vector<Source> sources_;  // each includes the next
+  std::vector<Source> sources_;  // sources, each of which includes the next
   std::vector<Condition> conditions_;
   std::map<std::string, std::string, std::less<>> macros_;
-  std::size_t line_ = 0;  // where the logical line begins
+  std::size_t line_ = 0;  // number of the line where the logical line begins
   std::size_t includes_ = 0, characters_ = 0, replaced_ = 0;
 };
 

@@ -27,7 +27,7 @@ bool is_virtual(const GromacsRelation& r) {
   throw Error(what, text_of(place));
 }
 
-// The parameters of an interaction, or those in the table of its types.
+// The parameters of an interaction, given explicitly or by the table of its types.
 std::optional<double> first_number(const GromacsTopology& topology, const GromacsMolecule& molecule,
                                    const GromacsRelation& r,
                                    const std::map<std::string, double>& table) {
@@ -41,8 +41,9 @@ std::optional<double> first_number(const GromacsTopology& topology, const Gromac
   return found->second;
 }
 
-// Functions of bonds and angles whose first parameter is the length or angle at the minimum:
-// harmonic, fourth power, Morse, cubic; harmonic, cosine, Urey-Bradley, quartic, restricted.
+// Functions whose first parameter is the length or angle at the minimum. For bonds they are
+// harmonic, fourth power, Morse and cubic. For angles they are harmonic, cosine, Urey-Bradley,
+// quartic and restricted.
 bool has_minimum(const GromacsRelation& r) {
   constexpr std::array bonds = {1, 2, 3, 4, 6}, angles = {1, 2, 5, 6, 10};
   const auto& known = r.kind == Kind::bond ? bonds : angles;
@@ -66,7 +67,7 @@ class Distances {
     list.push_back({index_[a], index_[b], length});
     first_.try_emplace(std::minmax(index_[a], index_[b]), length);
   }
-  // Of two atoms, if it exists.
+  // The distance of two atoms, if it is known.
   std::optional<double> between(std::size_t a, std::size_t b) const {
     const auto found = first_.find(std::minmax(index_[a], index_[b]));
     if (found == first_.end()) return std::nullopt;
@@ -76,12 +77,13 @@ class Distances {
 
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> index_;                               // among the real atoms
-  std::map<std::pair<std::size_t, std::size_t>, double> first_;  // of the list, by the two
+  std::vector<std::size_t> index_;  // index of each atom among the real atoms
+  std::map<std::pair<std::size_t, std::size_t>, double> first_;  // index of the first entry in the
+                                                                 // list, by the two atoms
 };
 
-// The position of a virtual site from those of its constructing atoms (GROMACS reference manual,
-// "Virtual interaction sites").
+// The position of a virtual site, from the positions of its constructing atoms (GROMACS reference
+// manual, "Virtual interaction sites").
 Place build_virtual_site(const GromacsRelation& r, std::span<const Place> places) {
   const Place ri = places[r.atoms[1]], ij = places[r.atoms[2]] - ri;
   const auto& [a, b, c] = r.numbers;
@@ -144,7 +146,8 @@ std::vector<Distance> constrained_distances(const GromacsTopology& topology,
     }
   }
   if (rigidity == Rigidity::by_constraints) return std::move(distances.list);
-  for (const GromacsRelation& r : molecule.relations) {  // a bond, the angle, a bond: a triangle
+  for (const GromacsRelation& r : molecule.relations) {  // a bond, an angle and a bond form a
+                                                         // triangle
     if (r.kind != Kind::angle || !has_minimum(r)) continue;
     const auto angle = first_number(topology, molecule, r, tables.angles);
     const auto a = distances.between(r.atoms[0], r.atoms[1]);

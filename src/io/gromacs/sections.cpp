@@ -22,7 +22,8 @@ namespace {
 using gromacs::Line;
 using Kind = GromacsRelation::Kind;
 
-// More than any rigid body needs: limits the memory that a file can demand.
+// Maximum count, which is more than any rigid body needs. It limits the memory that a file can
+// demand.
 constexpr std::size_t max_relations = 1'000'000, max_blocks = 64;
 constexpr std::int64_t any = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t lennard_jones_function = 1, buckingham_function = 2;
@@ -56,8 +57,12 @@ class Parser {
   void virtual_site3(const FieldLine& l) { relation(l, Kind::virtual3, 4, 3); }
   void system(const FieldLine&) {}
   void block(const FieldLine&);
-  void inside(const FieldLine& line) { current(line); }  // constant within a rigid body
-  void ignore(const FieldLine&) {}                       // meaningless for rigid bodies
+  void inside(const FieldLine& line) {
+    current(line);
+  }                                 // these interactions are constant within a
+                                    // rigid body
+  void ignore(const FieldLine&) {}  // these sections are meaningless for rigid
+                                    // bodies
   void obstacle(const FieldLine&);
   void between(const FieldLine& line);
 
@@ -73,7 +78,7 @@ class Parser {
   std::string section_;
   Reader reader_ = nullptr;
   int combination_ = 0;
-  std::int64_t function_ = lennard_jones_function;  // of all pairs, from [ defaults ]
+  std::int64_t function_ = lennard_jones_function;  // function of all pairs, from [ defaults ]
   std::size_t relations_ = 0;
 };
 
@@ -183,15 +188,15 @@ void Parser::defaults(const FieldLine& line) {
   topology_.rule = combination_ == 2 ? MixingRule::lorentz_berthelot : MixingRule::geometric;
 }
 
-// The law in the fields from `first` on; the names of the types are left empty.
+// Reads the law in the fields from `first` on. The names of the types are left empty.
 TypePair Parser::short_range(const FieldLine& line, std::size_t first) const {
   if (combination_ == 0)
     line.refuse("parameters precede [ defaults ], which defines their meaning; begin with it");
   return function_ == buckingham_function ? buckingham(line, first) : lennard_jones(line, first);
 }
 
-// σ and ε from two fields: themselves, or C6 and C12 with combination rule 1. If only one of C6 and
-// C12 is 0, ε is negative.
+// Reads σ and ε from two fields, which are σ and ε or, with combination rule 1, C6 and C12. If only
+// one of C6 and C12 is 0, ε is negative.
 TypePair Parser::lennard_jones(const FieldLine& line, std::size_t first) const {
   TypePair pair{.place = line.place()};
   const bool powers = combination_ == 1;
@@ -209,7 +214,7 @@ TypePair Parser::lennard_jones(const FieldLine& line, std::size_t first) const {
   return pair;
 }
 
-// A, B and C; all 0 for no interaction.
+// Reads A, B and C, which are all 0 if there is no interaction.
 TypePair Parser::buckingham(const FieldLine& line, std::size_t first) const {
   line.require(first + 3, "the three parameters A, B and C of a Buckingham potential at the end");
   TypePair pair{.place = line.place()};
@@ -225,8 +230,8 @@ TypePair Parser::buckingham(const FieldLine& line, std::size_t first) const {
   return pair;
 }
 
-// name [bonded type] [atomic number] mass charge particle V W: the particle type, a single letter,
-// shows which of the two are present.
+// The fields are: name [bonded type] [atomic number] mass charge particle V W. The position of the
+// particle type, a single letter, shows which optional fields are present.
 void Parser::atom_type(const FieldLine& line) {
   constexpr std::string_view columns =
       "name, bonded type and atomic number if there are any, mass, charge, particle type, and the "
@@ -271,7 +276,7 @@ void Parser::nonbond_pair(const FieldLine& line) {
 
 void Parser::equilibrium(const FieldLine& line, std::size_t atoms,
                          std::map<std::string, double>& values) {
-  if (line.size() < atoms + 2) return;  // a function without parameters
+  if (line.size() < atoms + 2) return;  // the function has no parameters
   std::vector<std::string> types;
   for (std::size_t k = 0; k < atoms; ++k) types.push_back(line.word(k));
   values[gromacs::bonded_key(types)] = line.number(atoms + 1, atoms == 2 ? "length" : "angle");
@@ -323,8 +328,8 @@ void Parser::atom(const FieldLine& line) {
   molecule.atoms.push_back(std::move(atom));
 }
 
-// atoms function numbers; additional numbers are those of a perturbed state, or force constants,
-// and are ignored.
+// The fields are: atoms, function, numbers. Additional numbers belong to a perturbed state or are
+// force constants, and are ignored.
 void Parser::relation(const FieldLine& line, Kind kind, std::size_t atoms, std::size_t numbers) {
   GromacsMolecule& molecule = current(line);
   line.require(atoms, fmt::format("{} atoms, a function and its parameters", atoms));

@@ -13,7 +13,7 @@
 namespace polhode {
 namespace {
 
-// Whether parameters of unlike types follow from a mixing rule.
+// Whether the parameters of pairs of unlike types follow from a mixing rule.
 bool leaves_pairs_open(const LammpsData& data) {
   std::size_t dispersive = 0;
   for (const auto& [type, t] : data.types) dispersive += !is_zero(t.epsilon, t.law);
@@ -57,7 +57,7 @@ void sort_by_ids(const LammpsData& data, Frame& frame) {
             [&](std::size_t a, std::size_t b) { return data.atoms[a].id < data.atoms[b].id; });
   std::vector<Atom> atoms;
   atoms.reserve(order.size());
-  std::vector<int> residues(order.size() + 1, 0);  // new numbers by old ones
+  std::vector<int> residues(order.size() + 1, 0);  // new residue numbers by old numbers
   int met = 0;
   for (const std::size_t k : order) {
     Atom atom = frame.atoms[k];

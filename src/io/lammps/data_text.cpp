@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::int64_t any = std::numeric_limits<std::int32_t>::max();
 
-// Units real.
+// These factors convert from LAMMPS units real.
 const double angstrom = unit("A", Dimension::length);
 const double angstrom_per_fs = angstrom / unit("fs", Dimension::time);
 const double kcal = unit("kcal/mol", Dimension::energy);
@@ -43,7 +43,7 @@ class Parser {
   static const std::map<std::string, Reader, std::less<>>& readers();
 
   TextPlace place() const { return {file_, line_}; }
-  // The next line, split at a '#'.
+  // Reads the next line and splits it at a '#'.
   std::optional<std::pair<std::string_view, std::string_view>> next();
   void begin(std::string_view name, std::string_view comment);
   void header(const FieldLine&);
@@ -54,7 +54,7 @@ class Parser {
   void pair_ij(const FieldLine&);
   void atom(const FieldLine&);
   void velocity(const FieldLine&);
-  void ignore(const FieldLine&) {}  // constant within rigid bodies
+  void ignore(const FieldLine&) {}  // these interactions are constant within rigid bodies
 
   int type(const FieldLine&, std::size_t k) const;
   TypePair short_range(const FieldLine&, std::size_t k) const;
@@ -63,7 +63,7 @@ class Parser {
   std::string_view rest_;
   std::shared_ptr<const std::string> file_;
   std::size_t line_ = 0;
-  std::string_view comment_;  // of the line
+  std::string_view comment_;  // comment of the line
   Reader reader_ = &Parser::header;
   std::string section_ = "header";
   std::optional<std::int64_t> atoms_;
@@ -130,7 +130,7 @@ void Parser::begin(std::string_view name, std::string_view comment) {
   reader_ = known->second;
 }
 
-// A number and its meaning; only atoms, their types and the box are used.
+// Reads a number and its meaning in the header; only atoms, their types and the box are used.
 void Parser::header(const FieldLine& line) {
   const auto ends_with = [&](std::initializer_list<std::string_view> words) {
     if (line.size() < words.size()) return false;
@@ -190,10 +190,12 @@ void Parser::mass(const FieldLine& line) {
   LammpsData::AtomType& t = data_.types[type(line, 0)];
   t.mass = mass;
   if (const auto point = comment_.rfind('.'); point != comment_.npos)
-    t.site = comment_.substr(point + 1);  // "tip4p.HW1" in files that this program writes
+    t.site = comment_.substr(point + 1);  // files that this program writes contain names such as
+                                          // "tip4p.HW1"
 }
 
-// The law in the fields from k on: that of the pair style, Lennard-Jones if none is given.
+// Reads the law in the fields from k on. It is the law of the pair style, or Lennard-Jones if no
+// style is given.
 TypePair Parser::short_range(const FieldLine& line, std::size_t k) const {
   TypePair pair{.place = line.place()};
   const auto law = law_of_pair_style(data_.pair_style);

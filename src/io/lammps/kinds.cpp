@@ -45,7 +45,7 @@ std::string symbol(const LammpsData& data, const DataAtom& atom) {
   return type.site.empty() ? fmt::format("T{}", atom.type) : type.site;
 }
 
-// "OH2" of O, H, H; sites "O", "H1", "H2".
+// Names a kind after its elements: "OH2" for O, H, H. Its sites are "O", "H1", "H2".
 void give_names(const LammpsData& data, std::span<const DataAtom> atoms, Kind& kind) {
   std::map<std::string, int> number;
   for (const DataAtom& atom : atoms) ++number[symbol(data, atom)];
@@ -65,9 +65,9 @@ void sort_into_kinds(LammpsData& data) {
   std::stable_sort(atoms.begin(), atoms.end(),
                    [](const DataAtom& a, const DataAtom& b) { return a.molecule < b.molecule; });
   std::vector<Body> bodies;
-  std::vector<std::span<const DataAtom>> first;  // of each kind
+  std::vector<std::span<const DataAtom>> first;  // atoms of the first molecule of each kind
   for (std::size_t begin = 0, end = 0; begin < atoms.size(); begin = end) {
-    end = begin + 1;  // molecule 0: single atoms
+    end = begin + 1;  // the molecule id 0 is used for single atoms
     while (end < atoms.size() && atoms[begin].molecule != 0 &&
            atoms[end].molecule == atoms[begin].molecule)
       ++end;

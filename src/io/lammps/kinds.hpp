@@ -6,15 +6,16 @@
 
 namespace polhode {
 
-/// Sorts the atoms by kind, and names kinds and sites.
+/// Sorts the atoms by kind of molecule, and names kinds and sites.
 /// @throws Error  if there are more kinds than a topology can have
 void sort_into_kinds(LammpsData& data);
 
-/// The element of an atom type by its mass. Empty if there is none, or if the name of its site
-/// contradicts it: united atoms have masses of no element, or of another one, as CH2 that of N.
+/// The element of an atom type, found by its mass. Empty if there is none, or if the name of the
+/// site contradicts it. The mass of a united atom may be the mass of no element, or of another
+/// element, such as N for CH2.
 std::string element_of(const LammpsData::AtomType& type);
 
-/// The positions of one copy's atoms, relative to its first [nm].
+/// The positions of the atoms of one copy, relative to its first atom [nm].
 Shape shape_of(const LammpsData& data, const LammpsData::Kind& kind, std::size_t copy);
 
 }  // namespace polhode

@@ -5,8 +5,8 @@
 
 namespace polhode {
 
-/// A molecule of one site, that of a type, with the name of its own: the table of two of these has
-/// one pair, by the mixing rule and its exceptions.
+/// A molecule with a single site of a given type. The pair table of two such molecules has one
+/// pair, which follows from the mixing rule and its exceptions.
 inline Molecule lone_site(const LammpsTypes::Type& type, const Topology& topology, double charge) {
   Molecule molecule;
   molecule.name = topology.parts[type.part].molecule.name;

@@ -10,11 +10,12 @@
 namespace polhode {
 
 struct LammpsUnits {
-  double length;  ///< [nm]
-  double time;    ///< [ps]
+  double length;  ///< unit of length [nm]
+  double time;    ///< unit of time [ps]
 };
 
-/// @param style  of the command `units`
+/// The units of a LAMMPS unit style.
+/// @param style  argument of the command `units`
 inline std::optional<LammpsUnits> lammps_units(std::string_view style) {
   const double angstrom = unit("A", Dimension::length), fs = unit("fs", Dimension::time);
   if (style == "real") return LammpsUnits{angstrom, fs};

@@ -40,19 +40,19 @@ void write_masses(std::ostream& out, const LammpsTypes& types) {
                type.site.mass > 0 ? type.site.mass : lammps_massless, type.name);
 }
 
-// A velocity in Å/fs.
+// Converts a velocity to Å/fs.
 Vec3<double> in_real_units(const Vec3<double>& v) {
   return v / (unit("A", Dimension::length) / unit("fs", Dimension::time));
 }
 
-/// The exponents of a Lennard-Jones or Mie law; none of others.
+/// The exponents of a Lennard-Jones or Mie law; empty for other laws.
 std::optional<MieLaw> exponents(const ShortRangeLaw& law) {
   if (std::holds_alternative<LennardJonesLaw>(law)) return MieLaw{};
   if (const auto* const mie = std::get_if<MieLaw>(&law)) return *mie;
   return std::nullopt;
 }
 
-/// Where all types have laws of one pair style.
+/// Writes pair coefficients if all types have laws of the same pair style.
 void write_pair_coefficients(std::ostream& out, const LammpsTypes& types) {
   const auto& all = types.types();
   bool is_mie = false;

@@ -37,7 +37,7 @@ void write_lammps_pair_coefficients(std::ostream& out, const Topology& topology,
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i; j < all.size(); ++j) {
       constexpr double any =
-          1;  // sites without a charge may not interact, and are left out of tables
+          1;  // sites without a charge may not interact, and are then omitted from tables
       const PairTable table(lone_site(all[i], topology, any), lone_site(all[j], topology, any),
                             settings.mixing);
       const ShortRange<double>& law = table.any_law<double>().law.front();
@@ -54,7 +54,7 @@ void write_lammps_pair_coefficients(std::ostream& out, const Topology& topology,
 }
 
 double lammps_dielectric() {
-  constexpr double lammps = 332.06371;  // kcal/mol Å
+  constexpr double lammps = 332.06371;  // Coulomb's constant of LAMMPS [kcal/mol Å]
   const double angstrom = unit("A", Dimension::length), kcal = unit("kcal/mol", Dimension::energy);
   return lammps / (units::coulomb / kcal / angstrom);
 }

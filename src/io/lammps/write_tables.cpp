@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-// The law of a pair: that of two molecules of one site each, at their centres.
+// The law of a pair of types, evaluated for two molecules with one site each, at their centres.
 class PairLaw {
  public:
   PairLaw(const LammpsTypes::Type& a, const LammpsTypes::Type& b, const Topology& topology,

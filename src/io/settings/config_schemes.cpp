@@ -22,7 +22,7 @@ OwnSchemes read_schemes(TomlTable table) {
 }
 
 std::string with_own_schemes(const std::string& text, const OwnSchemes& own) {
-  const bool definitions = text.find(';') != std::string::npos;  // which may contain slashes
+  const bool definitions = text.find(';') != std::string::npos;  // definitions may contain slashes
   if (own.empty() || definitions) return text;
   std::istringstream words(text);
   std::string result, before = "/";

@@ -28,7 +28,8 @@ constexpr std::string_view type_name(const std::variant<Types...>& type) {
   return type_names<std::variant<Types...>>[type.index()];
 }
 
-/// Selects the type of a name, with default parameters unless it is selected already.
+/// Selects the alternative with a given name, with default parameters unless it is already
+/// selected.
 template <class... Types>
 void set_type(std::variant<Types...>& type, std::string_view name) {
   if (type_name(type) == name) return;
@@ -39,7 +40,7 @@ void set_type(std::variant<Types...>& type, std::string_view name) {
 /// The compressibility of liquid water [nm³ mol/kJ].
 double default_compressibility();
 
-/// A barostat at a pressure [kJ/mol/nm³], with the compressibility of liquid water.
+/// The settings of a barostat at a pressure [kJ/mol/nm³], with the compressibility of liquid water.
 BarostatSettings default_barostat(double pressure = 0);
 
 }  // namespace polhode

@@ -20,7 +20,7 @@ BoxMoves* moves_of(Config& config) {
   return barostat ? &barostat->type : nullptr;
 }
 
-/// A parameter of those types that have it.
+/// A setting for a parameter that only some alternatives of a variant have.
 template <class Variant, class T, class... Types>
 SettingMember parameter(Variant* (*type_of)(Config&), T Types::*... one) {
   return member([=](Config& config) {
@@ -31,7 +31,7 @@ SettingMember parameter(Variant* (*type_of)(Config&), T Types::*... one) {
   });
 }
 
-/// The type, whose alternatives own their parameters.
+/// A setting for the type, where each alternative has its own parameters.
 template <class Variant>
 SettingMember type_member(Variant* (*type_of)(Config&)) {
   const auto find = [type_of](const Config& config) {
@@ -45,7 +45,7 @@ SettingMember type_member(Variant* (*type_of)(Config&)) {
           SettingKind::text, type_names<Variant>};
 }
 
-/// Makes members of a table that a run may have.
+/// Makes members of a table that is optional in a run.
 template <class Settings>
 auto in_table(std::optional<Settings> EnsembleSettings::*table) {
   return [table](auto Settings::*one) {
@@ -62,7 +62,7 @@ void read_friction(TomlTable& table, const SettingRow& row, Config& config) {
   langevin.rotational_friction = langevin.friction;
 }
 
-/// "xy" as the edges x and y.
+/// Parses coupled edges: "xy" means the edges x and y.
 CoupledEdges edges_of(const std::string& text, const TomlTable& table) {
   CoupledEdges edges{};
   for (const char c : text) {
@@ -96,7 +96,7 @@ void read_edges(TomlTable& table, const SettingRow& row, Config& config) {
   table.require(!groups.empty(), row.key, "must name at least one group, for example \"xyz\"");
 }
 
-/// The groups of edges as one text.
+/// A setting for the groups of edges, as one text.
 SettingMember edges_member() {
   SettingMember made;
   made.exists = [](const Config& config) { return config.ensemble.barostat.has_value(); };

@@ -10,16 +10,17 @@
 
 namespace polhode {
 
-/// Key and value of each setting in use, as in a run file; none at constant energy.
+/// The key and value of each ensemble setting in use, as in a run file. There are none at constant
+/// energy.
 std::vector<std::pair<std::string, std::string>> ensemble_texts(const EnsembleSettings& settings);
 
-/// The first setting out of its bounds, and what is wrong with it; empty if nothing.
+/// A description of the first ensemble setting that is out of its bounds; empty if all are valid.
 std::string wrong_setting(const EnsembleSettings& settings);
 
-/// "NVT, Langevin, friction 1 1/ps" for notes and reports.
+/// The ensemble as text for notes and reports, such as "NVT, Langevin, friction 1 1/ps".
 std::string description(const EnsembleSettings& settings);
 
-/// "xyz", or "xy z" for two groups.
+/// Groups of coupled edges as text: "xyz", or "xy z" for two groups.
 std::string edges_text(const std::vector<CoupledEdges>& groups);
 
 }  // namespace polhode

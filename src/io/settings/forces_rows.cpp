@@ -18,7 +18,7 @@
 namespace polhode {
 namespace {
 
-/// A setting that only one kind of electrostatics uses.
+/// A setting that only one method of electrostatics uses.
 template <class Member>
 SettingMember only(Electrostatics user, Member ForceSettings::*one) {
   return member([user, one](Config& config) {
@@ -28,7 +28,8 @@ SettingMember only(Electrostatics user, Member ForceSettings::*one) {
 
 constexpr SettingUnit nm{Dimension::length, "nm"};
 
-/// The library checks forces itself, with a complaint that knows the other settings.
+/// Marks bounds that the force field checks itself, because its messages also consider other
+/// settings.
 constexpr SettingBounds in_library(SettingBounds bounds) {
   bounds.in_library = true;
   return bounds;
@@ -42,12 +43,12 @@ void read_truncation(TomlTable& table, const SettingRow& row, Config& config) {
                          : std::nullopt;
   if (given && vanishes_at_cutoff(*given)) forces.truncation = Truncation::site_switch;
   read_row(table, row, config);
-  // Unscreened Coulomb forces between single sites would be truncated where they are large.
+  // Plain Coulomb forces between single sites would be truncated at distances where they are large.
   if (forces.truncation != Truncation::molecule_switch)
     forces.electrostatics = Electrostatics::reaction_field;
 }
 
-/// Reads the cutoff, which the default of the switching distance follows.
+/// Reads the cutoff, from which the default of the switching distance follows.
 void read_cutoff(TomlTable& table, const SettingRow& row, Config& config) {
   ForceSettings& forces = config.forces;
   const double switched_share = forces.switch_from / forces.cutoff;
@@ -97,7 +98,7 @@ void read_pairs(const std::vector<TomlTable>& tables, Config& config) {
     topology.parts.push_back({molecule_of(component), component.count});
   for (TomlTable table : tables) {
     mixing.pairs.push_back(read_pair(table, config.source));
-    if (!system.topology.file.empty()) continue;  // checked when the topology is read
+    if (!system.topology.file.empty()) continue;  // this is checked when the topology is read
     try {
       check(mixing, topology);
     } catch (const Error& e) {

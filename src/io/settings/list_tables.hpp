@@ -9,11 +9,11 @@
 
 namespace polhode {
 
-/// The tables [[shape]] of molecule types of a GROMACS topology.
+/// Reads the tables [[shape]] with shapes of molecule types of a GROMACS topology.
 void read_shapes(const std::vector<TomlTable>& tables, TopologySettings& topology);
-/// The tables [[pair]]; the names of sites are checked against the molecules.
+/// Reads the tables [[pair]]; the names of sites are checked against the molecules.
 void read_pairs(const std::vector<TomlTable>& tables, Config& config);
-/// The texts of the schemes in the table [schemes], by name, such as "mine: B(1/2) A(1) B(1/2)".
+/// Reads the table [schemes]: texts of schemes such as "mine: B(1/2) A(1) B(1/2)", by name.
 OwnSchemes read_schemes(TomlTable table);
 
 }  // namespace polhode

@@ -9,7 +9,8 @@
 
 namespace polhode {
 
-/// @param file  that the table is in, for the paths of its tabulated potentials
+/// Reads a molecule from a table.
+/// @param file  file that contains the table; paths of tabulated potentials are relative to it
 /// @throws Error  with file, line and key
 Molecule read_molecule_table(TomlTable table, const std::string& file);
 

@@ -16,10 +16,11 @@ namespace polhode {
 namespace {
 
 constexpr int max_steps = 1000;
-constexpr std::size_t max_text = 8192;  // of two schemes: limits the work of a regular expression
+constexpr std::size_t max_text = 8192;  // maximum length of the text of two schemes, which limits
+                                        // the work of a regular expression
 
-/// End of the outer scheme: the first slash that is not part of a fraction, which is in
-/// brackets or between '=' and ';'.
+/// The end of the outer scheme: the first slash that is not part of a fraction. Slashes of
+/// fractions are in brackets or between '=' and ';'.
 std::size_t slash(std::string_view text) {
   int open = 0;
   bool definition = false;
@@ -78,7 +79,7 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
-/// The built-in or user-given name; otherwise the stages.
+/// The built-in or user-given name of a scheme; otherwise its stages.
 std::string name_or_stages(const Scheme& s) {
   return s.in_table() || s.has_own_name() ? std::string(s.name()) : text_of(s);
 }

@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-/// A setting, and another that it replaces.
+/// Pairs of settings, where setting one of them removes the other.
 constexpr std::array<std::array<std::string_view, 2>, 7> replacements{
     {{"integrator.step", "integrator.accuracy"},
      {"integrator.accuracy", "integrator.step"},
@@ -24,7 +24,7 @@ constexpr std::array<std::array<std::string_view, 2>, 7> replacements{
      {"system.molecules", "system.initial_configuration"},
      {"thermostat.friction", "thermostat.rotational_friction"}}};
 
-// Paths are "table.key", or "table".
+// Paths have the form "table.key" or "table".
 
 const toml::node* node_at(const toml::table& document, std::string_view path) {
   const auto dot = path.find('.');
@@ -33,13 +33,13 @@ const toml::node* node_at(const toml::table& document, std::string_view path) {
   return found->is_table() ? found->as_table()->get(path.substr(dot + 1)) : nullptr;
 }
 
-/// Sets a copy of a value, which has no place in a file.
+/// Sets a copy of a value. The copy has no place in a file.
 template <class Value>
 void set(toml::table& document, std::string_view path, const Value& value) {
   const auto dot = path.find('.');
   if (dot == path.npos) return void(document.insert_or_assign(path, value));
   toml::node& table =
-      document.insert(path.substr(0, dot), toml::table{}).first->second;  // unless there is one
+      document.insert(path.substr(0, dot), toml::table{}).first->second;  // unless the table exists
   if (table.is_table()) table.as_table()->insert_or_assign(path.substr(dot + 1), value);
 }
 
@@ -64,12 +64,12 @@ void remove(toml::table& document, std::string_view path) {
     table->erase(path.substr(dot + 1));
 }
 
-/// What an overlay changes besides the settings that it has.
+/// The changes that an overlay makes in addition to its settings.
 class Effects {
  public:
   Effects(const Overlay& overlay, toml::table& document) : overlay_(overlay), document_(document) {}
 
-  /// Applies them and the overlay; returns notes.
+  /// Applies the overlay and its additional changes; returns notes.
   std::vector<std::string> apply() {
     for (const auto& [one, other] : replacements)
       if (given(one) != nullptr && given(other) == nullptr) remove(document_, other);
@@ -96,7 +96,8 @@ class Effects {
                              : one->toml == value || one->toml == fmt::format("\"{}\"", value);
   }
 
-  /// Another type removes the parameters of the file that it does not have, and "none" the table.
+  /// Sets the type of a table. This removes parameters of the file that the new type does not have.
+  /// The type "none" removes the table.
   void set_type(std::string_view table) {
     const std::string key = fmt::format("{}.type", table);
     const Override* const type = given(key);
@@ -146,7 +147,7 @@ class Effects {
 
   const Overlay& overlay_;
   toml::table& document_;
-  std::vector<std::string_view> removed_;  // tables
+  std::vector<std::string_view> removed_;  // tables that were removed
   std::vector<std::string> notes_;
 };
 

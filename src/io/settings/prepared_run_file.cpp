@@ -39,7 +39,7 @@ class Rebase {
   path from_, to_;
 };
 
-/// Calls visit(table) for the tables of a list.
+/// Calls visit(table) for each table of a list.
 template <class Visit>
 void each_table(toml::table& table, std::string_view key, const Visit& visit) {
   if (auto* list = table[key].as_array())
@@ -64,14 +64,15 @@ void rewrite_system(toml::table& system, const Config& config, const std::string
   system.insert_or_assign("seed", static_cast<std::int64_t>(config.system.seed));
 }
 
-/// That of the preparation, which may have been given in place of the run file's: runs from several
-/// preparations of one run file must not meet.
+/// Writes the prefix of the preparation, which may differ from the prefix in the run file. Runs
+/// from several preparations of one run file must not use the same prefix.
 void write_prefix(toml::table& document, const std::string& prefix) {
   if (!document.contains("output")) document.insert("output", toml::table{});
   if (auto* output = document["output"].as_table()) output->insert_or_assign("prefix", prefix);
 }
 
-/// A shape is derived once: from the new coordinates it would have other principal axes.
+/// Writes the shapes, so that they are derived only once. Shapes derived from the new coordinates
+/// would have other principal axes.
 void write_shapes(toml::table& document, const std::map<std::string, Shape>& shapes) {
   toml::array tables;
   for (const auto& [molecule, shape] : shapes) {

@@ -8,10 +8,11 @@
 
 namespace polhode {
 
-/// The run file of a Config with another initial configuration in place of its density, box or
-/// initial configuration, without minimisation, equilibration and preparation. Its temperature,
-/// seed and pressure are those of the Config. Paths are made relative to the new file.
-/// A compressibility that the run file does not give is added, unless it is the default.
+/// Makes the run file that starts from a prepared configuration. The new initial configuration
+/// replaces the density, box or initial configuration of the Config. Minimisation, equilibration
+/// and preparation are removed. Temperature, seed and pressure are taken from the Config. Paths are
+/// made relative to the new file. A compressibility that the run file does not give is added,
+/// unless it is the default.
 /// @param coordinates, checkpoint, run_file  paths of the new initial configuration, of its state
 ///                                           at full precision, and of the new run file
 std::string prepared_run_file(const Config& config, const std::string& coordinates,

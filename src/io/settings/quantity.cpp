@@ -20,13 +20,14 @@ namespace {
 struct Unit {
   std::string_view symbol;
   Dimension dimension;
-  double value;  // in internal units
+  double value;  // value in internal units
 };
 
-constexpr double electronvolt = units::elementary_charge * units::avogadro * 1e-3;  // [kJ/mol]
-constexpr double bar = 1e5 * 1e-27 * units::avogadro * 1e-3;                        // [kJ/mol/nm³]
+constexpr double electronvolt =
+    units::elementary_charge * units::avogadro * 1e-3;        // electronvolt [kJ/mol]
+constexpr double bar = 1e5 * 1e-27 * units::avogadro * 1e-3;  // bar [kJ/mol/nm³]
 // 1 D = 10⁻²¹ C m²/s divided by the speed of light.
-constexpr double debye = 1e-21 / 299792458.0 / (units::elementary_charge * 1e-9);  // [e nm]
+constexpr double debye = 1e-21 / 299792458.0 / (units::elementary_charge * 1e-9);  // debye [e nm]
 
 // clang-format off
 constexpr std::array all_units = {
@@ -141,7 +142,7 @@ std::vector<std::string> symbols(Dimension dimension) {
   return names;
 }
 
-// Name, text and example: common to all error messages about a quantity.
+// The name, text and example of a quantity, which all its error messages need.
 struct QuantityText {
   std::string_view text, name;
   Dimension dimension;
@@ -168,7 +169,7 @@ double number(std::string_view& rest, const QuantityText& source) {
   return value;
 }
 
-/// The value of a text that is a number and nothing else.
+/// The value of a text that consists only of a number.
 std::optional<double> parsed_number(std::string_view text) {
   double value = 0;
   const auto [end, status] = from_chars(text.data(), text.data() + text.size(), value);
@@ -176,7 +177,7 @@ std::optional<double> parsed_number(std::string_view text) {
   return value;
 }
 
-/// What follows the numbers of an example: "mPa s" of "0.9 mPa s".
+/// The unit in an example: "mPa s" in "0.9 mPa s".
 std::string_view unit_of(std::string_view example) {
   for (auto space = example.find(' ');
        space != example.npos && parsed_number(example.substr(0, space)); space = example.find(' '))

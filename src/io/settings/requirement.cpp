@@ -14,7 +14,7 @@ namespace {
 
 struct Form {
   RequiredOf of;
-  const char* word;  // before the bound
+  const char* word;  // word before the bound
   Dimension dimension;
   const char* unit;
   const char* example;
@@ -29,7 +29,8 @@ constexpr std::array forms{
 
 const Form& form_of(RequiredOf of) { return forms[static_cast<std::size_t>(of)]; }
 
-/// The form whose word a text begins with; that of temperatures if there is none.
+/// The form of requirement whose word is at the beginning of a text. Without a word, it is the form
+/// for temperatures.
 const Form& form_of(const std::string& text) {
   for (const Form& form : forms)
     if (*form.word && text.starts_with(form.word)) return form;

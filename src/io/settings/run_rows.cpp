@@ -17,8 +17,8 @@ namespace {
 constexpr SettingUnit fs{Dimension::time, "fs"}, ps{Dimension::time, "ps"};
 constexpr SettingBounds equilibration = between(0, 1e12, " (one second)");
 
-/// The scheme that a text names, with own schemes as their texts.
-/// @throws Error  with the place of the key, unless it is one
+/// Parses a scheme from a text, in which names of user-defined schemes are replaced by their texts.
+/// @throws Error  with the place of the key, if the text is not a scheme
 NamedScheme scheme_of(const std::string& text, const TomlTable& table, std::string_view key,
                       const Config& config) {
   try {
@@ -43,7 +43,7 @@ void read_schemes(TomlTable& table, const SettingRow& row, Config& config) {
   row.member.set(config, *texts);
 }
 
-/// Reads a bound on R, "0.5 %", or on the bias of an average.
+/// Reads a bound on R, such as "0.5 %", or on the bias of an average.
 void read_accuracy(TomlTable& table, const SettingRow& row, Config& config) {
   std::optional<Requirement>& accuracy = config.integrator.accuracy;
   if (const auto text = table.holds_text(row.key) ? table.text(row.key) : std::nullopt;
@@ -93,7 +93,7 @@ void read_formats(TomlTable& table, const SettingRow& row, Config& config) {
   }
 }
 
-/// A text that is one of some names.
+/// Restricts a text setting to a list of names.
 SettingMember named(SettingMember one, std::span<const std::string_view> names) {
   one.names = names;
   return one;

@@ -20,16 +20,16 @@
 
 namespace polhode {
 
-/// The value of a setting in internal units; nothing if it is not set.
+/// The value of a setting in internal units; empty if it is not set.
 using SettingValue =
     std::variant<std::monostate, double, std::int64_t, bool, std::string, std::vector<std::string>>;
 
 struct SettingMember {
-  std::function<bool(const Config&)> exists;  ///< whether the run has a use for the setting
+  std::function<bool(const Config&)> exists;  ///< whether the setting has a meaning for the run
   std::function<SettingValue(const Config&)> value;
   std::function<void(Config&, const SettingValue&)> set;
   SettingKind kind = SettingKind::text;
-  std::span<const std::string_view> names{};  ///< of an enumeration
+  std::span<const std::string_view> names{};  ///< names of an enumeration
 };
 
 namespace detail {
@@ -61,7 +61,8 @@ SettingValue setting_value(const T& member) {
     return member;
 }
 
-/// A whole number beyond the range of its member becomes the end of that range.
+/// Converts a number to the type of a member. An integer beyond the range of the member becomes the
+/// end of the range.
 template <class T>
 T member_value(const SettingValue& value) {
   if constexpr (NamedEnum<T>) {
@@ -98,7 +99,8 @@ constexpr SettingKind kind_of() {
 
 }  // namespace detail
 
-/// @param access  a function from a Config to a pointer to the member; null: it has no such member
+/// @param access  function from a Config to a pointer to the member, which is null if the Config
+///   does not have the member
 template <class Access>
 SettingMember member(Access access) {
   using Member = std::remove_pointer_t<std::invoke_result_t<Access, Config&>>;
@@ -116,7 +118,7 @@ SettingMember member(Access access) {
   return made;
 }
 
-/// Makes members of one part of a Config: in(&Config::run)(&RunSettings::length).
+/// Makes members of one part of a Config, as in in(&Config::run)(&RunSettings::length).
 template <class Part>
 auto in(Part Config::*part) {
   return [part](auto Part::*one) {

@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-/// The value of a key of its row's kind; nothing if the key is absent.
+/// The value of a key, read as the kind of its row; empty if the key is absent.
 SettingValue read_value(TomlTable& table, const SettingRow& row) {
   const auto found = [](const auto& value) {
     return value ? SettingValue(*value) : SettingValue{};

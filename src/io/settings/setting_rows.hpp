@@ -16,11 +16,12 @@
 
 namespace polhode {
 
-/// The unit in which texts state a quantity; none: a pure number, or no number.
+/// The unit in which texts state a quantity; empty for a pure number, or if the setting is not a
+/// number.
 struct SettingUnit {
   std::optional<Dimension> dimension{};
   std::string_view symbol{};
-  std::string_view example{};  ///< in errors, if the default is none
+  std::string_view example{};  ///< example in error messages, if there is no default
 
   double factor() const { return dimension ? unit(symbol, *dimension) : 1; }
 };
@@ -28,15 +29,15 @@ struct SettingUnit {
 struct SettingRow;
 using ReadSetting = void (*)(TomlTable&, const SettingRow&, Config&);
 
-/// What only some rows have.
+/// Properties that only some rows have.
 struct More {
-  std::string_view domain{};    ///< in words, where kind and bounds do not tell
-  std::string_view fallback{};  ///< the default in words, where it depends on other settings
-  std::string_view by{};        ///< the key whose value decides whether this one has a meaning
-  std::string_view not_set = "none";  ///< the text of a value that is not set
-  ReadSetting read = nullptr;         ///< in place of read_row()
-  bool free = false;                  ///< a resumed run may have another value
-  std::vector<SettingKind> kinds{};   ///< where the member does not tell
+  std::string_view domain{};    ///< domain in words, if kind and bounds do not describe it
+  std::string_view fallback{};  ///< default in words, if it depends on other settings
+  std::string_view by{};        ///< key whose value decides whether this setting has a meaning
+  std::string_view not_set = "none";  ///< text of a value that is not set
+  ReadSetting read = nullptr;         ///< function that replaces read_row()
+  bool free = false;                  ///< whether a resumed run may have another value
+  std::vector<SettingKind> kinds{};   ///< kinds, if the member does not determine them
 };
 
 struct SettingRow {
@@ -44,9 +45,9 @@ struct SettingRow {
   SettingMember member;
   SettingUnit unit{};
   SettingBounds bounds{};
-  std::string_view doc{};  ///< its meaning, in Markdown with the links of the manual
+  std::string_view doc{};  ///< meaning of the setting, in Markdown with the links of the manual
   More more{};
-  std::string_view table{};  ///< set by setting_tables()
+  std::string_view table{};  ///< name of the table, set by setting_tables()
 };
 
 namespace detail {
@@ -59,7 +60,7 @@ inline void set(SettingRow& row, More more) { row.more = std::move(more); }
 
 }  // namespace detail
 
-/// A row: its key, and what it has of member, unit, bounds, meaning and more.
+/// Makes a row from its key and any of the following: member, unit, bounds, meaning, and More.
 template <class... Parts>
 SettingRow row(std::string_view key, Parts... parts) {
   SettingRow made{key, {}};
@@ -70,7 +71,8 @@ SettingRow row(std::string_view key, Parts... parts) {
 struct SettingTable {
   std::string_view name;
   std::vector<SettingRow> rows;
-  void (*before)(TomlTable&, Config&) = nullptr;  ///< reading its rows
+  void (*before)(TomlTable&, Config&) = nullptr;  ///< function that is called before the rows are
+                                                  ///< read
   void (*after)(TomlTable&, Config&) = nullptr;
 };
 
@@ -89,42 +91,45 @@ const std::vector<SettingTable>& setting_tables();
 const SettingTable& setting_table(std::string_view name);
 const SettingRow& setting_row(std::string_view table, std::string_view key);
 
-/// Reads a table: all its rows, then nothing else may be left.
+/// Reads all rows of a table. The table must not contain other keys.
 void read_table(TomlTable table, const SettingTable& rows, Config& config);
 
-/// Reads one setting as its kind, unit and bounds say; an absent key leaves the default.
+/// Reads one setting according to its kind, unit and bounds. If the key is absent, the default
+/// remains.
 void read_row(TomlTable& table, const SettingRow& row, Config& config);
 
-/// The reader of a setting that the functions of its table read.
+/// The reader of a setting that is read by the functions of its table; it does nothing.
 inline void read_by_table(TomlTable&, const SettingRow&, Config&) {}
 
-/// Whether a value in internal units is within the bounds, and finite.
+/// Whether a value in internal units is finite and within the bounds of its row.
 bool is_valid(const SettingRow& row, double value);
 
-/// "4.5e-5" for "4.5e-05".
+/// Simplifies the exponent of a number: "4.5e-5" instead of "4.5e-05".
 std::string tidy_exponent(std::string number);
-/// A number in its shortest form, "1e12".
+/// A number in its shortest form, such as "1e12".
 std::string short_number(double value);
 
-/// A quantity as a text, for errors and help: the example of the row, or its default.
+/// A quantity as text, for error messages and help: the example of the row, or its default.
 std::string example(const SettingRow& row);
 
-/// "must be 0 K or more, ...".
+/// The complaint about an invalid value, such as "must be 0 K or more, ...".
 std::string complaint(const SettingRow& row);
 
-/// What is wrong with its value in a run; empty if nothing.
+/// A description of the error in the value of a setting; empty if the value is valid.
 std::string wrong_value(const SettingRow& row, const Config& config);
 
-/// Its value in a run as text, "2 fs"; empty if the run has no use for it.
+/// The value of a setting in a run as text, such as "2 fs"; empty if the setting has no meaning for
+/// the run.
 std::string text_of(const SettingRow& row, const Config& config);
 
-/// A run with all tables, whose members have their defaults.
+/// A configuration with all tables, where all members have their defaults.
 const Config& defaults();
 
-/// A run that has a use for the setting; all members have their defaults.
+/// A configuration in which the setting has a meaning, and all members have their defaults.
 Config defaults_with(const SettingRow& row);
 
-/// Those values of the deciding key for which a setting has a meaning, as names; empty: all.
+/// The names of the values of the deciding key for which a setting has a meaning; empty for all
+/// values.
 std::vector<std::string> deciding_names(const SettingRow& row);
 
 constexpr SettingBounds above(double min, std::string_view hint = {}) {

@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-/// A number, or one of the names, as an entry of a table of the manual.
+/// A number or name in code font, as an entry in a table of the manual.
 std::string code(std::string_view text) { return fmt::format("`\"{}\"`", text); }
 
 std::vector<SettingKind> kinds_of(const SettingRow& row) {
@@ -22,7 +22,8 @@ std::vector<SettingKind> kinds_of(const SettingRow& row) {
   return {row.unit.dimension ? SettingKind::quantity : row.member.kind};
 }
 
-/// "temperature ≥ 0 K", "`true`, `false`", "list of texts".
+/// The domain of a setting as text, such as "temperature ≥ 0 K", "`true`, `false`" or "list of
+/// texts".
 std::string domain_of(const SettingRow& row) {
   if (!row.more.domain.empty()) return std::string(row.more.domain);
   if (!row.member.names.empty()) {
@@ -54,7 +55,7 @@ std::string domain_of(const SettingRow& row) {
          (std::isfinite(b.max) ? (b.below ? " < " : " ≤ ") + number(b.max) : "");
 }
 
-/// The default as a run file has it, `"2 fs"`; the same in words; empty if there is none.
+/// The default as written in a run file, such as `"2 fs"`, or in words; empty if there is none.
 std::string fallback_of(const SettingRow& row) {
   if (!row.more.fallback.empty()) return std::string(row.more.fallback);
   if (!row.member.value) return "";
@@ -69,7 +70,8 @@ std::string fallback_of(const SettingRow& row) {
                                                                           : "`" + text + "`";
 }
 
-/// All names, or a quantity as it is written on a command line, "2 fs" with its quotes.
+/// An example for help: all names, or a quantity as written on a command line, such as "2 fs" with
+/// its quotes.
 std::string example_of(const SettingRow& row) {
   if (!row.member.names.empty()) return fmt::format("{}", fmt::join(row.member.names, ", "));
   return row.unit.dimension ? fmt::format("\"{}\"", example(row)) : "";

@@ -32,14 +32,14 @@ template <>
 inline constexpr std::array<std::string_view, 8> enum_names<SettingKind> = {
     "text", "quantity", "number", "integer", "boolean", "texts", "table", "tables"};
 
-/// From which number to which, in the unit of the setting.
+/// The bounds of a number, in the unit of the setting.
 struct SettingBounds {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
-  bool above = false;       ///< min itself is excluded
-  bool below = false;       ///< max itself is excluded
-  std::string_view hint{};  ///< after "must be ...": why, or what is usual
-  /// Whether the library checks them itself, with more that it knows.
+  bool above = false;       ///< whether min itself is excluded
+  bool below = false;       ///< whether max itself is excluded
+  std::string_view hint{};  ///< text after "must be ...", with a reason or a usual value
+  /// Whether the library checks the bounds itself, because it has more information.
   bool in_library = false;
 
   bool hold(double value) const {
@@ -47,23 +47,28 @@ struct SettingBounds {
   }
 };
 
-/// A setting in words, as manuals and help texts show it.
+/// The description of a setting for manuals and help texts.
 struct Setting {
   std::string table, key;
-  std::vector<SettingKind> kinds;     ///< that its value may have
-  std::string unit;                   ///< in which texts state a quantity; empty for others
-  std::string domain;                 ///< its values and bounds, "temperature ≥ 0 K"
-  std::string fallback;               ///< its value if it is not given, or in words; empty: none
-  std::string example;                ///< a value, "2 fs", or the names of all; empty for others
-  SettingBounds bounds;               ///< of numbers
-  std::string by;                     ///< the key whose value decides whether it has a meaning
-  std::vector<std::string> by_names;  ///< for which values of that key it has one; empty: all
-  std::string doc;                    ///< its meaning, in Markdown with the links of the manual
+  std::vector<SettingKind> kinds;     ///< kinds that its value may have
+  std::string unit;                   ///< unit in which texts state a quantity; empty for other
+                                      ///< kinds
+  std::string domain;                 ///< its values and bounds, such as "temperature ≥ 0 K"
+  std::string fallback;               ///< its default value, possibly in words; empty if there is
+                                      ///< none
+  std::string example;                ///< an example such as "2 fs", or the names of all values;
+                                      ///< empty for other kinds
+  SettingBounds bounds;               ///< bounds of numbers
+  std::string by;                     ///< key whose value decides whether the setting has a meaning
+  std::vector<std::string> by_names;  ///< values of that key for which the setting has a meaning;
+                                      ///< empty for all values
+  std::string doc;                    ///< meaning of the setting, in Markdown with the links of the
+                                      ///< manual
 
   std::string path() const { return table + '.' + key; }
 };
 
-/// A table of run files, or a list of tables.
+/// The name of a table of run files, or of a list of tables.
 struct SettingTableName {
   std::string_view name;
   SettingKind kind;
@@ -72,22 +77,24 @@ struct SettingTableName {
 /// All tables of run files, in the order in which they are read.
 const std::vector<SettingTableName>& setting_table_names();
 
-/// All settings, table by table; without the keys within lists of tables, and the names of schemes.
+/// All settings, table by table. Keys within lists of tables and the names of schemes are not
+/// included.
 const std::vector<Setting>& settings();
 
-/// A setting by its path, such as "run.length", or by its key if only one table has it.
-/// @throws Error  if there is none, with the nearest names, or if several tables have the key
+/// Finds a setting by its path, such as "run.length", or by its key if only one table has this key.
+/// @throws Error  if there is none (with the most similar names), or if several tables have the key
 const Setting& setting(std::string_view path);
 
-/// Its value in a run as text, such as "2 fs", or "4" for a number. Empty if the run has no use for
-/// it, or if its default depends on more than the settings.
+/// The value of a setting in a run as text, such as "2 fs", or "4" for a number. It is empty if the
+/// setting has no meaning for the run, or if its default depends on more than the settings.
 std::string value_text(const Setting& setting, const Config& config);
 
-/// What is wrong with a value of a setting in internal units; empty if nothing.
+/// A description of the error in a value of a setting in internal units; empty if the value is
+/// valid.
 std::string wrong_value(std::string_view path, double value);
 
-/// Key and value of each setting of some tables that a run depends on, such as
-/// "thermostat.friction" and "1 1/ps"; of all tables if none is given.
+/// Keys and values of the settings on which a run depends, such as "thermostat.friction" and "1
+/// 1/ps". Only the given tables are included, or all tables if none is given.
 std::vector<std::pair<std::string, std::string>> recorded_settings(
     const Config& config, const std::vector<std::string_view>& tables = {});
 
@@ -97,7 +104,8 @@ std::string plain_text(std::string_view markdown);
 /// The meaning of a setting in a few words, with its values or an example, for help texts.
 std::string brief_meaning(const Setting& setting);
 
-/// A table of the manual: key, values and bounds, default and meaning of the settings of a table.
+/// The manual's table for a table of settings, with columns for key, values and bounds, default and
+/// meaning.
 std::string manual_table(std::string_view table);
 
 }  // namespace polhode

@@ -11,14 +11,15 @@
 namespace polhode {
 
 struct ShortRangeKeys {
-  double sigma = 0, epsilon = 0;  ///< [nm], [kJ/mol]
+  double sigma = 0, epsilon = 0;  ///< diameter [nm] and well depth [kJ/mol]
   ShortRangeLaw law{};
 };
 
-/// A site may have no law, a pair must have one.
+/// The owner of a law. A site may have no law, whereas a pair must have one.
 enum class LawOwner { site, pair };
 
-/// @param file  that contains the table; names of potential tables are relative to it
+/// Reads the keys of a short-range law.
+/// @param file  file that contains the table; names of potential tables are relative to it
 /// @throws Error  with file, line and key
 ShortRangeKeys read_short_range(TomlTable& table, LawOwner owner, const std::string& file);
 

@@ -23,13 +23,15 @@ std::string resolve(const path& folder, const std::string& name) {
   return (folder / name).lexically_normal().string();
 }
 
-/// False also for a name that the system refuses, as one that is too long.
+/// Whether a name is the name of a file. It is false also for a name that the system rejects, for
+/// example because it is too long.
 bool is_file(const std::string& name) {
   std::error_code refused;
   return std::filesystem::is_regular_file(name, refused);
 }
 
-/// A model's name, the path of a molecule file, or the molecule itself as a table.
+/// Reads a molecule, which is given by the name of a model, by the path of a molecule file, or as a
+/// table.
 void read_model(TomlTable& table, const path& folder, const std::string& file,
                 SystemSettings::Component& component) {
   if (table.has("model") && !table.holds_text("model")) {
@@ -137,13 +139,13 @@ void read_velocities(TomlTable& table, const SettingRow& row, Config& config) {
   system.new_velocities = *velocities == "new";
 }
 
-// "NAME" or "NAME=VALUE", where the name is one that #ifdef accepts.
+// A macro has the form "NAME" or "NAME=VALUE", with a name that #ifdef accepts.
 bool is_macro(std::string_view text) {
   const std::string_view name = text.substr(0, text.find('='));
   return !name.empty() && name.front() != '-' && name.find_first_of(" \t") == name.npos;
 }
 
-// The topology file. A LAMMPS data file is both topology and initial configuration.
+// Reads the topology file. A LAMMPS data file is both topology and initial configuration.
 void read_topology_file(TomlTable& table, const path& folder, SystemSettings& system) {
   TopologySettings& topology = system.topology;
   topology.file = table.text("topology").value_or("");
@@ -214,7 +216,7 @@ void read_contents(TomlTable& table, Config& config) {
   if (config.system.topology.file.empty()) read_molecules(table, config);
 }
 
-/// A setting of the topology file.
+/// A setting of the table for topology files.
 template <class Member>
 SettingMember topology(Member TopologySettings::*one) {
   return member([one](Config& c) { return &(c.system.topology.*one); });

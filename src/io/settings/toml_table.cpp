@@ -15,11 +15,11 @@ namespace polhode {
 
 namespace {
 
-// The TOML library recurses into dotted keys without a limit, and into up to 256 nested values: the
-// stack must hold the product of both.
+// Maximum number of parts of a dotted key. The TOML library recurses into dotted keys without a
+// limit, and into up to 256 nested values. The stack must hold the product of both.
 constexpr std::size_t max_dots = 8;
 
-// The end of the string that begins at a quote.
+// The position of the end of the string that begins at a quote.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   const std::string_view three = text.substr(begin, 3);
@@ -63,7 +63,7 @@ void check_keys(std::string_view text, const std::string& file) {
   }
 }
 
-/// The error that the TOML library reports, and what to do.
+/// The message for an error that the TOML library reports, with advice.
 std::string toml_complaint(const std::string& what) {
   if (const auto at = what.find("cannot redefine existing "); at != std::string::npos) {
     const auto open = what.find('\'', at), close = what.rfind('\'');
@@ -71,7 +71,7 @@ std::string toml_complaint(const std::string& what) {
       return fmt::format("{} occurs twice, and only one of the two can apply; delete one of them",
                          what.substr(open, close - open + 1));
   }
-  // Control characters are refused before, so that this one is the end of the line.
+  // Control characters have been rejected before, so this one is the end of the line.
   if (what.find("parsing string") != what.npos &&
       (what.find("control characters") != what.npos || what.find("end-of-file") != what.npos))
     return "the text is not TOML: a text in quotes has no end on this line; close it with a "
@@ -82,7 +82,7 @@ std::string toml_complaint(const std::string& what) {
       uncapitalized(what));
 }
 
-/// A value as written in a file; numbers with as many digits as necessary.
+/// A value as written in a file. Numbers have as many digits as necessary.
 std::string written(const toml::node& node) {
   if (node.is_string()) return fmt::format("\"{}\"", *node.value<std::string>());
   if (node.is_floating_point()) return fmt::format("{}", *node.value<double>());
@@ -141,7 +141,7 @@ const Override* TomlTable::override_of(std::string_view key) const {
 std::string TomlTable::where(std::string_view key) const {
   const toml::node* node = table_->get(key);
   const auto line = (node != nullptr ? node->source() : table_->source()).begin.line;
-  if (line == 0)  // not from the file
+  if (line == 0)  // the value is not from the file
     if (const Override* const one = override_of(node != nullptr ? key : "")) return one->place;
   const std::string place = line > 0 ? fmt::format("{}:{}", file_, line) : file_;
   const std::string name = full(key);
@@ -227,7 +227,7 @@ std::optional<bool> TomlTable::boolean(std::string_view key) {
 std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (node->source().begin.line == 0 && node->is_string())  // of an overlay
+  if (node->source().begin.line == 0 && node->is_string())  // the value is from an overlay
     return {{*node->value<std::string>()}};
   std::vector<std::string> values;
   const toml::array* list = node->as_array();

@@ -16,20 +16,24 @@
 
 namespace polhode {
 
-/// @throws Error  with file and line if the text is not TOML
+/// Parses a TOML document.
+/// @throws Error  with file and line, if the text is not valid TOML
 toml::table parse_toml(std::string_view text, const std::string& file);
 
-/// Replaces and adds the settings of an overlay. "none" for a thermostat or barostat, and 0 steps
-/// of hybrid Monte Carlo, remove the table; another type removes the parameters that it does not
-/// have; a pressure selects a barostat and a thermostat where there are none; a step removes a
-/// required accuracy, a box the density, and each the other way round.
-/// @return  notes on what was selected by default
+/// Replaces and adds the settings of an overlay.
+/// - The type "none" of a thermostat or barostat, and 0 steps of hybrid Monte Carlo, remove the
+///   table.
+/// - Another type removes the parameters that this type does not have.
+/// - A pressure selects a barostat and a thermostat if there are none.
+/// - A step removes a required accuracy, and vice versa. A box removes the density, and vice versa.
+/// @return  notes on settings that were selected by default
 /// @throws Error  if overrides contradict each other, or a parameter has no thermostat
 std::vector<std::string> apply(const Overlay& overlay, toml::table& document);
 
 class TomlTable {
  public:
-  /// @param overlay  that was applied to the document, for the places of errors; null: none
+  /// @param overlay  overlay that was applied to the document, for the places of errors; may be
+  ///   null
   TomlTable(const toml::table& table, std::string file, std::string path = {},
             const Overlay* overlay = nullptr)
       : table_(&table), file_(std::move(file)), path_(std::move(path)), overlay_(overlay) {}
@@ -38,7 +42,7 @@ class TomlTable {
   std::vector<std::string> keys() const;
   bool has(std::string_view key) { return find(key) != nullptr; }
 
-  // The value of a key, if it exists.
+  // The following functions return the value of a key, if it exists.
   std::optional<std::string> text(std::string_view key);
   std::optional<double> quantity(std::string_view key, Dimension dimension,
                                  std::string_view example = {});
@@ -52,25 +56,26 @@ class TomlTable {
   bool holds_list(std::string_view key);
   bool holds_text(std::string_view key);
 
-  /// The value of a key as written, "\"1 nm\""; empty if the table has no such key.
+  /// The value of a key as written, such as "\"1 nm\""; empty if the table does not have the key.
   std::string written(std::string_view key) const;
 
-  /// "water.toml:9, forces.cutoff", or the option of the overlay, "--cutoff"; the table's own place
-  /// if it has no such key.
+  /// The place of a key, such as "water.toml:9, forces.cutoff", or the option of the overlay, such
+  /// as "--cutoff". If the table does not have the key, it is the place of the table.
   std::string where(std::string_view key) const;
 
-  /// Throws `key = value complaint`, or without a key only the complaint.
+  /// Throws an Error of the form `key = value complaint`. Without a key, it consists only of the
+  /// complaint.
   [[noreturn]] void refuse(std::string_view key, const std::string& complaint) const;
 
-  /// Throws unless `good` is true: `step = "-2 fs" must be ...`.
+  /// Throws an Error such as `step = "-2 fs" must be ...` unless `good` is true.
   void require(bool good, std::string_view key, const std::string& must) const {
     if (!good) refuse(key, must);
   }
 
-  /// Throws if the table has the old name of a key.
+  /// Throws an Error if the table has the old name of a key.
   void renamed(std::string_view old, std::string_view now) const;
 
-  /// Throws if the table has a key that was never read.
+  /// Throws an Error if the table has a key that was never read.
   void refuse_unknown() const;
 
  private:
@@ -78,7 +83,8 @@ class TomlTable {
   [[noreturn]] void refuse_kind(std::string_view key, std::string_view must) const;
   std::string text_of(const toml::node& node, std::string_view key) const;
   std::string full(std::string_view key) const;
-  /// The override that a key, or the table, has its value or a part of it from; null: none.
+  /// The override that set the value, or a part of the value, of a key or of the table; null if
+  /// there is none.
   const Override* override_of(std::string_view key) const;
 
   const toml::table* table_;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t max_pairs = 10'000;
 
 struct Type {
-  bool bare = true;  // without a law
+  bool bare = true;  // whether the type has no law
   std::set<std::string> sites;
 };
 
@@ -25,7 +25,7 @@ struct Type {
 std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
                                     std::span<const TypePair> pairs) {
   std::map<std::string, Type> types;
-  std::map<std::string, std::set<std::string>> types_of;  // by site name
+  std::map<std::string, std::set<std::string>> types_of;  // atom types by site name
   for (const TypedSite& site : sites) {
     types[site.type].bare = is_zero(site.epsilon, site.law);
     types[site.type].sites.insert(site.name);

@@ -8,30 +8,30 @@
 
 namespace polhode {
 
-/// A parameter of an .mdp file without the same meaning in a run file.
+/// A parameter of an .mdp file that has no exact equivalent in a run file.
 struct MdpDifference {
-  std::string parameter;  ///< as written: "vdw-modifier = Potential-shift"
-  std::string reason;     ///< why, and what the run file has instead
+  std::string parameter;  ///< parameter as written, such as "vdw-modifier = Potential-shift"
+  std::string reason;     ///< reason, and the replacement in the run file
 };
 
 struct MdpImport {
-  std::string run_file;  ///< its text, with the differences as comments
+  std::string run_file;  ///< text of the run file, with the differences as comments
   std::vector<MdpDifference> differences;
 };
 
-/// The files that the run file names.
+/// The files to which the run file refers.
 struct MdpFiles {
   std::string topology = "topol.top", coordinates = "conf.gro";
-  std::string prefix = "gromacs";  ///< of the outputs
+  std::string prefix = "gromacs";  ///< prefix of the outputs
 };
 
 /// Translates the parameters that have the same meaning, and lists all others. Names are compared
-/// as GROMACS does, by letters and digits; parameters that are absent have the defaults of GROMACS.
-/// @param file     its name in errors
-/// @throws Error   with file and line: what was found, and what was expected
+/// as in GROMACS, by letters and digits. Absent parameters have the defaults of GROMACS.
+/// @param file     file name in error messages
+/// @throws Error   with file, line, the text found and the text expected
 MdpImport import_mdp(std::string_view text, const std::string& file, const MdpFiles& files = {});
 
-/// The same for a file.
+/// Translates the parameters of an .mdp file.
 MdpImport read_mdp(const std::string& path, const MdpFiles& files = {});
 
 }  // namespace polhode

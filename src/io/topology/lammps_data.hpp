@@ -15,13 +15,14 @@
 
 namespace polhode {
 
-/// A data file's atoms, put in order: molecules of one kind together, kinds in the order of their
-/// first molecule id, atoms by their ids.
+/// The contents of a LAMMPS data file, with the atoms sorted. Molecules of one kind are contiguous,
+/// kinds are in the order of their first molecule id, and atoms of a molecule are in the order of
+/// their ids.
 struct LammpsData {
   struct AtomType {
-    double mass = 0;                ///< [u]
-    std::string site;               ///< the name that an export writes behind the mass, or empty
-    double sigma = 0, epsilon = 0;  ///< [nm], [kJ/mol]
+    double mass = 0;                ///< mass [u]
+    std::string site;               ///< name that an export writes after the mass; may be empty
+    double sigma = 0, epsilon = 0;  ///< diameter [nm] and well depth [kJ/mol]
     ShortRangeLaw law{};
     bool has_pair_coefficients = false;
   };
@@ -29,35 +30,36 @@ struct LammpsData {
     std::int64_t id, molecule;
     int type;
     double charge;
-    Vec3<double> r, v;  ///< [nm], unwrapped by the image flags; [nm/ps]
+    Vec3<double> r, v;  ///< position [nm], unwrapped by the image flags, and velocity [nm/ps]
   };
-  /// Bodies with the same types and charges in the same shape.
+  /// A kind of molecule: bodies with the same types and charges in the same shape.
   struct Kind {
-    std::string name;  ///< "OH2", of elements in the order of atoms
+    std::string name;  ///< name from the elements in the order of atoms, such as "OH2"
     std::vector<std::string> sites;
-    std::size_t first = 0;  ///< index of its first atom
+    std::size_t first = 0;  ///< index of the first atom of the kind
     std::size_t count = 0;
   };
   std::string title, file;
   std::map<int, AtomType> types;
-  std::vector<TypePair> pairs;  ///< of `PairIJ Coeffs`
-  std::string pair_style;       ///< behind `Pair Coeffs #`; empty: not given
+  std::vector<TypePair> pairs;  ///< pairs of `PairIJ Coeffs`
+  std::string pair_style;       ///< pair style after `Pair Coeffs #`; empty if not given
   std::vector<Atom> atoms;
   std::vector<Kind> kinds;
   bool has_velocities = false;
-  Box box;  ///< [nm]; its lower corner is moved to the origin
+  Box box;  ///< box [nm]; its lower corner is moved to the origin
 };
 
-/// @throws Error  with file and line: what was found, and what was expected
+/// Parses the text of a LAMMPS data file.
+/// @throws Error  with file, line, the text found and the text expected
 LammpsData parse_lammps_data(std::string_view text, const std::string& file);
 LammpsData read_lammps_data(const std::string& path);
 
-/// The atoms as a frame: in their order, as a topology of this file has them, or by their ids, as
-/// trajectories of LAMMPS have them.
+/// The order of atoms in a frame: by kinds, as in the topology of this file, or by ids, as in
+/// LAMMPS trajectories.
 enum class AtomOrder { of_kinds, of_ids };
 Frame frame_of(const LammpsData& data, AtomOrder order = AtomOrder::of_kinds);
 
-/// Every kind as a rigid molecule: the mean shape of its copies.
+/// Converts every kind to a rigid molecule with the mean shape of its copies.
 /// @throws Error  if the file does not define the forces
 RigidTopology rigid_topology(const LammpsData& data);
 

@@ -14,76 +14,83 @@
 
 namespace polhode {
 
-/// Masses of massless sites in data files [u]: LAMMPS requires one above 0.
+/// The mass of massless sites in data files [u], because LAMMPS requires a mass above 0.
 inline constexpr double lammps_massless = 1e-20;
 
-/// The atom types of a topology: sites of one molecule that are equal share one.
+/// The atom types of a topology. Equal sites of a molecule share a type.
 class LammpsTypes {
  public:
   struct Type {
-    std::size_t part;  ///< of the topology
+    std::size_t part;  ///< index of the part of the topology
     Site site;
-    std::string name;  ///< "tip4p.OW"
+    std::string name;  ///< name such as "tip4p.OW"
   };
-  /// @param share  false: one for each site, for mixing rules with exceptions for single sites
+  /// Assigns types to sites.
+  /// @param share  whether equal sites share a type; false for mixing rules with exceptions for
+  ///   single sites
   LammpsTypes(const Topology& topology, bool share);
   const std::vector<Type>& types() const { return types_; }
-  /// The number of the type of a site, from 1.
+  /// The number of the type of a site, counted from 1.
   int number(std::size_t part, std::size_t site) const { return numbers_[part][site]; }
 
  private:
   std::vector<Type> types_;
-  std::vector<std::vector<int>> numbers_;  // [part][site]
+  std::vector<std::vector<int>> numbers_;  // type numbers by [part][site]
 };
 
-/// The data file, with velocities and all digits: read back, positions differ by rounding alone.
-/// Bonds of strength zero join the sites of a molecule, so that LAMMPS leaves out the interactions
-/// between them. Lennard-Jones parameters are in it if all sites have that law.
+/// Writes the data file, with velocities and all digits, so that positions that are read back
+/// differ only by round-off. Bonds of zero strength join the sites of a molecule, so that LAMMPS
+/// excludes the interactions between them. Lennard-Jones parameters are included if all sites have
+/// this law.
 void write_lammps_data(std::ostream& out, const std::string& title, const State& state,
                        const Topology& topology, const LammpsTypes& types);
 
-/// The data file of the same system with one particle a molecule, of atom_style atomic: particles
-/// have types of their own, behind those of the sites, and their orientations and angular momenta
+/// Writes the data file of a system with one particle per molecule, in atom_style atomic. Particles
+/// have separate types, which follow the types of the sites. Their orientations and angular momenta
 /// are in a section for `fix property/atom`.
 void write_lammps_particles(std::ostream& out, const std::string& title, const State& state,
                             const Topology& topology, const LammpsTypes& types);
 inline constexpr std::string_view lammps_particle_section = "Orientations";
 
-/// The molecule file of a part's molecule, in its principal frame.
+/// Writes the molecule file of a part, with the molecule in its principal frame.
 void write_lammps_molecule(std::ostream& out, const Topology& topology, std::size_t part,
                            const LammpsTypes& types);
 
-/// Energy and force between two types at a distance r [nm], truncated as in the settings.
+/// The energy and force between two types at a distance, truncated as in the settings.
 struct TabulatedPair {
-  double u;  ///< [kJ/mol]
-  double f;  ///< −u' [kJ/mol/nm]
+  double u;  ///< energy [kJ/mol]
+  double f;  ///< force −u' [kJ/mol/nm]
 };
-/// @param charges  whether their Coulomb interaction is included
+/// Evaluates the interaction of two types.
+/// @param charges  whether the Coulomb interaction is included
 TabulatedPair pair_at(const LammpsTypes::Type& a, const LammpsTypes::Type& b,
                       const Topology& topology, const ForceSettings& settings, bool charges,
                       double r);
 
-/// The distances of tables, equally spaced in r² from lammps_table_start to the cutoff [nm].
+/// The number of distances in a table. They are equally spaced in r² from lammps_table_start to the
+/// cutoff [nm].
 inline constexpr std::size_t lammps_table_size = 20000;
 inline constexpr double lammps_table_start = 0.03;
 
-/// The tables of all pairs of types that interact, for pair_style table.
-/// @return  for each pair of types i ≤ j its section, empty if they do not interact
-/// @throws Error  if the settings truncate between centres of mass, which no table can
+/// Writes the tables of all interacting pairs of types, for pair_style table.
+/// @return  name of the section for each pair of types i ≤ j, empty if they do not interact
+/// @throws Error  if the settings truncate between centres of mass, which is not possible with
+///   tables
 std::vector<std::string> write_lammps_tables(std::ostream& out, const Topology& topology,
                                              const ForceSettings& settings,
                                              const LammpsTypes& types, bool charges);
 
-/// The settings as a line of an input script, for pair_style polhode in units real.
+/// The force settings as a line of an input script, for pair_style polhode in units real.
 std::string lammps_pair_style(const ForceSettings& settings);
 
-/// The Lennard-Jones parameters of all pairs of types, as lines of an input script in units real.
+/// Writes the Lennard-Jones parameters of all pairs of types, as lines of an input script in units
+/// real.
 /// @throws Error  if a pair has another law
 void write_lammps_pair_coefficients(std::ostream& out, const Topology& topology,
                                     const ForceSettings& settings, const LammpsTypes& types);
 
-/// By what LAMMPS has to divide its Coulomb constant in units real, 332.06371 kcal/mol Å, so that
-/// it is that of polhode: its command `dielectric`.
+/// The argument of the LAMMPS command `dielectric`. LAMMPS divides its Coulomb constant in units
+/// real, 332.06371 kcal/mol Å, by this number, which gives the constant of polhode.
 double lammps_dielectric();
 
 }  // namespace polhode

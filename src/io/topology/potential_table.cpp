@@ -15,7 +15,8 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t min_rows = 4, max_rows = 100'000;
-constexpr double max_unevenness = 1e-3;  // of a spacing: how far rounding in the file may shift r
+constexpr double max_unevenness = 1e-3;  // largest round-off of r in the file, relative to the
+                                         // spacing
 
 struct Columns {
   std::vector<double> r, u, f;

@@ -10,12 +10,12 @@
 
 namespace polhode {
 
-/// Parses the text of a table; `file` is its name in errors and in the law.
-/// @throws Error  with file and line: what was found, and what is required
+/// Parses the text of a potential table. `file` is the file name in error messages and in the law.
+/// @throws Error  with file, line, the text found and the text required
 TabulatedLaw parse_potential_table(std::string_view text, const std::string& file);
 
-/// Reads the table that a molecule file or run file names, relative to that file; a built-in
-/// molecule names a built-in table.
+/// Reads the potential table to which a molecule file or run file refers. Its path is relative to
+/// this file. A built-in molecule refers to a built-in table.
 TabulatedLaw read_potential_table(const std::string& name, const std::string& named_in);
 
 }  // namespace polhode

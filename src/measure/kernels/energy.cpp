@@ -12,13 +12,13 @@ namespace polhode::POLHODE_LOOPS {
 
 using Real = Pack<double>;
 
-/// The bodies first ≤ i < end; `first` is the start of a pack.
+/// Computes sums over the bodies first ≤ i < end, where `first` is the start of a pack.
 KineticSums kinetic_sums(const State& state, const Bodies& bodies, std::size_t first,
                          std::size_t end) {
   Real translation(0), mass(0);
   Vec3<Real> rotation{Real(0), Real(0), Real(0)}, momentum = rotation;
   for (std::size_t i = first; i < end; i += Real::width) {
-    const auto here = first_lanes<double>(std::min(Real::width, end - i));  // excludes padding
+    const auto here = first_lanes<double>(std::min(Real::width, end - i));  // excludes the padding
     const auto without_padding = [&](Real term) { return select(here, term, Real(0)); };
     const Vec3<Real> L =
         to_body(load_pack<Real>(state.orientation, i), load_pack<Real>(state.ell, i));
