@@ -29,7 +29,7 @@ constexpr std::array forms{
 
 const Form& form_of(RequiredOf of) { return forms[static_cast<std::size_t>(of)]; }
 
-/// The form of requirement whose word is at the beginning of a text. Without a word, it is the form
+/// The form of requirement whose word is at the beginning of a text. By default it is the form
 /// for temperatures.
 const Form& form_of(const std::string& text) {
   for (const Form& form : forms)

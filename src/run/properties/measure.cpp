@@ -36,7 +36,8 @@ constexpr std::size_t first_averages = 24, first_dynamics = 4;
 constexpr double growth = 1.5;
 /// Number of segments after which a replica that has not reached equilibrium is not continued.
 constexpr std::size_t max_equilibration = 600;
-/// Records are written no more often: a segment of a small system takes milliseconds [s].
+/// Minimum time between two writes of a record [s], because a segment of a small system takes only
+/// milliseconds.
 constexpr double writing_interval = 2;
 
 struct Target {
@@ -174,7 +175,7 @@ std::vector<std::string> PointMeasurement::files() const {
   return files;
 }
 
-/// Evaluates the replicas that have records, and names those that have none.
+/// Removes replicas without records from the evaluation, and gives a note with their names.
 void PointMeasurement::leave_out_missing() {
   std::vector<std::string> missing;
   for (const Replica& replica : replicas_)
@@ -192,8 +193,8 @@ void PointMeasurement::leave_out_missing() {
   std::erase_if(replicas_, [](const Replica& replica) { return !replica.prepared(); });
 }
 
-/// Takes the time step from the pilot, which is prepared if it has no record.
-/// @return  how long the preparation took [s]
+/// Takes the time step from the pilot, which is prepared first if it has no record.
+/// @return  time of the preparation [s]; empty if it was not needed or was stopped
 std::optional<double> PointMeasurement::choose_step() {
   const Stopwatch watch;
   Replica first = read_replica(file_of(pilot), pilot, system_.identity);
@@ -207,7 +208,7 @@ std::optional<double> PointMeasurement::choose_step() {
   return is_new ? std::optional(watch.seconds()) : std::nullopt;
 }
 
-/// Shows how far the round has come with a replica that has changed.
+/// Stores a changed replica, and reports the progress of the round.
 void PointMeasurement::keep(Replica& replica, Replica changed) {
   const std::lock_guard lock(guard_);
   done_ += changed.averages.size() - replica.averages.size() + changed.dynamics.size() -
@@ -294,8 +295,8 @@ std::vector<MeasuredProperty> PointMeasurement::evaluate(std::span<const Replica
   return values;
 }
 
-/// Longer lengths for what has not reached its error.
-/// @return  whether anything is left to do
+/// Increases the target lengths for properties that have not reached their requested error.
+/// @return  whether work is left
 bool PointMeasurement::next(Target& target, const std::vector<MeasuredProperty>& values,
                             bool equilibrium) const {
   const auto longer = [](std::size_t n) {
