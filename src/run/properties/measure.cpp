@@ -129,13 +129,13 @@ class PointMeasurement {
 
   /// The error that the replicas are to reach: those of one of n shards need reach √n times the
   /// error requested.
-  double wanted_error(const MeasuredProperty& m) const {
+  double required_error(const MeasuredProperty& m) const {
     return std::sqrt(static_cast<double>(settings_.shard.count)) * m.requested_error();
   }
   /// Whether replicas become longer for a property.
   bool continues(const MeasuredProperty& m) const {
     return m.request.property->measured_in != MeasuredIn::pair &&
-           !(m.value.known == Known::yes && m.obstacle.empty() && m.value.error <= wanted_error(m));
+           !(m.value.known == Known::yes && m.obstacle.empty() && m.value.error <= required_error(m));
   }
 
   void leave_out_missing();
@@ -322,7 +322,7 @@ void PointMeasurement::show(const std::vector<MeasuredProperty>& values, bool eq
         m.value.known == Known::yes ? fmt::format("{} {}", with_error(m.value.value, m.value.error),
                                                   m.request.property->unit)
                                     : "not known yet",
-        continues(m) ? fmt::format(", continues to ± {:.2g}", wanted_error(m)) : ""));
+        continues(m) ? fmt::format(", continues to ± {:.2g}", required_error(m)) : ""));
   if (!equilibrium) callbacks_.note("  a replica is not in equilibrium yet and continues");
 }
 
