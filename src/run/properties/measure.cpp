@@ -135,7 +135,8 @@ class PointMeasurement {
   /// Whether replicas become longer for a property.
   bool continues(const MeasuredProperty& m) const {
     return m.request.property->measured_in != MeasuredIn::pair &&
-           !(m.value.known == Known::yes && m.obstacle.empty() && m.value.error <= required_error(m));
+           !(m.value.known == Known::yes && m.obstacle.empty() &&
+             m.value.error <= required_error(m));
   }
 
   void leave_out_missing();
