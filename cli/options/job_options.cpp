@@ -39,7 +39,7 @@ void JobOptions::declare_force(Command& command) {
 
 void JobOptions::declare_resume(Command& command) {
   command.add_flag("--resume,--continue", resume,
-                   "resume from the last checkpoint; start if there is none");
+                   "resume from the last checkpoint; start a new run if there is none");
 }
 
 Config JobOptions::config(bool quick) const {

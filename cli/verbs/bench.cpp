@@ -52,10 +52,11 @@ int bench(const Options& o) {
 Action bench_verb(Command& command) {
   auto o = std::make_shared<Options>();
   command.add_flag("--quick", o->quick,
-                   "512 waters only, fewer and shorter repeats: a few seconds");
+                   "measure only 512 waters with fewer and shorter repeats, in a few seconds");
   command.add_request(o->request);
-  command.add_option("--threads", o->threads,
-                     "number of threads, compared with one; default: one for each available core");
+  command.add_option(
+      "--threads", o->threads,
+      "number of threads, compared with a single thread; default: one for each available core");
   command.add_flag("--json", o->json, "print all numbers as JSON");
   o->declare_verbose(command);
   return [o] { return bench(*o); };

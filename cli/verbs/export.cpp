@@ -34,9 +34,10 @@ Action export_verb(Command& command) {
   auto o = std::make_shared<Options>();
   command.add_option("PROGRAM", o->program, "lammps").required();
   o->declare_file(command).required();
-  command.add_option("--pair-style", o->pair_style,
-                     "table: the pair laws as tables; polhode: pair_style polhode of the plugin; "
-                     "polhode-particles: the same with one particle a molecule; default: table");
+  command.add_option(
+      "--pair-style", o->pair_style,
+      "table: the pair laws as tables; polhode: pair_style polhode of the plugin; "
+      "polhode-particles: pair_style polhode with one particle per molecule; default: table");
   command.add_settings();
   o->declare_force(command);
   return [o] { return export_run(*o); };

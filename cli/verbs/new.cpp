@@ -38,8 +38,8 @@ Action new_verb(Command& command) {
       .required();
   command.add_option("FILE", o->file, "file to write; default: KIND.toml");
   command.add_request(o->request);
-  command.add_flag("--nvt", o->nvt, "the same as --ensemble nvt");
-  command.add_flag("--npt", o->npt, "the same as --ensemble npt");
+  command.add_flag("--nvt", o->nvt, "short for --ensemble nvt");
+  command.add_flag("--npt", o->npt, "short for --ensemble npt");
   return [o] { return write_run_file(*o); };
 }
 

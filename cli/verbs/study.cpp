@@ -29,7 +29,7 @@ Action study_verb(Command& command) {
   o->declare(command, "simultaneous runs");
   o->declare_verbose(command);
   command.add_flag("--quick", o->request.quick,
-                   "a small version: one to three minutes on two cores");
+                   "small study, which takes one to three minutes on two cores");
   command.add_settings();
   command.add_request(o->request);
   o->declare_force(command);

@@ -113,7 +113,7 @@ def run(source: Source = None, *, output: Path | None = None, resume: bool = Fal
     Args:
         source, **keywords: as in settings(); the other arguments have precedence.
         output: prefix of the output files, which must not end in /.
-        resume (bool): resume from the last checkpoint; start if there is none.
+        resume (bool): resume from the last checkpoint; start a new run if there is none.
         force (bool): overwrite output files that exist.
         threads (int): number of threads; default: one for each available core.
         progress, messages: see Progress.
@@ -160,8 +160,8 @@ def prepare(source: Source = None, *, pressure: Quantity | None = None, nvt: Qua
     Args:
         source, **keywords: as in settings(); the other arguments have precedence.
         pressure: pressure of the barostat: "1 bar"; without any, the volume is constant.
-        nvt: length of the stage of prepare at constant volume: "20 ps".
-        npt: length of the stage of prepare at constant pressure, if there is a barostat: "100 ps".
+        nvt: length of the constant-volume stage of prepare: "20 ps".
+        npt: length of the constant-pressure stage of prepare, if there is a barostat: "100 ps".
         output, resume, force, threads, progress, messages: as in run().
 
     Returns:

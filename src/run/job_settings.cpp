@@ -28,7 +28,7 @@ constexpr std::array of_run{
     JobSetting{"barostat", "barostat.type", ", none"},
     JobSetting{"pressure", "barostat.pressure",
                "; without a barostat it selects cell-rescaling, and without a thermostat langevin"},
-    JobSetting{"hybrid_steps", "hybrid_monte_carlo.steps", "; 0: none"},
+    JobSetting{"hybrid_steps", "hybrid_monte_carlo.steps", "; 0 switches it off"},
     output};
 constexpr std::array of_prepare{
     precision,

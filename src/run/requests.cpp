@@ -55,9 +55,9 @@ MinimisationSettings MinimisationRequest::settings() const {
 std::vector<RequestOption<ConversionRequest>> ConversionRequest::options() {
   using R = ConversionRequest;
   return {{"particles", &R::particles,
-           "run file with the molecules that the particles of a LAMMPS dump file are"},
+           "run file whose molecules are the particles of a LAMMPS dump file"},
           {"names", &R::names, "file with the atom names, for formats without them: XTC, TRR, DCD"},
-          {"every", &R::every, "interval of the frames that are written; default: 1"},
+          {"every", &R::every, "write every Nth frame; default: 1"},
           {"start", &R::start, "time of the first frame: \"10 ps\"", "from"},
           {"stop", &R::stop, "time of the last frame", "to"}};
 }
@@ -80,11 +80,11 @@ std::vector<RequestOption<AdviceRequest>> AdviceRequest::options() {
           {"temperature_bias", &R::temperature_bias,
            "largest difference between the temperatures of translation and rotation: \"0.5 %\""},
           {"bias", &R::bias,
-           "largest time-step bias of an average: \"0.1 K\" of T_rot - T_trans, \"energy 0.01 "
+           "largest time-step bias of an average: \"0.1 K\" (of T_rot - T_trans), \"energy 0.01 "
            "kJ/mol\", \"pressure 4 bar\", \"density 0.02 %\""},
           {"ensemble", &R::ensemble,
-           "ensemble: nve, or nvt for step and trajectory length of hybrid Monte Carlo; default: "
-           "nve"},
+           "ensemble: nve, or nvt to choose step and trajectory length of hybrid Monte Carlo; "
+           "default: nve"},
           {"evaluations", &R::evaluations,
            fmt::format("force evaluations of each pilot run in the ensemble nvt; default: {}",
                        HybridAdviserSettings{}.evaluations)},
@@ -139,7 +139,7 @@ HybridAdviserSettings AdviceRequest::hybrid_settings(const Config& config,
 std::vector<RequestOption<StudyRequest>> StudyRequest::options() {
   using R = StudyRequest;
   return {{"from_record", &R::from_record,
-           "record of any version from which tables and figure are made, without new runs"},
+           "record (of any version) from which to make the tables and the figure without new runs"},
           {"output", &R::output, "prefix of the output files; default: " + R{}.prefix()}};
 }
 
@@ -151,13 +151,11 @@ std::vector<RequestOption<TuneRequest>> TuneRequest::options() {
   };
   return {
       {"scheme", &R::scheme,
-       "stages with free parameters: \"free b = 0.2; B(b) A(1/2) ...\"; without any the run "
-       "file's, or the families of hoa2 and gier4"},
+       "stages with free parameters: \"free b = 0.2; B(b) A(1/2) ...\"; default: the scheme of the "
+       "run file, or the families of hoa2 and gier4"},
       {"step", &R::step, "time step to tune for: \"5 fs\""},
       {"runs", &R::runs,
-       fmt::format("number of runs for the measurement, and again for the confirmation; "
-                   "default: {}",
-                   d.runs)},
+       fmt::format("number of runs that measure, and of runs that confirm; default: {}", d.runs)},
       {"length", &R::length, with_default("length of each run", d.length)},
       {"decorrelate", &R::decorrelate,
        with_default("equilibration of each initial configuration", d.decorrelate)},
@@ -201,9 +199,9 @@ BenchmarkSettings BenchmarkRequest::settings(bool is_quick, int threads) const {
 
 std::vector<RequestOption<VerificationRequest>> VerificationRequest::options() {
   using R = VerificationRequest;
-  return {
-      {"order", &R::order, "expected order, from 1 to 12; default: as the table of schemes has it"},
-      {"lambda", &R::lambda, "scale of the displacement of a finite-difference gradient"}};
+  return {{"order", &R::order,
+           "expected order, from 1 to 12; default: the order in the table of schemes"},
+          {"lambda", &R::lambda, "scale of the displacement of a finite-difference gradient"}};
 }
 
 int VerificationRequest::expected_order() const {

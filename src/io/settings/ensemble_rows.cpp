@@ -117,19 +117,19 @@ SettingTable thermostat_table() {
   return {
       "thermostat",
       {row("type", type_member(thermostat_of),
-           "thermostat: [friction and noise on every momentum](../theory.md#thermostats), one "
-           "factor "
-           "for all momenta, or one factor each for translation and rotation"),
+           "thermostat: `\"langevin\"` applies [friction and noise](../theory.md#thermostats) to "
+           "every momentum; `\"rescaling\"` applies one factor to all momenta; "
+           "`\"separate-rescaling\"` applies one factor to translation and another to rotation"),
        row("friction", parameter(thermostat_of, &Langevin::friction), per_ps, rate,
-           "friction γ of translation, and of rotation without `rotational_friction`; 0 1/ps is "
-           "constant energy, bit for bit",
+           "friction γ of translation, and of rotation unless `rotational_friction` is given; 0 "
+           "1/ps gives constant energy, bit for bit",
            More{.by = "type", .read = read_friction}),
        row("rotational_friction", parameter(thermostat_of, &Langevin::rotational_friction), per_ps,
            rate, "friction γ of rotation", More{.fallback = "value of `friction`", .by = "type"}),
        row("time_constant",
            parameter(thermostat_of, &Rescaling::time_constant, &SeparateRescaling::time_constant),
-           ps, above(0, "; 0.1 to 1 ps are usual"), "time constant τ of rescaling, at least a step",
-           More{.by = "type"})},
+           ps, above(0, "; 0.1 to 1 ps are usual"),
+           "time constant τ of rescaling, at least one step", More{.by = "type"})},
       [](TomlTable&, Config& config) { config.ensemble.thermostat.emplace(); }};
 }
 
@@ -138,10 +138,10 @@ SettingTable barostat_table() {
   const auto barostat = in_table(&EnsembleSettings::barostat);
   return {"barostat",
           {row("type", type_member(moves_of),
-               "barostat: [stochastic cell rescaling, or moves of random "
+               "barostat: [stochastic cell rescaling, or Monte Carlo moves of random "
                "size](../theory.md#barostats)"),
            row("pressure", barostat(&B::pressure), SettingUnit{Dimension::pressure, "bar", "1 bar"},
-               "pressure of the barostat; may be negative: a liquid under tension, until it "
+               "pressure of the barostat; a negative pressure puts a liquid under tension until it "
                "cavitates",
                More{.fallback = "required"}),
            row("compressibility", barostat(&B::compressibility),
@@ -149,14 +149,16 @@ SettingTable barostat_table() {
                between(1e-7, 10,
                        "; solids have 1e-7 1/bar, liquids 2e-5 to 2e-4 1/bar (water 4.5e-5), a gas "
                        "has 1/pressure"),
-               "isothermal compressibility of the system, estimated: sets the size of moves, not "
-               "the result. The default is the value of water; [prepare](prepare.md) estimates it"),
+               "estimate of the isothermal compressibility, which sets the size of the moves but "
+               "does not change the result. The default is the compressibility of water; "
+               "[prepare](prepare.md) estimates the value for your system"),
            row("every", barostat(&B::every), ps, above(0),
-               "interval between two moves, rounded to whole steps; with hybrid Monte Carlo to "
-               "whole trajectories, which a note states"),
+               "interval between two moves, rounded to whole steps; hybrid Monte Carlo rounds it "
+               "to whole trajectories, and a note says so"),
            row("edges", edges_member(),
-               "edges scaled by one factor, moved in turn: `[\"x\", \"y\", \"z\"]` each by itself, "
-               "for crystals; `[\"z\"]` with a fixed area, for slabs",
+               "groups of edges; each move scales one group, and the groups take turns. `[\"x\", "
+               "\"y\", \"z\"]` scales each edge separately (for crystals), and `[\"z\"]` keeps the "
+               "area fixed (for slabs)",
                More{.domain = "list of groups of x, y and z",
                     .fallback = "`[\"xyz\"]`",
                     .read = read_edges,
@@ -174,12 +176,13 @@ SettingTable barostat_table() {
 SettingTable hybrid_monte_carlo_table() {
   using H = HybridMonteCarloSettings;
   const auto hybrid = in_table(&EnsembleSettings::hybrid_monte_carlo);
-  return {"hybrid_monte_carlo",
-          {row("steps", hybrid(&H::steps), between(1, 1e6, "; 5 to 50 are usual"),
-               "steps of each trajectory, between two decisions"),
-           row("refresh", hybrid(&H::refresh), SettingUnit{Dimension::fraction, "%"},
-               above_to(0, 100), "part of the momenta that is drawn again for each trajectory")},
-          [](TomlTable&, Config& config) { config.ensemble.hybrid_monte_carlo.emplace(); }};
+  return {
+      "hybrid_monte_carlo",
+      {row("steps", hybrid(&H::steps), between(1, 1e6, "; 5 to 50 are usual"),
+           "number of steps of a trajectory, between two acceptance decisions"),
+       row("refresh", hybrid(&H::refresh), SettingUnit{Dimension::fraction, "%"}, above_to(0, 100),
+           "fraction of the momenta that is drawn again for each trajectory")},
+      [](TomlTable&, Config& config) { config.ensemble.hybrid_monte_carlo.emplace(); }};
 }
 
 double default_compressibility() { return 4.5e-5 * unit("1/bar", Dimension::compressibility); }

@@ -115,26 +115,26 @@ SettingTable forces_table() {
       "forces",
       {row("truncation", forces(&ForceSettings::truncation),
            "[cutoff treatment](../theory.md#cutoff-treatment)",
-           More{.fallback = "`\"molecule-switch\"`; with `\"pme\"` and `\"damped-shifted-force\"` "
-                            "`\"site-switch\"`, for short-range laws only",
+           More{.fallback = "`\"molecule-switch\"`; `\"pme\"` and `\"damped-shifted-force\"` use "
+                            "`\"site-switch\"` for the short-range laws",
                 .read = read_truncation}),
        row("electrostatics", forces(&ForceSettings::electrostatics),
-           "[electrostatic interactions](../theory.md#cutoff-treatment); `\"pme\"`: [with all "
-           "periodic images](../theory.md#electrostatics-of-a-periodic-box), on a mesh chosen for "
-           "the accuracy",
-           More{.fallback = "`\"coulomb\"`; with a site-based truncation `\"reaction-field\"`"}),
+           "treatment of [electrostatic interactions](../theory.md#cutoff-treatment); `\"pme\"` "
+           "includes [all periodic images](../theory.md#electrostatics-of-a-periodic-box), on a "
+           "mesh chosen for `pme_accuracy`",
+           More{.fallback = "`\"coulomb\"`; `\"reaction-field\"` if the truncation is site-based"}),
        row("cutoff", forces(&ForceSettings::cutoff), nm, in_library(above(0)),
-           "cutoff of the pairs, between centres of mass or between sites; at most half the "
-           "shortest box edge",
+           "cutoff distance between centres of mass or between sites; at most half the shortest "
+           "box edge",
            More{.read = read_cutoff}),
        row("switch", forces(&ForceSettings::switch_from), nm, in_library(above(0)),
-           "switching distance, where the switching function begins, shorter than the cutoff; not "
-           "used by `site-shift`",
+           "distance at which the switching function begins, shorter than the cutoff; `site-shift` "
+           "does not use it",
            More{.fallback = "0.85 of the cutoff"}),
        row("smoothness", forces(&ForceSettings::smoothness), in_library(between(1, 3)),
            "number of continuous derivatives of the switching function"),
        row("skin", forces(&ForceSettings::skin), nm, in_library(above(0)),
-           "skin of the neighbour list; affects the speed, and the results only by rounding"),
+           "skin of the neighbour list; affects the speed, and changes results only by rounding"),
        row("dielectric", only(reaction_field, &ForceSettings::dielectric), in_library(from(1)),
            "relative permittivity outside the cutoff, for the reaction field; may be "
            "`\"infinite\"`",
@@ -144,26 +144,25 @@ SettingTable forces_table() {
        row("damping", only(damped_shifted_force, &ForceSettings::damping),
            SettingUnit{Dimension::inverse_length, "1/nm"}, in_library(from(0)),
            "α of the [damped shifted force](../theory.md#cutoff-treatment), at most 3 / cutoff; "
-           "`smoothness` sets its smoothness at the cutoff",
+           "`smoothness` sets the smoothness of this force at the cutoff",
            More{.by = "electrostatics"}),
        row("pme_accuracy", only(pme, &ForceSettings::pme_accuracy), in_library(between(1e-7, 0.1)),
            "relative force error of `\"pme\"`: the rms error of electrostatic forces divided by "
-           "the rms force typical of such charges in a liquid; in mixed precision from 1e-5",
+           "the rms force typical of such charges in a liquid; at least 1e-5 in mixed precision",
            More{.by = "electrostatics"}),
        row("coulomb_cutoff", only(pme, &ForceSettings::coulomb_cutoff),
            SettingUnit{Dimension::length, "nm", "0.8 nm"}, in_library(above(0)),
            "distance up to which `\"pme\"` sums pairs of charges, at most half the shortest box "
-           "edge; `cutoff` is for the short-range laws",
+           "edge; `cutoff` applies to the short-range laws",
            More{.fallback = "chosen with the mesh", .by = "electrostatics", .not_set = "chosen"}),
        row("dispersion_correction", forces(&ForceSettings::dispersion_correction),
-           "adds the energy and pressure of the short-range laws that the truncation removes; not "
-           "with `\"site-shift\"`, nor with tabulated laws"),
+           "adds the energy and pressure that the truncation of the short-range laws removes; not "
+           "available with `\"site-shift\"` or tabulated laws"),
        row("mixing", mixing, "mixing rule of [σ and ε of unlike sites](#pair)"),
        row("precision", forces(&ForceSettings::precision),
-           "precision [of the pair interactions](../theory-forces.md#precision); all else is "
-           "double. "
-           "Mixed is as good as double down to [R = 0.01 "
-           "%](../precision.md)")},
+           "precision [of the pair interactions](../theory-forces.md#precision); everything else "
+           "is in double precision. Mixed precision is as good as double precision down to [R = "
+           "0.01 %](../precision.md)")},
       check_mixing,
       check_forces};
 }

@@ -107,8 +107,8 @@ SettingTable integrator_table() {
   return {
       "integrator",
       {row("scheme", integrator(&I::scheme),
-           "splitting [scheme](schemes.md) by name or stages, or two schemes for [multiple time "
-           "steps](schemes.md#multiple-time-steps)",
+           "splitting [scheme](schemes.md), given by name or stages, or two schemes for [multiple "
+           "time steps](schemes.md#multiple-time-steps)",
            More{.read = read_scheme}),
        row("step", integrator(&I::step), fs, above(0), "time step h"),
        row("accuracy", SettingUnit{Dimension::fraction, "%", "0.5 %"},
@@ -120,19 +120,20 @@ SettingTable integrator_table() {
                                  "the fluctuation of the potential energy"},
            "upper bound on R, or on [the bias of an average](advise.md#requirements): the "
            "[adviser](advise.md#in-a-run-file) chooses the step, and the scheme if none is given; "
-           "excludes `step`",
+           "cannot be combined with `step`",
            More{.domain = "0 % < fraction < 100 %; or `\"0.1 K\"`, `\"energy 0.01 kJ/mol\"`, "
                           "`\"pressure 4 bar\"`, `\"density 0.02 %\"`",
                 .read = read_accuracy,
                 .kinds = {SettingKind::text, SettingKind::quantity}}),
        row("candidates", integrator(&I::candidates),
-           "schemes from which the [adviser](advise.md) chooses, also nested ones; by default "
-           "those that are cheapest at some R [for liquids](../all-schemes.md)",
+           "schemes from which the [adviser](advise.md) chooses, which may be nested; the default "
+           "schemes are the cheapest at some R [for liquids](../all-schemes.md)",
            More{.read = read_schemes, .free = true}),
        row("lambda", integrator(&I::lambda),
            above_to(0, 1, ": it scales the displacement of the finite difference"),
-           "displacement of gradient kicks [by finite difference](../theory-forces.md#precision), "
-           "`gier4-fd`, at least 0.1 in mixed precision; exact gradient kicks do not use it",
+           "displacement of [finite-difference gradient kicks](../theory-forces.md#precision), as "
+           "in `gier4-fd`, at least 0.1 in mixed precision; exact gradient kicks do not use "
+           "`lambda`",
            More{.fallback = "1e-4; 1 in mixed precision"})}};
 }
 
@@ -142,27 +143,30 @@ SettingTable run_table() {
   return {
       "run",
       {row("minimise", run(&R::minimise),
-           "[minimises the energy](minimise.md) of the initial configuration before all else, to "
-           "its default bounds; molecules of the initial configuration may then overlap"),
+           "[minimises the energy](minimise.md) of the initial configuration before anything else, "
+           "with the default bounds of `polhode minimise`; the molecules may then overlap "
+           "initially"),
        row("equilibrate", run(&R::equilibrate), SettingUnit{Dimension::time, "ps", "5 ps"},
            equilibration, "length of the equilibration before the run, with velocity rescaling"),
        row("length", run(&R::length), ps, above(0),
-           "length of the run, rounded to whole steps, at least one", More{.free = true}),
+           "length of the run, rounded to whole steps, at least one step", More{.free = true}),
        row("sample", run(&R::sample), fs, above(0),
-           "interval between energies, rounded down to whole steps, at least one"),
+           "interval between samples of the energies, rounded down to whole steps, at least one "
+           "step"),
        row("shadow_sample", run(&R::shadow_sample), SettingUnit{Dimension::time, "fs", "100 fs"},
            from(0, "; 0 fs means no shadow energy"),
            "interval between values of the [shadow energy](../theory.md#the-shadow-energy), "
-           "rounded down to whole samples; 0 fs: none. For schemes of order 2 without an inner "
-           "scheme, at constant energy or with the rescaling thermostat",
+           "rounded down to whole samples; 0 fs switches it off. The shadow energy requires a "
+           "scheme of order 2 without an inner scheme, and constant energy or the rescaling "
+           "thermostat",
            More{.fallback = "100 steps; none for schemes without a shadow energy",
                 .not_set = "default"}),
        row("configurational_sample", run(&R::configurational_sample),
            SettingUnit{Dimension::time, "fs", "20 fs"},
            from(0, "; 0 fs means no configurational temperature"),
            "interval between values of the [configurational "
-           "temperatures](../theory.md#equipartition), rounded down to whole samples; 0 fs: none. "
-           "For any scheme, at about two force evaluations each")}};
+           "temperatures](../theory.md#equipartition), rounded down to whole samples; 0 fs "
+           "switches them off. Each value costs about two force evaluations, with any scheme")}};
 }
 
 SettingTable prepare_table() {
@@ -170,10 +174,9 @@ SettingTable prepare_table() {
   return {
       "prepare",
       {row("nvt", prepare(&PreparationSettings::nvt), ps, equilibration,
-           "length of the stage of [prepare](prepare.md) at constant volume", More{.free = true}),
+           "length of the constant-volume stage of [prepare](prepare.md)", More{.free = true}),
        row("npt", prepare(&PreparationSettings::npt), ps, equilibration,
-           "length of the stage of [prepare](prepare.md) at constant pressure, if there is a "
-           "barostat",
+           "length of the constant-pressure stage of [prepare](prepare.md), if there is a barostat",
            More{.free = true})}};
 }
 
@@ -182,15 +185,16 @@ SettingTable output_table() {
   const auto output = in(&Config::output);
   return {"output",
           {row("prefix", output(&O::prefix),
-               "prefix of the output files, which must not end in `/`; relative to the working "
-               "directory",
+               "prefix of the output files, which must not end in `/`; its folder is relative to "
+               "the working directory",
                More{.read = read_prefix, .free = true}),
            row("trajectory_every", output(&O::trajectory_every), ps,
                from(0, "; 0 ps means no trajectory"),
-               "interval between frames; 0 ps: none. Frames are written at samples of the "
-               "energies, the first after each interval, so give a multiple of `sample`"),
+               "interval between frames; 0 ps writes no trajectory. A frame is written at the "
+               "first energy sample after each interval, so give a multiple of `sample`"),
            row("formats", output(&O::formats),
-               "[formats](formats.md) of the trajectory, each by its extension; one file each",
+               "[formats](formats.md) of the trajectory, given by their extensions; each format "
+               "has its own file",
                More{.domain = "list of [formats](formats.md)", .read = read_formats}),
            row("massless_sites", output(&O::massless_sites),
                "whether the trajectory includes massless sites, such as M of TIP4P"),
@@ -200,7 +204,7 @@ SettingTable output_table() {
                More{.free = true}),
            row("checkpoint_every", output(&O::checkpoint_every),
                SettingUnit{Dimension::wall_clock, "min"}, above(0),
-               "interval between [checkpoints](checkpoints.md), in wall-clock time; one is always "
+               "wall-clock interval between [checkpoints](checkpoints.md); a checkpoint is also "
                "written at the start, on interrupt and at the end",
                More{.free = true})}};
 }
@@ -208,31 +212,32 @@ SettingTable output_table() {
 SettingTable study_table() {
   using S = StudySettings;
   const auto study = in(&Config::study);
-  return {"study",
-          {row("ensemble", study(&S::ensemble),
-               "accuracy measured as R, or as the bias of [canonical "
-               "averages](study.md#canonical-averages)",
-               More{.free = true}),
-           row("schemes", study(&S::schemes),
-               "schemes to compare, also nested ones; [your own](schemes.md#schemes-of-your-own) "
-               "may have a name, `\"mine: B(1/6) A(1/2) ...\"`",
-               More{.read = read_schemes, .free = true}),
-           row("steps", SettingUnit{Dimension::time, "fs", "2 fs"}, above(0), "time steps",
-               More{.domain = "list of times > 0 fs",
-                    .fallback = "a ladder per scheme",
-                    .read = read_steps,
-                    .kinds = {SettingKind::texts}}),
-           row("runs", study(&S::runs), between(2, 1e6, ", for an error bar"),
-               "independent runs at each point", More{.free = true}),
-           row("length", study(&S::length), ps, above(0), "length of each run", More{.free = true}),
-           row("decorrelate", study(&S::decorrelate), ps, equilibration,
-               "equilibration of each initial configuration after drawing new momenta",
-               More{.free = true}),
-           row("configurational_sample", study(&S::configurational_sample),
-               SettingUnit{Dimension::time, "fs", "20 fs"},
-               from(0, "; 0 fs means no configurational temperature"),
-               "interval between values of the configurational temperatures; 0 fs: none",
-               More{.free = true})}};
+  return {
+      "study",
+      {row("ensemble", study(&S::ensemble),
+           "measure of accuracy, R or the bias of [canonical "
+           "averages](study.md#canonical-averages)",
+           More{.free = true}),
+       row("schemes", study(&S::schemes),
+           "schemes to compare, which may be nested; a [scheme of your "
+           "own](schemes.md#schemes-of-your-own) can be named, as in `\"mine: B(1/6) A(1/2) ...\"`",
+           More{.read = read_schemes, .free = true}),
+       row("steps", SettingUnit{Dimension::time, "fs", "2 fs"}, above(0), "time steps",
+           More{.domain = "list of times > 0 fs",
+                .fallback = "a ladder per scheme",
+                .read = read_steps,
+                .kinds = {SettingKind::texts}}),
+       row("runs", study(&S::runs), between(2, 1e6, ", for an error bar"),
+           "number of independent runs at each point", More{.free = true}),
+       row("length", study(&S::length), ps, above(0), "length of each run", More{.free = true}),
+       row("decorrelate", study(&S::decorrelate), ps, equilibration,
+           "length of the equilibration of each initial configuration after drawing new momenta",
+           More{.free = true}),
+       row("configurational_sample", study(&S::configurational_sample),
+           SettingUnit{Dimension::time, "fs", "20 fs"},
+           from(0, "; 0 fs means no configurational temperature"),
+           "interval between values of the configurational temperatures; 0 fs switches them off",
+           More{.free = true})}};
 }
 
 }  // namespace polhode

@@ -258,14 +258,14 @@ SettingTable system_table() {
   return {
       "system",
       {row("molecules",
-           "the contents of the system, in the order of the atoms of the initial configuration",
+           "molecules of the system, in the order of the atoms of the initial configuration",
            More{.domain = "list of `{ model, count }`",
                 .fallback = "required",
                 .read = read_by_table,
                 .kinds = {SettingKind::tables}}),
        row("topology", topology(&TopologySettings::file),
-           "path of a [GROMACS](gromacs.md) topology or [LAMMPS](lammps.md) data file, instead of "
-           "`molecules`",
+           "path of a [GROMACS](gromacs.md) topology or a [LAMMPS](lammps.md) data file, which "
+           "replaces `molecules`",
            More{.read = read_by_table, .free = true}),
        row("include", topology(&TopologySettings::include),
            "folders that are searched for the files of a [GROMACS topology](gromacs.md)",
@@ -278,22 +278,23 @@ SettingTable system_table() {
            "are flexible",
            More{.read = read_topology_list, .free = true}),
        row("initial_configuration", system(&S::initial_configuration),
-           "`\"w512\"`, or path of a file in any [format](formats.md) with atom names: initial "
-           "configuration with its box; its velocities are used if it has any, without the [motion "
-           "of the centre of mass](../theory.md#the-centre-of-mass)",
+           "initial configuration and its box: `\"w512\"`, or the path of a file in any "
+           "[format](formats.md) with atom names. Velocities in the file are used, without the "
+           "[motion of the centre of mass](../theory.md#the-centre-of-mass)",
            More{.fallback = "lattice", .read = read_by_table, .free = true}),
        row("checkpoint", system(&S::checkpoint),
-           "path of a [checkpoint](checkpoints.md) with the state of the initial configuration to "
-           "the last bit, as [prepare](prepare.md) writes it",
+           "path of a [checkpoint](checkpoints.md), written by [prepare](prepare.md), that "
+           "contains the initial state to the last bit",
            More{.read = read_checkpoint_key, .free = true}),
        row("density", system(&S::density), SettingUnit{Dimension::density, "g/cm3", "1 g/cm3"},
            above_to(
                0, 22.6,
                ", the density of osmium, the densest element; is it in kg/m3? Water has 1 g/cm3"),
-           "density of a lattice in a cubic box; excludes `box` and `initial_configuration`",
+           "density of a lattice in a cubic box; cannot be combined with `box` or "
+           "`initial_configuration`",
            More{.free = true}),
        row("box", SettingUnit{Dimension::length, "nm", "2.5 nm"}, above(0),
-           "box edges of a lattice; excludes `density`",
+           "box edges of a lattice; cannot be combined with `density`",
            More{.domain = "length, or list of three, > 0",
                 .read = read_box,
                 .kinds = {SettingKind::quantity, SettingKind::texts}}),
@@ -301,14 +302,14 @@ SettingTable system_table() {
            "`\"new\"` draws momenta at `temperature` with `seed` even if the initial configuration "
            "has velocities",
            More{.domain = "`\"from file\"`, `\"new\"`",
-                .fallback = "from the file if it has some",
+                .fallback = "`\"from file\"` if the file contains velocities",
                 .read = read_velocities}),
        row("temperature", system(&S::temperature), SettingUnit{Dimension::temperature, "K"},
            from(0),
-           "temperature for drawing momenta, for equilibration, and of a thermostat; 0 K with a "
-           "thermostat only"),
+           "temperature of drawn momenta, of the equilibration and of the thermostat; 0 K requires "
+           "a thermostat"),
        row("seed", system(&S::seed), from(0),
-           "seed of the positions, orientations and momenta of a lattice, and of drawn momenta")},
+           "random seed for the lattice (positions, orientations) and for drawn momenta")},
       read_contents,
       [](TomlTable& table, Config& config) { check_extent(table, config.system); }};
 }

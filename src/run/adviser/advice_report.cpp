@@ -36,23 +36,24 @@ Quantities of_point(const Candidate& candidate, const AdviserPoint& point) {
       {"step", "fs", point.step * units::fs_per_ps, "time step"},
       {"length", "ps", point.length, "length of each run"},
       {"runs", "", point.runs.size(), "number of independent runs"},
-      {"blew_up", "", !there, "whether one of them blew up", "", "", "-"},
-      {"usable", "", point.usable, "whether no run blew up and the energy does not drift"},
+      {"blew_up", "", !there, "whether one of the runs blew up", "", "", "-"},
+      {"usable", "", point.usable, "whether no run blew up and no energy drift was found"},
       {"R", "", R,
-       "rms fluctuation of the total energy over the fluctuation of the potential; `R_error`: its "
-       "standard error"},
+       "rms fluctuation of the total energy, divided by the rms fluctuation of the potential "
+       "energy; `R_error` is the standard error"},
       {"drift_per_molecule", "kJ/mol/ns", in_kJ_per_ns(drift.value), "energy drift per molecule"},
-      {"drift_error", "[kJ/mol/ns]", in_kJ_per_ns(drift.error), "its standard error"},
+      {"drift_error", "[kJ/mol/ns]", in_kJ_per_ns(drift.error),
+       "standard error of the energy drift"},
       {"bound", "", there ? point.bound : std::nan(""),
-       "bound on the required quality that a new run meets"}};
+       "upper bound that the required quantity of a new run is guaranteed to meet"}};
   Quantities biases;
   for (std::size_t k = 0; there && k < kinds.size(); ++k)
     if (const Estimate bias = point.bias(k); bias.error != 0)
       biases.push_back({kinds[k], "", nested(bias)});
   if (!biases.empty())
     list.push_back({"temperature_bias", "", biases,
-                    "relative differences between the temperatures of `translation`, `rotation_1`, "
-                    "... and of all degrees of freedom"});
+                    "temperatures of `translation`, `rotation_1`, ..., each as a relative "
+                    "difference from the temperature of all degrees of freedom"});
   append(list, excesses(efficiency_point(candidate, point)));
   list.push_back({"R_rounding", "", there ? point.max_rounding() : std::nan(""),
                   "estimated round-off limit of R", "", "", "-"});
@@ -75,17 +76,17 @@ Quantities of_candidate(const Candidate& candidate) {
   const bool has_step = candidate.step > 0, timed = candidate.seconds > 0;
   const double fs = candidate.step * units::fs_per_ps;
   const double cost = has_step ? candidate.scheme.cost() / candidate.step : 0;
-  return {
-      {"scheme", "", candidate.name, "name of the scheme, or its stages", "scheme"},
-      {"text", "", text_of(candidate.scheme), "its stages as text"},
-      {"step", "fs", fs, "expected to meet the bound; 0: there is none"},
-      {"", "fs", has_step ? Value(fs) : Value(), "", "step"},
-      {has_step ? "force_evaluations" : "", "1/ps", has_step ? Value(cost) : Value(),
-       "cost with this step", "forces"},
-      {"ns_per_day", "", candidate.ns_per_day(), "speed with this step; 0: not measured"},
-      {"", "", timed ? Value(candidate.ns_per_day()) : Value(), "", "ns/day"},
-      {candidate.obstacle.empty() ? "" : "obstacle", "",
-       candidate.obstacle.empty() ? Value() : Value(candidate.obstacle), "why there is no step"}};
+  return {{"scheme", "", candidate.name, "name of the scheme, or its stages", "scheme"},
+          {"text", "", text_of(candidate.scheme), "stages of the scheme as text"},
+          {"step", "fs", fs, "step that is expected to meet the bound; 0 if there is none"},
+          {"", "fs", has_step ? Value(fs) : Value(), "", "step"},
+          {has_step ? "force_evaluations" : "", "1/ps", has_step ? Value(cost) : Value(),
+           "force evaluations per ps with this step", "forces"},
+          {"ns_per_day", "", candidate.ns_per_day(), "speed with this step; 0 if not measured"},
+          {"", "", timed ? Value(candidate.ns_per_day()) : Value(), "", "ns/day"},
+          {candidate.obstacle.empty() ? "" : "obstacle", "",
+           candidate.obstacle.empty() ? Value() : Value(candidate.obstacle),
+           "reason why there is no step"}};
 }
 
 std::vector<Quantities> candidate_records(const Advice& advice) {
@@ -94,7 +95,7 @@ std::vector<Quantities> candidate_records(const Advice& advice) {
     records.push_back(of_candidate(candidate));
     std::vector<Quantities> points;
     for (const AdviserPoint& point : candidate.points) points.push_back(of_point(candidate, point));
-    append(records.back(), {{"points", "", points, "exploratory runs with one step"},
+    append(records.back(), {{"points", "", points, "exploratory runs at each step"},
                             row("R % at the steps tried", tried_steps(candidate))});
   }
   return records;
@@ -105,7 +106,7 @@ std::vector<Quantities> point_records(
     const Advice& advice, const std::vector<std::pair<std::size_t, AdviserPoint>>& sets) {
   std::vector<Quantities> records;
   for (const auto& [c, point] : sets) {
-    records.push_back({{"scheme", "", advice.candidates[c].name, "the scheme"}});
+    records.push_back({{"scheme", "", advice.candidates[c].name, "name of the scheme"}});
     append(records.back(), of_point(advice.candidates[c], point));
   }
   return records;
@@ -204,8 +205,9 @@ Quantities of_best(const AdviceReport& r) {
   Quantities list = without_labels(of_candidate(best));
   append(
       list,
-      {{"confirmation", "", of_point(best, p), "independent runs with the answer"},
-       {"reached_over_asked", "", p.bound / criterion.bound, "the bound met over the required one"},
+      {{"confirmation", "", of_point(best, p), "independent runs with the advised scheme and step"},
+       {"reached_over_asked", "", p.bound / criterion.bound,
+        "bound that was met, divided by the required bound"},
        row("R", fmt::format("{}, mean of {} independent runs of {:.3g} ps", percent(p.ratio()),
                             p.runs.size(), p.length)),
        row(of_R ? "a new run" : std::string(name.substr(0, name.find(" of "))),
@@ -246,11 +248,12 @@ Quantities of_criterion(const Criterion& criterion) {
                      : criterion.quality == Quality::energy_bias            ? "kJ/mol per molecule"
                      : criterion.quality == Quality::pressure_bias          ? "kJ/mol/nm3"
                                                                             : "";
-  return {{"quality", "", std::string(name_of(criterion.quality)), "what is bounded"},
-          {"requested", "", drift ? in_kJ_per_ns(criterion.bound) : criterion.bound,
-           "the required bound"},
-          {*unit == 0 ? "" : "unit", "", *unit == 0 ? Value() : Value(unit), "its unit"},
-          {"probability", "", guarantee_probability, "with which a new run meets a bound"}};
+  return {
+      {"quality", "", std::string(name_of(criterion.quality)), "quantity that is bounded"},
+      {"requested", "", drift ? in_kJ_per_ns(criterion.bound) : criterion.bound, "required bound"},
+      {*unit == 0 ? "" : "unit", "", *unit == 0 ? Value() : Value(unit), "unit of the bound"},
+      {"probability", "", guarantee_probability,
+       "probability with which a new run meets the bound"}};
 }
 
 void write_advice(const AdviceReport& report, const Provenance& provenance,
@@ -305,22 +308,24 @@ Quantities quantities(const AdviceReport& r) {
   Quantities list = of_criterion(r.criterion);
   append(list, {{"interrupted", "", advice.stopped, "whether the search was suspended"},
                 {"threads", "", r.threads, "number of simultaneous runs"},
-                detail({"candidates", "", candidate_records(advice), "the schemes", "candidates"}),
+                detail({"candidates", "", candidate_records(advice), "schemes that were compared",
+                        "candidates"}),
                 {"refused", "", point_records(advice, advice.refused),
-                 "runs that were to confirm an answer, and did not"},
+                 "runs that did not confirm an answer"},
                 {"surpassed", "", point_records(advice, advice.surpassed),
                  "runs that confirmed an answer before a better one was found"}});
   append(list, obstacles(r));
   if (advice.best)
-    list.push_back({"best", "", of_best(r), "the answer",
+    list.push_back({"best", "", of_best(r), "advised scheme and step",
                     fmt::format("for {} use {} at {:.3g} fs", description(r.criterion),
                                 advice.candidates[*advice.best].name,
                                 advice.confirmation.step * units::fs_per_ps)});
   else
-    append(list, {{"best", "", {}},
-                  {"obstacle", "", unreachable(advice, r.criterion), "why there is no answer"}});
+    append(list,
+           {{"best", "", {}},
+            {"obstacle", "", unreachable(advice, r.criterion), "reason why there is no answer"}});
   append(list, of_others(advice));
-  list.push_back({"runner_up", "", {}, "the second-best, not confirmed"});
+  list.push_back({"runner_up", "", {}, "second-best scheme and step, not confirmed"});
   if (advice.runner_up)
     list.back().value = without_labels(of_candidate(advice.candidates[*advice.runner_up]));
   append(list, limits(equipartition(curves(advice))));

@@ -113,13 +113,14 @@ std::vector<RequestOption<Request>> Request::options() {
   const AnalysisSettings defaults;
   const std::string in_ps = fmt::format("{:g} ps", defaults.window);
   return {
-      {"run", &Request::run, "run file of the trajectory, for its molecules and electrostatics"},
+      {"run", &Request::run,
+       "run file of the trajectory, which gives molecules and electrostatics"},
       {"energies", &Request::energies,
-       "energies file of the run, for the time-step bias in g(r) and the dielectric constant; "
-       "needs the run file"},
+       "energies file of the run, for the time-step bias of g(r) and the dielectric constant; "
+       "requires --run"},
       {"molecules", &Request::molecules,
-       "models and counts, instead of a run file: \"tip4p 512, na-tip4p-ew 4\", in the order of "
-       "the file"},
+       "models and counts in the order of the file, instead of a run file: \"tip4p 512, "
+       "na-tip4p-ew 4\""},
       {"names", &Request::names, "coordinate file with the atom names, for formats without them"},
       {"what", &Request::what,
        fmt::format("observables: {}; default: all that the frames allow",
@@ -146,9 +147,9 @@ std::vector<RequestOption<Request>> Request::options() {
       {"temperature", &Request::temperature,
        "temperature, \"298 K\"; default: the temperature of the velocities, or of the run file"},
       {"electrostatics", &Request::electrostatics,
-       fmt::format(
-           "electrostatics, instead of the run file's: pme, reaction-field (of {:g}), coulomb",
-           ForceSettings{}.dielectric)},
+       fmt::format("electrostatics that replaces the setting of the run file: pme, reaction-field "
+                   "(of {:g}), coulomb",
+                   ForceSettings{}.dielectric)},
       {"plot", &Request::plot,
        fmt::format("format of figures: {}; default: {}", fmt::join(plot_formats, ", "),
                    AnalysisInput{}.plot)}};

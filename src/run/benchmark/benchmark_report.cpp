@@ -62,7 +62,7 @@ Quantities of_limit(const Limit& l) {
   };
   return {{"precision", "", std::string(name_of(l.precision)), "precision of pair interactions",
            "precision"},
-          {"lanes", "", l.lanes, "numbers in a pack", "lanes"},
+          {"lanes", "", l.lanes, "number of lanes of a SIMD vector", "lanes"},
           {"multiply_adds_per_ns", "", l.multiply_adds, "", "multiply-adds/ns"},
           {"pair_ns", "",
            Quantities{{"forces", "", pair(l.forces, "pair", "switched")},
@@ -72,19 +72,22 @@ Quantities of_limit(const Limit& l) {
 
 Quantities of_evaluation(const EvaluationTiming& e, int threads) {
   constexpr double us = units::us_per_s;
-  return {{"cutoff", "nm", 0.9, "cutoff"},
-          {"switch", "nm", e.switch_from, "begin of the switch", "switch"},
-          {"pairs", "", e.pairs, "number of pairs of molecules within the cutoff", "pairs"},
-          {"forces_us", "", of_timing(e.forces, us, "forces", "[us]"), "time of the forces"},
-          {"energies_us", "", of_timing(e.energies, us, "and energies", "[us]"),
-           "time of forces and energies"},
-          {"arithmetic_us", "[us]", us * e.arithmetic / threads,
-           "time of the bare arithmetic of the pairs", "arithmetic"},
-          {"energy_arithmetic_us", "", us * e.energy_arithmetic / threads, "with energies"},
-          {"share_of_limit", "", share(e, threads), "arithmetic relative to forces", "share"},
-          {"fill", "", e.fill, "part of the lanes in use", "fill"},
-          {"list_us", "", of_timing(e.list, us, "list build", "[us]"),
-           "time to build the neighbour list"}};
+  return {
+      {"cutoff", "nm", 0.9, "cutoff"},
+      {"switch", "nm", e.switch_from, "distance at which the switching function begins", "switch"},
+      {"pairs", "", e.pairs, "number of pairs of molecules within the cutoff", "pairs"},
+      {"forces_us", "", of_timing(e.forces, us, "forces", "[us]"), "time of the forces"},
+      {"energies_us", "", of_timing(e.energies, us, "and energies", "[us]"),
+       "time of forces and energies"},
+      {"arithmetic_us", "[us]", us * e.arithmetic / threads,
+       "time for only the arithmetic of the pairs", "arithmetic"},
+      {"energy_arithmetic_us", "", us * e.energy_arithmetic / threads,
+       "time for only the arithmetic of the pairs, with energies"},
+      {"share_of_limit", "", share(e, threads),
+       "time of the arithmetic, divided by the time of the forces", "share"},
+      {"fill", "", e.fill, "fraction of the lanes in use", "fill"},
+      {"list_us", "", of_timing(e.list, us, "list build", "[us]"),
+       "time to build the neighbour list"}};
 }
 
 Quantities of_step(const StepTiming& t) {
@@ -100,9 +103,10 @@ Quantities of_step(const StepTiming& t) {
   return {{"scheme", "", t.scheme, "scheme", "scheme"},
           {"step", "fs", units::fs_per_ps * t.step, "time step", "step"},
           {"step_us", "", of_timing(t.all, units::us_per_s, "a step", "[us]"), "time of a step"},
-          {"parts_us", "", parts, "its parts"},
-          {"non_force_share", "", non_force_share(t), "part that is not forces"},
-          {"rebuilds_per_step", "", t.rebuilds, "rebuilds of the neighbour list"},
+          {"parts_us", "", parts, "time of each part of a step"},
+          {"non_force_share", "", non_force_share(t),
+           "fraction of the time that is not spent on forces"},
+          {"rebuilds_per_step", "", t.rebuilds, "number of neighbour-list rebuilds per step"},
           {"ns_per_day", "", t.ns_per_day(), "speed", "ns/day"}};
 }
 
@@ -131,7 +135,7 @@ Quantities of_systems(const std::vector<SystemTiming>& systems) {
     append(all.back(), {{"evaluations", "", own_evaluations, "timings of a force evaluation"},
                         {"steps", "", own_steps, "timings of a step"}});
   }
-  return {{"systems", "", all, "timings"},
+  return {{"systems", "", all, "timings of each system"},
           detail({"", "", evaluations, "", "a force evaluation, cutoff 0.9 nm"}),
           detail({"", "", steps, "", "a step and its parts"})};
 }
@@ -209,7 +213,7 @@ Quantities quantities(const Benchmark& b, const Computer& computer) {
       detail({"limits", "", limits, "speed of one core", "one core, best of all repeats"})};
   append(list, of_systems(b.systems));
   append(list, {{"spread", "", b.spread(), "largest spread of the repeats"},
-                {"verdict", "", verdict(b), "what the numbers mean", "verdict"}});
+                {"verdict", "", verdict(b), "meaning of the numbers", "verdict"}});
   return list;
 }
 

@@ -50,12 +50,13 @@ Quantity of_quantity(const CanonicalPoint& p, std::size_t k) {
     return e ? Value(nested(*e)) : Value();
   };
   return {q.name, "",
-          Quantities{{"mean", "", value(p.mean[k]), "mean over the runs"},
-                     {"bias", "", value(p.bias[k]), "bias of the mean"},
-                     {"", unit, known(p.mean[k]), "", "", "", column},
-                     {"", unit, known(p.bias[k]), "", q.label, mark_on(p, k), column + "_bias"},
-                     {"accuracy", "", verdict(BiasCriterion::strict), "by the strict bound"},
-                     {"loose_accuracy", "", verdict(BiasCriterion::loose), "by the loose bound"}}};
+          Quantities{
+              {"mean", "", value(p.mean[k]), "mean over the runs"},
+              {"bias", "", value(p.bias[k]), "bias of this mean"},
+              {"", unit, known(p.mean[k]), "", "", "", column},
+              {"", unit, known(p.bias[k]), "", q.label, mark_on(p, k), column + "_bias"},
+              {"accuracy", "", verdict(BiasCriterion::strict), "verdict by the strict bound"},
+              {"loose_accuracy", "", verdict(BiasCriterion::loose), "verdict by the loose bound"}}};
 }
 
 Quantities of_point(const CanonicalPoint& p) {
@@ -66,14 +67,16 @@ Quantities of_point(const CanonicalPoint& p) {
     by_name.push_back(of_quantity(p, k));
   return {{"scheme", "", p.method.name, "name of the scheme, or its stages", "scheme"},
           {"step", "fs", p.method.step * units::fs_per_ps, "time step", "step"},
-          {"force_evaluations", "1/ps", p.method.cost(), "cost", "cost", "", "cost"},
-          {"hybrid_monte_carlo", "", p.method.hybrid, "whether it makes proposals", "", "", "-"},
+          {"force_evaluations", "1/ps", p.method.cost(), "cost in force evaluations per ps", "cost",
+           "", "cost"},
+          {"hybrid_monte_carlo", "", p.method.hybrid,
+           "whether the scheme makes proposals of hybrid Monte Carlo", "", "", "-"},
           {"runs", "", p.runs, "number of independent runs", "runs"},
           {"stable", "", p.stable, "whether no run blew up"},
           {"accuracy", "", in_words(p.accuracy(BiasCriterion::strict)),
            "`below the bound`, `above the bound` or `undecided`, by the strict bounds"},
           {"loose_accuracy", "", in_words(p.accuracy(BiasCriterion::loose)),
-           "the same by the loose bounds"},
+           "`below the bound`, `above the bound` or `undecided`, by the loose bounds"},
           {"correlation_time", "ps", nested(p.correlation_time),
            "integrated autocorrelation time of U"},
           {"force_evaluations_per_sample", "", nested(p.evaluations_per_sample()),
@@ -101,7 +104,7 @@ Quantity of_findings(const char* key, const CanonicalReport& report,
                           q.bound(findings.criterion), std::string_view(q.unit) == "1" ? "" : " ",
                           std::string_view(q.unit) == "1" ? "" : q.unit);
   return {key, "", canonical_sentences(findings, report.points),
-          fmt::format("what the points show by the {} bounds", in_words(findings.criterion)),
+          fmt::format("conclusions from the points by the {} bounds", in_words(findings.criterion)),
           fmt::format("{} bounds:{}; with 95 % confidence", in_words(findings.criterion), bounds)};
 }
 
@@ -202,11 +205,12 @@ Quantities quantities(const CanonicalReport& report) {
     bounds.push_back({q.name, "",
                       Quantities{{"value", "", q.strict, "strict bound on the bias"},
                                  {"loose", "", q.loose, "loose bound"},
-                                 {"unit", "", q.unit, "unit of both"}}});
-  return {{"conditions", "", canonical_conditions(report.config), "what all runs have in common"},
+                                 {"unit", "", q.unit, "unit of the bounds"}}});
+  return {{"conditions", "", canonical_conditions(report.config),
+           "conditions that all runs have in common"},
           detail(row("", canonical_conditions(report.config))),
           {"bounds", "", bounds, ""},
-          detail({"points", "", point_records(report), "runs of a scheme with one step",
+          detail({"points", "", point_records(report), "results for each scheme and step",
                   "points, with the biases of averages; * above the strict bound, ** above the "
                   "loose one"}),
           of_findings("claims", report, report.findings[0]),

@@ -256,12 +256,14 @@ std::string answer(const HybridAdvice& advice) {
 Quantities quantities(const HybridAdvice& advice) {
   Quantities list = {
       {"scheme", "", advice.scheme, "scheme of the proposals"},
-      detail({"pilots", "", records_of(advice.pilots), "short runs of all choices", "pilot runs"}),
+      detail({"pilots", "", records_of(advice.pilots),
+              "short runs of all combinations of step and length", "pilot runs"}),
       detail({"finalists", "", records_of(advice.finalists),
-              "longer runs of the best, the answer first", "independent, longer runs of the best"}),
+              "longer runs of the best combinations, beginning with the answer",
+              "independent, longer runs of the best"}),
       {"not_distinguishable", "", advice.equal,
-       "the finalists, counted from 0, whose cost is not distinguishable from the best"},
-      {"answer", "", answer(advice), "the answer in words"}};
+       "finalists, counted from 0, whose cost cannot be distinguished from the lowest cost"},
+      {"answer", "", answer(advice), "answer in words"}};
   if (!advice.finalists.empty()) list.push_back(row("", answer(advice)));
   return list;
 }

@@ -24,10 +24,11 @@ std::string flows(const Scheme& scheme) {
 Quantities of_stage(const Stage& s) {
   const bool fd = s.has(Gradient::finite_difference);
   const std::string gradient = s.xi == 0 ? "" : fd ? "finite difference" : "exact";
-  return {{"flow", "", std::string(name_of(s.flow)), "`drift`, `kick` or `bath`", "flow"},
-          {"fraction", "", s.fraction, "of the step", "fraction of the step", "", "", 16},
-          {"xi", "", s.xi, "prefactor of the gradient correction", "xi", "", "", 16},
-          {"gradient", "", gradient, "`exact`, `finite difference` or empty", "gradient"}};
+  return {
+      {"flow", "", std::string(name_of(s.flow)), "`drift`, `kick` or `bath`", "flow"},
+      {"fraction", "", s.fraction, "fraction of the time step", "fraction of the step", "", "", 16},
+      {"xi", "", s.xi, "prefactor of the gradient correction", "xi", "", "", 16},
+      {"gradient", "", gradient, "`exact`, `finite difference` or empty", "gradient"}};
 }
 
 /// The error terms of a scheme as text: "alpha 0.01, beta -0.02", "none", or a note that the scheme
@@ -49,20 +50,20 @@ Quantities of_scheme(const Scheme& scheme, bool alone) {
   std::vector<Quantities> stages;
   for (const Stage& s : scheme.stages()) stages.push_back(of_stage(s));
   return {
-      {"name", "", std::string(scheme.name()), "its name", "name"},
-      {"order", "", scheme.order(), "its order; 0: unknown"},
+      {"name", "", std::string(scheme.name()), "name of the scheme", "name"},
+      {"order", "", scheme.order(), "order of the scheme; 0 if unknown"},
       row("order", scheme.order() ? std::to_string(scheme.order()) : "unknown"),
       {"force_evaluations", "", scheme.force_evaluations(), "force evaluations per step",
        "force evaluations"},
       {"gradient_kicks", "", scheme.gradient_kicks(), "gradient kicks per step", "gradient kicks"},
       {"derivatives", "", scheme.derivatives(), "derivatives of the forces per step"},
-      {"cost", "", scheme.cost(), "sum of both, in force evaluations per step", "cost"},
-      {"palindrome", "", scheme.palindromic(), "whether it is time-reversible",
+      {"cost", "", scheme.cost(), "sum of force evaluations and derivatives per step", "cost"},
+      {"palindrome", "", scheme.palindromic(), "whether the scheme is time-reversible",
        label("palindrome")},
       {"source", "", std::string(scheme.source()), "key of the bibliography", "source"},
       alone ? row("error of order h²", error_text(scheme)) : row("flows", flows(scheme)),
-      {"stages", "", stages, "its stages in order", label("stages")},
-      {"text", "", text_of(scheme), "its stages as text", label("as text")}};
+      {"stages", "", stages, "stages of the scheme, in order", label("stages")},
+      {"text", "", text_of(scheme), "stages of the scheme as text", label("as text")}};
 }
 
 }  // namespace

@@ -52,11 +52,12 @@ Quantities quantities(const Verification& v) {
           ? "; no order is declared, so there is nothing to compare with (--order N)"
           : fmt::format(", declared {}: {}", v.declared, v.holds() ? "confirmed" : "NOT confirmed");
   return {{"scheme", "", name_of(v.scheme), "name of the scheme, or its stages"},
-          {"points", "", points, "energy errors by step", "energy error of a model"},
+          {"points", "", points, "energy error at each time step", "energy error of a model"},
           {"measured_order", "", v.measured.order, "order from the slope of the energy error"},
-          {"declared_order", "", v.declared, "order to compare with; 0: none is known"},
+          {"declared_order", "", v.declared, "expected order; 0 if unknown"},
           {"holds", "", v.declared ? Value(v.holds()) : Value(),
-           "whether both differ by less than 0.1; null: there is nothing to compare with"},
+           "whether the measured and the expected order differ by less than 0.1; null if no order "
+           "is expected"},
           row("", fmt::format("measured order {:.2f}{}", v.measured.order, verdict))};
 }
 

@@ -79,7 +79,7 @@ Quantities quantities(const MinimisationReport& r) {
            "bound of the force"},
           {"bound_torque", "kJ/mol", r.settings.torque, "bound on the largest torque",
            "bound of the torque"},
-          {"files", "", std::vector{r.file}, "the file that was written"},
+          {"files", "", std::vector{r.file}, "name of the file that was written"},
           row_of_files({r.file})};
 }
 

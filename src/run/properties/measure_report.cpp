@@ -33,18 +33,21 @@ Value interval(const MeasuredProperty& m, double probability) {
 
 Quantities of_property(const MeasuredProperty& m) {
   const Property& p = *m.request.property;
-  return {{"name", "", p.name, "of the property", "property"},
-          {"value", "", m.value, "with all corrections, in `unit`", "value"},
-          {"unit", "", p.unit, "of value, error and corrections", "unit"},
+  return {{"name", "", p.name, "name of the property", "property"},
+          {"value", "", m.value, "value with all corrections, in `unit`", "value"},
+          {"unit", "", p.unit, "unit of value, error and corrections", "unit"},
           {"interval_68", "", interval(m, 0.68), "68 % confidence interval, by Student's t"},
           {"interval_95", "", interval(m, 0.95), "95 % confidence interval, by Student's t"},
-          {"requested_error", "", m.requested_error(), "standard error that was requested"},
-          {"reached", "", m.reached(), "whether the error is reached and the value converged"},
+          {"requested_error", "", m.requested_error(), "requested standard error"},
+          {"reached", "", m.reached(),
+           "whether the requested error is reached and the value has converged"},
           {"step_bias", "", m.bias ? Value(*m.bias) : Value(),
            "time-step bias, which is subtracted; null if it is not known"},
-          {"finite_size_correction", "", m.finite_size, "that is included; null without one"},
-          {"not_converged", "", m.obstacle.empty() ? Value() : Value(m.obstacle), "why, or null"},
-          {"definition", "", p.definition, "of the property"},
+          {"finite_size_correction", "", m.finite_size,
+           "finite-size correction included in the value; null without a correction"},
+          {"not_converged", "", m.obstacle.empty() ? Value() : Value(m.obstacle),
+           "reason why the value has not converged; null if it has"},
+          {"definition", "", p.definition, "definition of the property"},
           {"", "", remarks(m), "", "remarks"}};
 }
 
@@ -63,21 +66,23 @@ std::string conditions(const MeasuredPoint& point) {
 Quantities of_point(const MeasuredPoint& point) {
   std::vector<Quantities> properties;
   for (const MeasuredProperty& m : point.properties) properties.push_back(of_property(m));
-  Quantities list{
-      {"temperature", "K", point.at.temperature, "of the state point"},
-      {"pressure", "bar", point.at.pressure / unit("bar", Dimension::pressure),
-       "of the state point"},
-      {"molecules", "", static_cast<std::int64_t>(point.molecules), "of each replica"},
-      {"replicas", "", static_cast<std::int64_t>(point.replicas), "independent simulations"},
-      {"step", "fs", point.step_max * units::fs_per_ps, "time step"},
-      {"equilibration", "ps", point.equilibration_max,
-       "time discarded as equilibration, the maximum of all replicas"},
-      {"averages_length", "ps", point.length_of_averages,
-       "time simulated at constant pressure in equilibrium, of all replicas"},
-      {"dynamics_length", "ps", point.length_of_dynamics,
-       "time simulated for dynamics, of all replicas"},
-      {"edge", "nm", point.edge, "of the box"},
-      {"properties", "", std::move(properties), "measured at this point", point.at.text()}};
+  Quantities list{{"temperature", "K", point.at.temperature, "temperature of the state point"},
+                  {"pressure", "bar", point.at.pressure / unit("bar", Dimension::pressure),
+                   "pressure of the state point"},
+                  {"molecules", "", static_cast<std::int64_t>(point.molecules),
+                   "number of molecules of each replica"},
+                  {"replicas", "", static_cast<std::int64_t>(point.replicas),
+                   "number of independent simulations"},
+                  {"step", "fs", point.step_max * units::fs_per_ps, "time step"},
+                  {"equilibration", "ps", point.equilibration_max,
+                   "longest time that a replica discarded as equilibration"},
+                  {"averages_length", "ps", point.length_of_averages,
+                   "total time simulated at constant pressure in equilibrium, by all replicas"},
+                  {"dynamics_length", "ps", point.length_of_dynamics,
+                   "total time simulated for dynamics, by all replicas"},
+                  {"edge", "nm", point.edge, "box edge"},
+                  {"properties", "", std::move(properties),
+                   "properties measured at this state point", point.at.text()}};
   if (const std::string text = conditions(point); !text.empty()) list.push_back(row("", text));
   return list;
 }
@@ -85,12 +90,12 @@ Quantities of_point(const MeasuredPoint& point) {
 }  // namespace
 
 Quantities quantities(const MeasureReport& report) {
-  Quantities list{{"system", "", report.system, "molecules and their numbers"}};
+  Quantities list{{"system", "", report.system, "molecules and their counts"}};
   std::vector<Quantities> points;
   for (const MeasuredPoint& point : report.points) points.push_back(of_point(point));
   list.push_back({"points", "", std::move(points), "state points with their properties"});
-  list.push_back({"reached", "", report.reached(), "whether all requested errors are reached"});
-  list.push_back({"files", "", report.files, "records of the replicas"});
+  list.push_back({"reached", "", report.reached(), "whether all requested errors were reached"});
+  list.push_back({"files", "", report.files, "names of the record files of the replicas"});
   return list;
 }
 

@@ -159,7 +159,7 @@ std::string properties_help() {
     names += fmt::format("{}{}", names.empty() ? "" : ", ", p.name);
   return fmt::format(
       "names of properties, each with its standard error: density \"0.1 %\" viscosity \"3 %\"; "
-      "default of the error: {:g} %; names: {}",
+      "default error: {:g} %; names: {}",
       100 * RequestedProperty{}.error, names);
 }
 
@@ -168,7 +168,7 @@ std::vector<RequestOption<MeasureRequest>> MeasureRequest::options() {
   const MeasureSettings defaults;
   return {{"at", &R::at,
            "state point or range, several separated by ';': \"298.15 K, 1 bar\", \"250 K to 320 K, "
-           "7 points\"; default: the run file's, or \"298.15 K, 1 bar\""},
+           "7 points\"; default: the state point of the run file, or \"298.15 K, 1 bar\""},
           {"molecules", &R::molecules,
            fmt::format("number of molecules of a pure substance; default: {}", usual_molecules)},
           {"replicas", &R::replicas,
@@ -177,8 +177,8 @@ std::vector<RequestOption<MeasureRequest>> MeasureRequest::options() {
           {"time_limit", &R::time_limit,
            "wall-clock time after which the results so far are reported: \"600 s\", \"2 h\""},
           {"shard", &R::shard,
-           "part of the replicas for this process: \"2/8\"; 'polhode merge' then reports all of "
-           "them"},
+           "part of the replicas for this process: \"2/8\"; 'polhode merge' then reports the "
+           "properties from all parts"},
           {"seed", &R::seed,
            fmt::format("seed of all replicas, a whole number; default: {}", SystemSettings{}.seed)},
           {"output", &R::output, "prefix of the output files; default: " + R{}.prefix()}};

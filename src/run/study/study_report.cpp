@@ -45,26 +45,25 @@ Quantities of_point(const EfficiencyPoint& p, bool usable) {
   Quantities list = {
       {"scheme", "", p.scheme, "name of the scheme, or its stages", "scheme"},
       {"step", "fs", p.step * units::fs_per_ps, "time step", "step"},
-      {"force_evaluations", "1/ps", p.cost, "cost", "cost", "", "cost"},
+      {"force_evaluations", "1/ps", p.cost, "cost in force evaluations per ps", "cost", "", "cost"},
       {"runs", "", p.runs, "number of independent runs", "runs"},
       {"stable", "", p.stable, "whether no run blew up"},
       {"usable", "", usable, "whether the step is before the end of the curve"},
       {"R", "%", over_runs(p, p.ratio),
-       "rms fluctuation of the total energy over the fluctuation of the potential; `R_error`: its "
-       "standard "
-       "error",
+       "rms fluctuation of the total energy, divided by the rms fluctuation of the potential "
+       "energy; `R_error` is the standard error",
        "R"},
       {"drift", "kJ/mol/ps", over_runs(p, p.drift.rate),
-       "energy drift; `drift_error`: its standard error", "energy drift"},
+       "energy drift; `drift_error` is the standard error", "energy drift"},
       {"drift_p_value", "", p.runs > 1 ? p.drift.p_value : std::nan(""),
-       "probability of such a drift by chance"},
+       "probability that such a drift occurs by chance"},
       {"relative_drift", "", p.relative_drift(),
-       "change of the energy by its drift during a run, in rms fluctuations of the energy"},
+       "energy change by the drift during a run, divided by the rms fluctuation of the energy"},
       {"temperature", "K", p.temperature, "mean kinetic temperature"},
       {"R_rounding", "", p.rounding, "estimated round-off limit of R; 0 in double precision"},
-      {"rounded", "", p.at_rounding(), "whether R is below twice that"},
+      {"rounded", "", p.at_rounding(), "whether R is less than twice `R_rounding`"},
       {"near_weight", "", p.near_weight,
-       "time of a near-force evaluation relative to one of all forces"}};
+       "time of a near-force evaluation, divided by the time of an evaluation of all forces"}};
   append(list, excesses(p));
   list.push_back(row("remark", note_on(p, usable)));
   return list;
@@ -92,7 +91,7 @@ std::string cost_text(const Guideline& line, std::size_t c, std::size_t verlet) 
 
 Quantities of_guideline(const Guideline& line, const std::vector<Curve>& curves,
                         std::size_t verlet) {
-  Quantities list = {{"R", "%", line.ratio, "an R", "R"}}, costs;
+  Quantities list = {{"R", "%", line.ratio, "value of R", "R"}}, costs;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     list.push_back(row(curves[c].scheme, cost_text(line, c, verlet)));
     if (const std::optional<CostAtRatio>& cost = line.costs[c])
@@ -104,11 +103,11 @@ Quantities of_guideline(const Guideline& line, const std::vector<Curve>& curves,
                                   {"max_step_without_drift", "", cost->at_max_step}}});
   }
   list.push_back({"costs", "", costs,
-                  "of each scheme that reaches it: `force_evaluations_per_ps`, its `error`, the "
-                  "time step `step_fs`, whether it is `extrapolated`, and whether it is that of "
-                  "the `max_step_without_drift`"});
+                  "cost of each scheme that reaches this R: `force_evaluations_per_ps` and its "
+                  "`error`, the time step `step_fs`, whether the cost is `extrapolated`, and "
+                  "whether the step is the `max_step_without_drift`"});
   list.push_back({line.best ? "best" : "", "", line.best ? curves[*line.best].scheme : "none",
-                  "the scheme that reaches it with the lowest cost", "best"});
+                  "scheme that reaches this R at the lowest cost", "best"});
   return list;
 }
 
@@ -122,7 +121,7 @@ Quantity of_guidelines(const StudyReport& report) {
   for (const Guideline& line : report.guidelines)
     lines.push_back(of_guideline(line, curves, verlet));
   return detail(
-      {"guidelines", "", lines, "the lowest costs",
+      {"guidelines", "", lines, "lowest cost of each scheme at several R",
        fmt::format("minimum cost for R at or below the given value, in force evaluations per "
                    "ps{};\n* extrapolated by the scheme's order, + the longest step of the curve",
                    verlet < curves.size() ? " (ratio to velocity Verlet)" : "")});
@@ -144,9 +143,9 @@ Quantities of_claims(const StudyReport& report) {
   std::vector<Quantities> list;
   Quantities rows;
   for (const Claim& claim : report.claims) {
-    list.push_back({{"claim", "", claim.text, "of the paper"},
+    list.push_back({{"claim", "", claim.text, "claim of the paper"},
                     {"verdict", "", in_words(claim.verdict),
-                     "`reproduced`, `not reproduced` or `not decided by these data`"}});
+                     "verdict: `reproduced`, `not reproduced` or `not decided by these data`"}});
     if (claim.value)
       append(list.back(), {{"value", "", claim.value->value}, {"error", "", claim.value->error}});
     rows.push_back(row_of(claim));
@@ -269,15 +268,15 @@ std::string advice(const StudyReport& report, double ratio) {
 Quantities quantities(const StudyReport& report) {
   const std::string answer = advice(report, 0.005);
   Quantities list = {
-      {"conditions", "", conditions(report.config), "what all runs have in common"},
+      {"conditions", "", conditions(report.config), "conditions that all runs have in common"},
       detail(row("", conditions(report.config))),
-      detail({"points", "", point_records(report), "runs of a scheme with one step", "points"}),
+      detail({"points", "", point_records(report), "results for each scheme and step", "points"}),
       of_guidelines(report)};
   for (const Quantity& table : temperature_tables(report.curves, report.equipartition))
     list.push_back(detail(table));
   append(list, limits(report.equipartition));
   append(list, of_claims(report));
-  append(list, {{"advice", "", answer, "the cheapest scheme for R = 0.5 %", "recommendation"},
+  append(list, {{"advice", "", answer, "cheapest scheme for R = 0.5 %", "recommendation"},
                 row_of_files(report.files)});
   return list;
 }

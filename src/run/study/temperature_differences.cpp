@@ -20,14 +20,17 @@ std::vector<std::optional<SeriesEstimate>> list_of(const auto& estimates) {
 }
 
 Quantities of_limit(const EquipartitionFit& fit, Value axis, const Line& line) {
-  return {{"scheme", "", fit.scheme, "the scheme"},
-          {"axis", "", std::move(axis), "principal axis; null: of translation"},
+  return {{"scheme", "", fit.scheme, "name of the scheme"},
+          {"axis", "", std::move(axis), "principal axis; null for translation"},
           {"order", "", fit.order, "order k of the fit a + b h^k"},
-          {"without_step", "K", line.intercept, "a; `without_step_error`: its standard error [K]"},
-          {"slope", "K/ps to the order", line.slope, "b; `slope_error`: its standard error"},
-          {"degrees_of_freedom", "", line.degrees_of_freedom, "degrees of freedom of the errors"},
+          {"without_step", "K", line.intercept,
+           "a of the fit; `without_step_error` is the standard error [K]"},
+          {"slope", "K/ps to the order", line.slope,
+           "b of the fit; `slope_error` is the standard error"},
+          {"degrees_of_freedom", "", line.degrees_of_freedom,
+           "number of degrees of freedom of the standard errors"},
           {"without_step_p_value", "", p_value(line.intercept, line.degrees_of_freedom),
-           "probability of such an a by chance"}};
+           "probability that such an a occurs by chance"}};
 }
 
 /// The fitted limit for h = 0, with a p-value if it differs from 0.
@@ -88,9 +91,10 @@ Quantities limits(const std::vector<EquipartitionFit>& fits) {
         configurational.push_back(
             of_limit(fit, k == 0 ? Value() : Value(k), *fit.configurational[k]));
   }
-  return {{kinetic.empty() ? "" : "equipartition", "", kinetic, "`excess_K` for zero step"},
-          {configurational.empty() ? "" : "configurational", "", configurational,
-           "`configurational_excess_K` for zero step"}};
+  return {
+      {kinetic.empty() ? "" : "equipartition", "", kinetic, "`excess_K` extrapolated to zero step"},
+      {configurational.empty() ? "" : "configurational", "", configurational,
+       "`configurational_excess_K` extrapolated to zero step"}};
 }
 
 Quantities temperature_tables(const std::vector<Curve>& curves,

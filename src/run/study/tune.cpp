@@ -151,17 +151,18 @@ Quantities of_family(const Tuned& t) {
   Quantities parameters;
   for (const TunedParameter& p : t.parameters)
     parameters.push_back({p.name, "", nested({p.value, p.error}), "", p.name});
-  return {
-      row("", ""),
-      {"reference", "", t.reference, "scheme that is optimized", "family of"},
-      {"parameters", "", parameters, "the best parameters"},
-      {"R", "%", t.ratio, "R with them; `R_error`: its standard error", "R"},
-      {"R_reference", "%", t.reference_ratio, "R of the reference; `R_reference_error`",
-       "R of the reference"},
-      {"gain", "", t.gain, "their ratio; `gain_error`: its standard error", "gain", ", measured"},
-      {"predicted_gain", "", t.predicted_gain, "as predicted from the error brackets", "gain",
-       ", predicted"},
-      {"scheme", "", text_of(t.scheme), "stages of the optimized scheme", "as text"}};
+  return {row("", ""),
+          {"reference", "", t.reference, "scheme that is optimized", "family of"},
+          {"parameters", "", parameters, "optimized parameters"},
+          {"R", "%", t.ratio, "R with these parameters; `R_error` is the standard error", "R"},
+          {"R_reference", "%", t.reference_ratio,
+           "R of the reference scheme; `R_reference_error` is the standard error",
+           "R of the reference"},
+          {"gain", "", t.gain, "`R_reference` divided by `R`; `gain_error` is the standard error",
+           "gain", ", measured"},
+          {"predicted_gain", "", t.predicted_gain, "gain predicted from the error brackets", "gain",
+           ", predicted"},
+          {"scheme", "", text_of(t.scheme), "stages of the optimized scheme", "as text"}};
 }
 
 }  // namespace
@@ -211,20 +212,21 @@ TuneResult tune(const Config& config, const TuneSettings& given, const Callbacks
 Quantities quantities(const TuneResult& r) {
   std::vector<Quantities> families;
   for (const Tuned& family : r.families) families.push_back(of_family(family));
-  Quantities list = {
-      {"molecules", "", r.molecules, "number of molecules", "molecules"},
-      {"step", "fs", r.settings.step * units::fs_per_ps, "time step", "step"},
-      {"runs", "", r.settings.runs, "number of runs, and as many that confirm", "runs"},
-      {"length", "ps", r.settings.length, "length of each run", "length"},
-      {"rms_first_bracket", "kJ/mol", rms_bracket(r.covariance.aa, r.settings),
-       "rms of the first error bracket times h²", "first bracket"},
-      {"rms_second_bracket", "kJ/mol", rms_bracket(r.covariance.bb, r.settings),
-       "rms of the second error bracket times h²", "second bracket"},
-      {"correlation", "", correlation(r.covariance), "correlation of both", "correlation"}};
+  Quantities list = {{"molecules", "", r.molecules, "number of molecules", "molecules"},
+                     {"step", "fs", r.settings.step * units::fs_per_ps, "time step", "step"},
+                     {"runs", "", r.settings.runs,
+                      "number of runs that measure, and of runs that confirm", "runs"},
+                     {"length", "ps", r.settings.length, "length of each run", "length"},
+                     {"rms_first_bracket", "kJ/mol", rms_bracket(r.covariance.aa, r.settings),
+                      "rms of the first error bracket times h²", "first bracket"},
+                     {"rms_second_bracket", "kJ/mol", rms_bracket(r.covariance.bb, r.settings),
+                      "rms of the second error bracket times h²", "second bracket"},
+                     {"correlation", "", correlation(r.covariance),
+                      "correlation of the two error brackets", "correlation"}};
   if (r.short_steps)
-    list.push_back({"eta_of_short_steps", "", *r.short_steps, "the best eta for short steps",
+    list.push_back({"eta_of_short_steps", "", *r.short_steps, "optimal eta for short steps",
                     "eta of short steps"});
-  list.push_back({"families", "", families, "the optimized schemes"});
+  list.push_back({"families", "", families, "optimized schemes"});
   return list;
 }
 

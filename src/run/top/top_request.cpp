@@ -19,9 +19,9 @@ Vec3<double> three_numbers(const Given& given) {
 std::vector<RequestOption<TopRequest>> TopRequest::options() {
   using R = TopRequest;
   return {
-      {"J", &R::J, "principal moments: \"1, 2, 3\"; any consistent units"},
+      {"J", &R::J, "principal moments of inertia in any consistent units: \"1, 2, 3\""},
       {"L", &R::L, "body-frame angular momentum: \"0.1, 0.2, 1\""},
-      {"step", &R::step, "time step; default: the top turns by 0.2 per step"},
+      {"step", &R::step, "time step; default: a rotation by 0.2 rad per step"},
       {"length", &R::length, "length of the trajectory; default: 200 steps"},
       {"output", &R::output,
        "prefix of a figure of the polhode on the inertia ellipsoid: PREFIX.svg, .png, .dat, .gp"},

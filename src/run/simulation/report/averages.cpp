@@ -41,7 +41,8 @@ Quantities of_temperatures(const TemperatureEstimates& T, const DegreesOfFreedom
                                        axis(2), missing_errors(T, n));
   return {{"temperature", "K", T.all, "mean kinetic temperature", label, note},
           {"temperature_translation", "K", T.translation, "mean temperature of translation"},
-          {"temperature_rotation", "K", T.rotation, "of rotation about each principal axis"}};
+          {"temperature_rotation", "K", T.rotation,
+           "mean temperature of rotation about each principal axis"}};
 }
 
 std::vector<std::optional<SeriesEstimate>> list_of(
@@ -61,9 +62,9 @@ Quantities of_configurational(const ByMotion<std::optional<SeriesEstimate>>& T) 
     if (T[k]->known != Known::yes) worst = T[k]->known;
   }
   if (T[0])
-    list.push_back({"temperature_configurational", "K", list_of(T),
-                    "configurational temperatures of translation, and of rotation about each "
-                    "principal axis"});
+    list.push_back(
+        {"temperature_configurational", "K", list_of(T),
+         "configurational temperatures of translation and of rotation about each principal axis"});
   if (any)
     list.push_back(
         row("configurational", fmt::format("translation {}, rotation {}, {}, {} K{}", texts[0],
@@ -85,16 +86,18 @@ Quantities of_barostat(const BarostatSummary& s) {
       {"compressibility", "1/bar", in_per_bar(s.compressibility),
        "isothermal compressibility, from the fluctuations of the volume", "compressibility",
        ", isothermal, from the fluctuations of the volume"},
-      {"volume_drift", "nm3/ps", s.volume_drift.rate.value, "slope of the volume"},
+      {"volume_drift", "nm3/ps", s.volume_drift.rate.value,
+       "slope of a least-squares line through the volume"},
       detail(row(
           "moves of the box",
           fmt::format("{}; one every {:g} fs", accepted_text(s.accepted, s.moves, s.accepted_share),
                       s.interval * units::fs_per_ps))),
       {"interval", "fs", s.interval * units::fs_per_ps, "time between two moves of the box"},
-      {"beyond_shape", "", s.beyond_shape, "moves that would have changed its shape too much"},
-      {"moves", "", s.moves, "moves of the box"},
-      {"accepted", "", s.accepted, "accepted moves"},
-      {"acceptance", "%", s.accepted_share, "accepted fraction"},
+      {"beyond_shape", "", s.beyond_shape,
+       "number of moves rejected because they would have changed the shape of the box too much"},
+      {"moves", "", s.moves, "number of moves of the box"},
+      {"accepted", "", s.accepted, "number of accepted moves"},
+      {"acceptance", "%", s.accepted_share, "accepted fraction of the moves"},
       {"work", "kJ/mol", s.work, "work received from the barostat"}};
 }
 
@@ -109,9 +112,9 @@ std::string effective_samples_text(const HybridMonteCarloSummary& s) {
 
 Quantities of_hybrid_monte_carlo(const HybridMonteCarloSummary& s) {
   return {row("trajectories", accepted_text(s.accepted, s.trajectories, s.accepted_share)),
-          {"trajectories", "", s.trajectories, "trajectories"},
-          {"accepted", "", s.accepted, "accepted trajectories"},
-          {"acceptance", "%", s.accepted_share, "accepted fraction"},
+          {"trajectories", "", s.trajectories, "number of trajectories"},
+          {"accepted", "", s.accepted, "number of accepted trajectories"},
+          {"acceptance", "%", s.accepted_share, "accepted fraction of the trajectories"},
           {"mean_weight", "", s.weight, "mean of exp(-dH/kT), which must be 1",
            s.trajectories > 0 ? "<exp(-dH/kT)>" : "", ", which must be 1"},
           {"mean_bounded_weight", "", s.bounded_weight,
@@ -121,7 +124,8 @@ Quantities of_hybrid_monte_carlo(const HybridMonteCarloSummary& s) {
            "integrated autocorrelation time of the potential energy"},
           {"effective_samples", "", s.effective_samples,
            "number of independent samples of the potential energy with the same error"},
-          {"work", "kJ/mol", s.work, "work received from draws and rejections"}};
+          {"work", "kJ/mol", s.work,
+           "energy that the bodies received by drawing momenta and rejecting trajectories"}};
 }
 
 /// The results of the ensemble; null at constant energy.
@@ -129,8 +133,8 @@ Quantities of_ensemble(const EnsembleSummary& s) {
   if (s.settings.constant_energy()) return {{"ensemble", "", {}}};
   Quantities settings;
   for (const auto& [key, value] : ensemble_texts(s.settings)) settings.push_back({key, "", value});
-  Quantities list = {{"description", "", description(s.settings), "the ensemble in words"},
-                     {"settings", "", settings, "its settings, as in a run file"},
+  Quantities list = {{"description", "", description(s.settings), "description of the ensemble"},
+                     {"settings", "", settings, "settings of the ensemble, as in a run file"},
                      {"heat", "kJ/mol", s.heat, "heat received from the thermostat"}};
   Quantity barostat{"barostat", "", {}}, hybrid{"hybrid_monte_carlo", "", {}};
   if (s.barostat) barostat.value = of_barostat(*s.barostat);
@@ -179,7 +183,7 @@ Quantities of_warnings(const std::vector<Warning>& warnings) {
                     {"remedy", "", w.remedy}});
     rows.push_back(row(w.kind, fmt::format("{}\n-> {}", w.text, w.remedy)));
   }
-  Quantities all = {{"warnings", "", list, "what is probably wrong"}};
+  Quantities all = {{"warnings", "", list, "list of the warnings"}};
   if (!warnings.empty())
     append(all, {row("", ""),
                  {"", "", rows, "", "WARNINGS: something is probably wrong with this run"},
@@ -220,7 +224,7 @@ Quantity of_step_bias(const RunSummary& s) {
   for (std::size_t k = 0; k < names.size(); ++k)
     if (const auto& known = s.configurational_bias[k])
       list.push_back(bias_of("", "K", *known, s.configurational[k]->value, names[k]));
-  return {"step_bias", "", std::move(list), "bias of each average by the step; null if unknown",
+  return {"step_bias", "", std::move(list), "time-step bias of each average; null if unknown",
           "time-step bias"};
 }
 
@@ -245,11 +249,12 @@ Quantities of_averages(const RunSummary& s) {
       {detail(row("degrees of freedom",
                   fmt::format("{:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}", n.all(),
                               n.translation, n.rotation[0], n.rotation[1], n.rotation[2]))),
-       {"degrees_of_freedom_translation", "", n.translation, "degrees of freedom of translation"},
+       {"degrees_of_freedom_translation", "", n.translation,
+        "number of degrees of freedom of translation"},
        {"degrees_of_freedom_rotation", "", std::vector(n.rotation.begin(), n.rotation.end()),
-        "of rotation about each principal axis"},
+        "number of degrees of freedom of rotation about each principal axis"},
        {"pressure", "bar", in_bar(s.pressure), "mean molecular pressure", "pressure",
-        barostat ? fmt::format(", asked for: {:g} bar",
+        barostat ? fmt::format(", requested: {:g} bar",
                                barostat->pressure / unit("bar", Dimension::pressure))
                  : ""}});
   append(list, of_ensemble(s.ensemble));

@@ -33,19 +33,20 @@ Quantities of_settings(const RunReport& r) {
   const Segment& segment = s.segment;
   return {{"molecules", "", s.molecules, "number of molecules"},
           {"scheme", "", name_of(scheme), "name of the scheme, or its stages"},
-          {"text", "", text_of(scheme), "its stages as text"},
+          {"text", "", text_of(scheme), "stages of the scheme as text"},
           {"step", "fs", r.settings.step * units::fs_per_ps, "time step"},
           {"steps", "", s.steps, "number of steps"},
           {"length", "ps", s.length, "simulated time"},
-          {"sample", "fs", s.sample * units::fs_per_ps, "interval between energies"},
+          {"sample", "fs", s.sample * units::fs_per_ps, "interval between samples of the energies"},
           {"interrupted", "", r.interrupted, "whether the run was suspended before its end"},
           {"samples", "", s.samples, "number of samples of the energies"},
           {"segment", "",
-           Quantities{{"number", "", segment.number, "number of the part that all results are of"},
-                      {"first_step", "", segment.first_step, "step at which it begins"},
-                      {"earlier", "ps", segment.earlier, "time simulated before it"},
-                      {"changes", "", segment.changes.empty() ? Value() : Value(segment.changes),
-                       "what was changed at its begin; null if nothing was"}}},
+           Quantities{
+               {"number", "", segment.number, "number of the segment to which all results belong"},
+               {"first_step", "", segment.first_step, "step at which the segment begins"},
+               {"earlier", "ps", segment.earlier, "time simulated before the segment"},
+               {"changes", "", segment.changes.empty() ? Value() : Value(segment.changes),
+                "changes made at the beginning of the segment; null if there were none"}}},
           {"files", "", r.files.all(), "names of the files that were written"}};
 }
 
@@ -62,13 +63,14 @@ Quantities of_drift(const Drift& drift, double walk, std::uint64_t samples) {
   const bool known = drift.known == Known::yes;
   return {{"drift", "kJ/mol/ps", known_if(samples >= min_samples_reported, drift.rate.value),
            "slope of a least-squares line through the energy"},
-          {"drift_error", "", known_if(known, drift.rate.error), "its standard error [kJ/mol/ps]"},
+          {"drift_error", "", known_if(known, drift.rate.error),
+           "standard error of the slope [kJ/mol/ps]"},
           {"drift_p_value", "", known_if(known, drift.p_value),
            "probability of such a slope without an energy drift"},
           {"drift_significant", "", known ? Value(drift.significant()) : Value(),
            "whether the p-value is below 0.01"},
           {"drift_verdict", "", verdict(drift),
-           "`significant`, `not significant`, or why this is not known"},
+           "`significant`, `not significant`, or the reason why the significance is not known"},
           {"random_walk", "kJ/mol per sqrt(ps)", known_if(walk > 0, std::sqrt(walk)),
            "rms change of the energy in 1 ps by a random walk; null without evidence for one"}};
 }
@@ -129,20 +131,24 @@ Quantities of_conservation(const RunSummary& s) {
   ratio.value = known_if(s.samples >= min_samples_reported, ratio.value);
   append(
       list,
-      {{"R", "%", ratio, "rms fluctuation of the conserved energy over that of the potential"},
+      {{"R", "%", ratio,
+        "rms fluctuation of the conserved energy, divided by the rms fluctuation of the potential "
+        "energy"},
        {"rms_total", "kJ/mol", s.total_fluctuation, "rms fluctuation of the conserved energy"},
        {"rms_potential", "kJ/mol", s.potential_fluctuation,
         "rms fluctuation of the potential energy"},
        {"R_rounding", "%", s.rounding, "estimated round-off limit of R; 0 in double precision"},
-       {"R_truncation", "%", s.truncation, "R of the random walk by the truncation, predicted"},
+       {"R_truncation", "%", s.truncation,
+        "predicted R of the random walk that the truncation causes"},
        {"R_of_random_walk", "%", known_if(s.walk > 0, s.ratio_of_walk()),
         "R of the random walk, without other errors; null without evidence for one"},
        {"walk_of_rounding_known", "", s.walk_known, "whether the random walk of rounding is known"},
        {"drift_in_run_over_rms_potential", "", known_if(known, s.relative_drift()),
-        "change by the energy drift in this run over the rms fluctuation of the potential energy"},
+        "energy change by the drift in this run, divided by the rms fluctuation of the potential "
+        "energy"},
        {"drift_kT_per_ns_per_degree_of_freedom", "",
         known_if(known && n > 0, s.drift.rate.value * units::ps_per_ns / (kT * n)),
-        "the energy drift per degree of freedom"}});
+        "energy drift per degree of freedom"}});
   return list;
 }
 
@@ -153,12 +159,16 @@ Quantities of_shadow(const RunSummary& s) {
   const SeriesEstimate& rms = shadow.fluctuation;
   const bool known = rms.known == Known::yes;
   Quantities list = of_drift(shadow.drift, shadow.drift.walk, shadow.samples);
-  append(list, {{"samples", "", shadow.samples, "number of its samples"},
-                {"rms", "kJ/mol", rms.value, "its rms fluctuation"},
-                {"rms_error", "kJ/mol", known_if(known, rms.error), "standard error"},
+  append(list, {{"samples", "", shadow.samples, "number of samples of the shadow energy"},
+                {"rms", "kJ/mol", rms.value, "rms fluctuation of the shadow energy"},
+                {"rms_error", "kJ/mol", known_if(known, rms.error),
+                 "standard error of this rms fluctuation"},
                 {"time_gain", "", shadow.time_gain ? Value(*shadow.time_gain) : Value(),
-                 "how many times sooner its drift becomes significant"}});
-  if (!known) list.push_back({"error_not_known", "", reason(rms.known), "why rms has no error"});
+                 "factor by which the shadow energy shows a significant drift sooner than the "
+                 "total energy"}});
+  if (!known)
+    list.push_back(
+        {"error_not_known", "", reason(rms.known), "reason why the rms fluctuation has no error"});
   Quantities all = {{"shadow", "", std::move(list)}};
   if (!s.ensemble.settings.hybrid_monte_carlo)
     all.push_back(detail(
@@ -205,23 +215,28 @@ Quantities of_costs(const RunReport& r) {
   return {
       detail(row("force evaluations", evaluations_text(s, nested))),
       {"force_evaluations", "", s.force_evaluations, "force evaluations of the scheme"},
-      {"derivative_evaluations", "", s.derivatives, "evaluations of their derivative"},
-      {"near_evaluations", "", s.near_evaluations, "evaluations of an inner scheme's near forces"},
-      {"near_derivative_evaluations", "", s.near_derivatives, "evaluations of their derivative"},
-      {"force_evaluations_for_energies", "", s.measurements, "made only for energies"},
-      {"force_evaluations_of_moves", "", moves, "made by moves of a barostat"},
+      {"derivative_evaluations", "", s.derivatives, "evaluations of the derivative of the forces"},
+      {"near_evaluations", "", s.near_evaluations,
+       "evaluations of the near forces of an inner scheme"},
+      {"near_derivative_evaluations", "", s.near_derivatives,
+       "evaluations of the derivative of the near forces"},
+      {"force_evaluations_for_energies", "", s.measurements,
+       "force evaluations made only for energies"},
+      {"force_evaluations_of_moves", "", moves, "force evaluations for moves of the barostat"},
       {"force_evaluations_of_minimisation", "", s.minimisation_evaluations,
-       "made before the trajectory"},
-      detail({"list_rebuilds", "", s.list_rebuilds, "rebuilds of the neighbour list",
+       "force evaluations of the minimisation before the trajectory"},
+      detail({"list_rebuilds", "", s.list_rebuilds, "number of rebuilds of the neighbour list",
               "neighbour list", " rebuilds"}),
       detail(row("time", time_text(t, nested))),
       {"seconds", "",
-       Quantities{{"all", "", t.all(), "wall-clock time [s]"},
-                  {"forces", "", t.forces, "of it for forces"},
-                  {"near", "", t.near, "for an inner scheme's near forces"},
-                  {"list", "", t.list, "for neighbour lists"},
-                  {"motion", "", t.motion, "for drifts and kicks"},
-                  {"energies_and_output", "", t.measurement, "for energies and output"}}},
+       Quantities{
+           {"all", "", t.all(), "wall-clock time of the run [s]"},
+           {"forces", "", t.forces, "wall-clock time for forces [s]"},
+           {"near", "", t.near, "wall-clock time for the near forces of an inner scheme [s]"},
+           {"list", "", t.list, "wall-clock time for neighbour lists [s]"},
+           {"motion", "", t.motion, "wall-clock time for drifts and kicks [s]"},
+           {"energies_and_output", "", t.measurement,
+            "wall-clock time for energies and output [s]"}}},
       detail({"ns_per_day", "", s.ns_per_day, "simulated time per day of wall-clock time", "speed",
               fmt::format(" ns/day with {} {}, instruction set {}", r.execution.threads,
                           r.execution.threads == 1 ? "thread" : "threads",
@@ -235,15 +250,17 @@ Quantity of_guarantee(const std::optional<GuaranteeCheck>& k) {
   if (!k) return {"guarantee", "", {}};
   const std::string name = k->guarantee.accuracy.of == RequiredOf::ratio ? "R" : "bias";
   return {"guarantee", "",
-          Quantities{{"accuracy", "", k->guarantee.accuracy.bound, "bound that was asked for"},
-                     {"requested", "", text_of(k->guarantee.accuracy), "as text"},
-                     {"length", "ps", k->guarantee.length, "length of a run that it is for"},
-                     {"R_expected", "", k->guarantee.expected.value, "R of the runs before it"},
-                     {"met", "", k->met(), "whether this run is within the bound"},
+          Quantities{{"accuracy", "", k->guarantee.accuracy.bound, "requested bound"},
+                     {"requested", "", text_of(k->guarantee.accuracy), "requested bound as text"},
+                     {"length", "ps", k->guarantee.length,
+                      "length of the runs for which the accuracy is guaranteed"},
+                     {"R_expected", "", k->guarantee.expected.value,
+                      "value measured in the runs that confirmed the choice"},
+                     {"met", "", k->met(), "whether this run meets the bound"},
                      row("accuracy guarantee",
                          fmt::format("{}: {}", k->met() ? "met" : "NOT MET", guarantee_text(*k))),
-                     {name, "", k->value.value, "of this run"},
-                     {name + "_error", "", k->value.error, "its standard error"}}};
+                     {name, "", k->value.value, name + " of this run"},
+                     {name + "_error", "", k->value.error, "standard error of " + name}}};
 }
 
 }  // namespace
