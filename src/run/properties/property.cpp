@@ -73,10 +73,10 @@ constexpr std::array all = {
     Property{"molar-volume", "cm3/mol", In::averages, "mean volume of a mole of molecules",
              "allen2017", false, false, molar_volume},
     Property{"potential-energy", "kJ/mol", In::averages,
-             "mean intermolecular energy of a molecule, with the dispersion correction",
-             "allen2017", false, false, potential_energy},
+             "mean intermolecular energy per molecule, with the dispersion correction", "allen2017",
+             false, false, potential_energy},
     Property{"enthalpy", "kJ/mol", In::averages,
-             "mean potential and kinetic energy of rigid molecules plus pressure times volume",
+             "mean potential and kinetic energy of rigid molecules, plus pressure times volume",
              "allen2017", false, false, enthalpy},
     Property{
         "enthalpy-of-vaporization", "kJ/mol", In::averages,
@@ -84,28 +84,30 @@ constexpr std::array all = {
         "polarization, vibration or quantum terms",
         "horn2004", false, false, enthalpy_of_vaporization},
     Property{"heat-capacity", "J/mol/K", In::averages,
-             "at constant pressure, from the fluctuations of the enthalpy; classical, of rigid "
-             "molecules",
+             "heat capacity at constant pressure of classical rigid molecules, from the "
+             "fluctuations of the enthalpy",
              "allen2017", false, false, heat_capacity},
     Property{"expansivity", "1e-6/K", In::averages,
              "isobaric thermal expansivity, from the covariance of volume and enthalpy",
              "allen2017", false, false, expansivity},
     Property{"compressibility", "1e-6/bar", In::averages,
-             "isothermal, from the fluctuations of the volume", "allen2017", false, false,
-             compressibility},
+             "isothermal compressibility, from the fluctuations of the volume", "allen2017", false,
+             false, compressibility},
     Property{"dielectric-constant", "", In::averages,
-             "static, from the fluctuations of the total dipole with conducting surroundings",
+             "static dielectric constant, from the fluctuations of the total dipole with "
+             "conducting surroundings",
              "neumann1983", true, false, dielectric_constant},
     Property{"diffusion", "1e-9 m2/s", In::dynamics,
-             "self-diffusion coefficient of an infinite system: the slope of the mean-square "
-             "displacement, with the Yeh-Hummer correction from the viscosity of the same runs",
+             "self-diffusion coefficient of an infinite system, from the slope of the mean-square "
+             "displacement; the Yeh-Hummer correction uses the viscosity of the same runs",
              "yeh2004", false, false},
     Property{"viscosity", "mPa s", In::dynamics,
              "shear viscosity by the Green-Kubo relation in Einstein's form, from five components "
              "of the molecular pressure tensor",
              "allen2017", false, false},
     Property{"rotational-relaxation", "ps", In::dynamics,
-             "integral of the second Legendre polynomial of the slowest axis of the molecule",
+             "integral of the P2 reorientation function (second Legendre polynomial) of the "
+             "slowest molecular axis",
              "allen2017", false, true},
     Property{"second-virial-coefficient", "cm3/mol", In::pair,
              "minus half of the integral of the Mayer function of two molecules, without a cutoff",
