@@ -213,8 +213,8 @@ def analyze(trajectory: Path, *, run: Source = None, molecules: Mapping[str, int
     Args:
         trajectory: file of frames.
         run: settings or run file of the trajectory, for its molecules and electrostatics.
-        molecules (dict): models and counts, instead of a run file: "tip4p 512, na-tip4p-ew 4", in the order
-            of the file.
+        molecules (dict): models and counts in the order of the file, instead of a run file: "tip4p 512,
+            na-tip4p-ew 4".
         names: coordinate file with the atom names, for formats without them.
         what (list of str): observables: rdf, msd, rotation, velocity, dielectric, density; default: all that
             the frames allow.
@@ -229,8 +229,8 @@ def analyze(trajectory: Path, *, run: Source = None, molecules: Mapping[str, int
         viscosity: viscosity of the liquid, "0.855 mPa s", for the Yeh-Hummer finite-size correction of D;
             default: the published value of the model.
         temperature: temperature, "298 K"; default: the temperature of the velocities, or of the run file.
-        electrostatics (str): electrostatics, instead of the run file's: pme, reaction-field (of 78.5),
-            coulomb.
+        electrostatics (str): electrostatics that replaces the setting of the run file: pme, reaction-field
+            (of 78.5), coulomb.
         energies: energies file of the run, for the time-step bias in g(r) and the dielectric constant; needs
             the run file.
         output: prefix of the output files; default: polhode-analysis.
@@ -257,7 +257,7 @@ def convert(source: Path, target: Path, *, names: Path | None = None,
         source, target: files; their extensions select the formats.
         names: file with the atom names, for formats without them: XTC, TRR, DCD.
         particles: settings of the run whose molecules the particles of a LAMMPS dump file are.
-        every (int): interval of the frames that are written; default: 1.
+        every (int): write every Nth frame; default: 1.
         start: time of the first frame: "10 ps".
         stop: time of the last frame.
         force (bool): overwrite output files that exist.
@@ -283,7 +283,7 @@ def export(program: str, source: Source = None, *, pair_style: str = "table",
         program (str): "lammps".
         source, **keywords: as in settings(); the other arguments have precedence.
         pair_style (str): table: the pair laws as tables; polhode: pair_style polhode of the plugin;
-            polhode-particles: the same with one particle a molecule; default: table.
+            polhode-particles: pair_style polhode with one particle per molecule; default: table.
         output: prefix of the output files, which must not end in /.
         force (bool): overwrite output files that exist.
         progress, messages: see Progress.
@@ -313,15 +313,16 @@ def study(source: Source = None, *, schemes: Texts | None = None,
 
     Args:
         source, **keywords: as in settings(); the other arguments have precedence.
-        schemes (list of str): schemes to compare, also nested ones.
+        schemes (list of str): schemes to compare, which may be nested.
         steps (list): time steps: "2 fs".
-        runs (int): independent runs at each point.
+        runs (int): number of independent runs at each point.
         length: length of each run: "15 ps".
-        decorrelate: equilibration of each initial configuration after drawing new momenta: "10 ps".
+        decorrelate: length of the equilibration of each initial configuration after drawing new momenta: "10
+            ps".
         configurational_sample: interval between values of the configurational temperatures: "20 fs".
-        ensemble (str): accuracy measured as R, or as the bias of canonical averages: nve, nvt.
-        quick (bool): a small version: one to three minutes on two cores.
-        from_record: record of any version from which tables and figure are made, without new runs.
+        ensemble (str): measure of accuracy, R or the bias of canonical averages: nve, nvt.
+        quick (bool): small study, which takes one to three minutes on two cores.
+        from_record: record (of any version) from which to make the tables and the figure without new runs.
         output: prefix of the output files; default: study.
         force (bool): overwrite output files that exist.
         threads (int): number of simultaneous runs; default: one for each available core.
@@ -352,15 +353,15 @@ def advise(source: Source = None, *, accuracy: Quantity | None = None,
         accuracy: largest R of a run: "0.5 %".
         drift: largest energy drift per molecule: "0.1 kJ/mol/ns".
         temperature_bias: largest difference between the temperatures of translation and rotation: "0.5 %".
-        bias (str): largest time-step bias of an average: "0.1 K" of T_rot - T_trans, "energy 0.01 kJ/mol",
+        bias (str): largest time-step bias of an average: "0.1 K" (of T_rot - T_trans), "energy 0.01 kJ/mol",
             "pressure 4 bar", "density 0.02 %".
-        schemes (list of str): schemes from which the adviser chooses, also nested ones.
-        ensemble (str): ensemble: nve, or nvt for step and trajectory length of hybrid Monte Carlo; default:
-            nve.
+        schemes (list of str): schemes from which the adviser chooses, which may be nested.
+        ensemble (str): ensemble: nve, or nvt to choose step and trajectory length of hybrid Monte Carlo;
+            default: nve.
         evaluations (int): force evaluations of each pilot run in the ensemble nvt; default: 5000.
         time (float): approximate computing time, in seconds; default: 60.
-        length: length of the run, rounded to whole steps, at least one: "15 ps"; the adviser plans such a
-            run.
+        length: length of the run, rounded to whole steps, at least one step: "15 ps"; the adviser plans such
+            a run.
         output: prefix of the output files; default: advice.
         force, threads, progress, messages: as in study().
 
@@ -387,10 +388,10 @@ def tune_scheme(source: Source = None, *, scheme: str | None = None, step: Quant
 
     Args:
         source, **keywords: as in settings(); the other arguments have precedence.
-        scheme (str): stages with free parameters: "free b = 0.2; B(b) A(1/2) ..."; without any the run
-            file's, or the families of hoa2 and gier4.
+        scheme (str): stages with free parameters: "free b = 0.2; B(b) A(1/2) ..."; default: the scheme of the
+            run file, or the families of hoa2 and gier4.
         step: time step to tune for: "5 fs".
-        runs (int): number of runs for the measurement, and again for the confirmation; default: 4.
+        runs (int): number of runs that measure, and of runs that confirm; default: 4.
         length: length of each run; default: "2 ps".
         decorrelate: equilibration of each initial configuration; default: "2 ps".
         sample: time between samples of the error brackets; default: "20 fs".
@@ -423,10 +424,10 @@ def bench(*, quick: bool = False, sizes: Sequence[SupportsIndex] | None = None,
     """Measures the speed of this computer on water, as ``polhode bench``.
 
     Args:
-        quick (bool): 512 waters only, fewer and shorter repeats: a few seconds.
+        quick (bool): measure only 512 waters with fewer and shorter repeats, in a few seconds.
         sizes (list of int): numbers of waters; default: 512,4096.
         precision (str): precision of pair interactions, double or mixed; default: both.
-        threads (int): number of threads, compared with one; default: one for each available core.
+        threads (int): number of threads, compared with a single thread; default: one for each available core.
         progress, messages: see Progress.
 
     Returns:

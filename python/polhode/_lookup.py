@@ -90,7 +90,7 @@ def verify(scheme: Scheme | str, *, order: int = 0, lambda_: float | None = None
 
     Args:
         scheme: a Scheme, a name, or stages as text.
-        order (int): expected order, from 1 to 12; default: as the table of schemes has it.
+        order (int): expected order, from 1 to 12; default: the order in the table of schemes.
         lambda_ (float): scale of the displacement of a finite-difference gradient.
 
     Returns:

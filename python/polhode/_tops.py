@@ -81,9 +81,9 @@ def top(J: ArrayLike, L: ArrayLike, step: float | None = None, length: float | N
     """The trajectory of one free top, exactly and by two integrators, as ``polhode top``.
 
     Args:
-        J: principal moments: "1, 2, 3"; any consistent units.
+        J: principal moments of inertia in any consistent units: "1, 2, 3".
         L: body-frame angular momentum: "0.1, 0.2, 1".
-        step (float): time step; default: the top turns by 0.2 per step.
+        step (float): time step; default: a rotation by 0.2 rad per step.
         length (float): length of the trajectory; default: 200 steps.
         output: prefix of a figure of the polhode on the inertia ellipsoid: PREFIX.svg, .png, .dat, .gp.
         force (bool): overwrite output files that exist.
