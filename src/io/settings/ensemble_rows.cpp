@@ -156,7 +156,8 @@ SettingTable barostat_table() {
                "interval between two moves, rounded to whole steps; hybrid Monte Carlo rounds it "
                "to whole trajectories, and a note says so"),
            row("edges", edges_member(),
-               "groups of edges; each move scales one group, and the groups take turns. `[\"x\", "
+               "groups of edges; each move scales the edges of one group, and the groups "
+               "alternate. `[\"x\", "
                "\"y\", \"z\"]` scales each edge separately (for crystals), and `[\"z\"]` keeps the "
                "area fixed (for slabs)",
                More{.domain = "list of groups of x, y and z",

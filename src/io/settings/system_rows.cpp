@@ -300,14 +300,13 @@ SettingTable system_table() {
                 .kinds = {SettingKind::quantity, SettingKind::texts}}),
        row("velocities",
            "`\"new\"` draws momenta at `temperature` with `seed` even if the initial configuration "
-           "has velocities",
+           "contains velocities",
            More{.domain = "`\"from file\"`, `\"new\"`",
                 .fallback = "`\"from file\"` if the file contains velocities",
                 .read = read_velocities}),
        row("temperature", system(&S::temperature), SettingUnit{Dimension::temperature, "K"},
            from(0),
-           "temperature of drawn momenta, of the equilibration and of the thermostat; 0 K requires "
-           "a thermostat"),
+           "temperature of drawn momenta, equilibration and thermostat; 0 K requires a thermostat"),
        row("seed", system(&S::seed), from(0),
            "random seed for the lattice (positions, orientations) and for drawn momenta")},
       read_contents,

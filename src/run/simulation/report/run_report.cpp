@@ -159,13 +159,13 @@ Quantities of_shadow(const RunSummary& s) {
   const SeriesEstimate& rms = shadow.fluctuation;
   const bool known = rms.known == Known::yes;
   Quantities list = of_drift(shadow.drift, shadow.drift.walk, shadow.samples);
-  append(list, {{"samples", "", shadow.samples, "number of samples of the shadow energy"},
-                {"rms", "kJ/mol", rms.value, "rms fluctuation of the shadow energy"},
-                {"rms_error", "kJ/mol", known_if(known, rms.error),
-                 "standard error of this rms fluctuation"},
-                {"time_gain", "", shadow.time_gain ? Value(*shadow.time_gain) : Value(),
-                 "factor by which the shadow energy shows a significant drift sooner than the "
-                 "total energy"}});
+  append(list,
+         {{"samples", "", shadow.samples, "number of samples of the shadow energy"},
+          {"rms", "kJ/mol", rms.value, "rms fluctuation of the shadow energy"},
+          {"rms_error", "kJ/mol", known_if(known, rms.error),
+           "standard error of this rms fluctuation"},
+          {"time_gain", "", shadow.time_gain ? Value(*shadow.time_gain) : Value(),
+           "factor by which an energy drift becomes significant sooner in the shadow energy"}});
   if (!known)
     list.push_back(
         {"error_not_known", "", reason(rms.known), "reason why the rms fluctuation has no error"});
