@@ -157,9 +157,8 @@ SettingTable barostat_table() {
                "to whole trajectories, and a note says so"),
            row("edges", edges_member(),
                "groups of edges; each move scales the edges of one group, and the groups "
-               "alternate. `[\"x\", "
-               "\"y\", \"z\"]` scales each edge separately (for crystals), and `[\"z\"]` keeps the "
-               "area fixed (for slabs)",
+               "alternate. `[\"x\", \"y\", \"z\"]` scales each edge separately (for crystals), and "
+               "`[\"z\"]` keeps the area fixed (for slabs)",
                More{.domain = "list of groups of x, y and z",
                     .fallback = "`[\"xyz\"]`",
                     .read = read_edges,
