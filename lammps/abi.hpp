@@ -10,13 +10,13 @@ class Pair;
 
 extern "C" {
 
-/// Makes an object of a style; which one is called depends on the kind of style.
+/// Functions that make an object of a style. The kind of style determines which of them is called.
 union LammpsFactory {
   LAMMPS_NS::Pair* (*pair)(LAMMPS_NS::LAMMPS* lammps);
   LAMMPS_NS::Fix* (*fix)(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments);
 };
 
-/// A style of a plugin: "fix" or "pair", and its name.
+/// A style of a plugin, with its kind ("fix" or "pair") and its name.
 struct LammpsPlugin {
   const char *version, *style, *name, *info, *author;
   LammpsFactory create;
@@ -25,8 +25,8 @@ struct LammpsPlugin {
 
 using RegisterLammpsPlugin = void (*)(LammpsPlugin* plugin, void* lammps);
 
-/// Called by LAMMPS when it loads the plugin.
-/// @param handle  of the shared object, for LammpsPlugin::handle
-/// @param add     a RegisterLammpsPlugin
+/// Registers the plugin; LAMMPS calls this function when it loads the plugin.
+/// @param handle  handle of the shared object, for LammpsPlugin::handle
+/// @param add     function of type RegisterLammpsPlugin
 [[gnu::visibility("default")]] void lammpsplugin_init(void* lammps, void* handle, void* add);
 }

@@ -19,15 +19,16 @@ class Arguments {
   Arguments(int count, char** words, LAMMPS_NS::LAMMPS* lammps)
       : words_(words, static_cast<std::size_t>(count)), lammps_(lammps) {}
 
-  /// The next word.
-  /// @param meaning  for messages: "the temperature"
-  /// @throws Error   if there is none
+  /// Reads the next word.
+  /// @param meaning  meaning of the word for messages, such as "the temperature"
+  /// @throws Error   if there is no further word
   std::string_view word(std::string_view meaning);
   double number(std::string_view meaning);
-  /// @throws Error  if it is not above 0
+  /// Reads the next word as a number.
+  /// @throws Error  if the number is not above 0
   double positive(std::string_view meaning);
-  /// Calls the reader of each keyword, which takes the values behind it.
-  /// @throws Error  if there is no such keyword
+  /// Calls the reader of each keyword, which reads the values that follow it.
+  /// @throws Error  if a keyword does not exist
   void each_keyword(const std::map<std::string, std::function<void()>, std::less<>>& readers);
 
  private:

@@ -12,14 +12,14 @@
 namespace polhode::lammps {
 namespace {
 
-// Items of all processes for this one, in the order of the processes that sent them.
+// The items that all processes have sent to this process, in the order of the sending processes.
 template <class Item>
 struct Received {
   std::vector<Item> items;
-  std::vector<int> from;  // the process of each
+  std::vector<int> from;  // sending process of each item
 };
 
-// Sends every item to a process, which all do together.
+// Sends every item to a process. All processes must call this function together.
 template <class Item>
 Received<Item> exchange(const std::vector<Item>& items, const std::vector<int>& to,
                         MPI_Comm world) {
@@ -50,7 +50,7 @@ Received<Item> exchange(const std::vector<Item>& items, const std::vector<int>& 
   return received;
 }
 
-// The first problem of any process becomes the error of all.
+// Throws an Error on all processes if any process has a problem; the text is the first problem.
 void agree(const std::optional<std::string>& problem, MPI_Comm world) {
   int process = 0, processes = 0;
   MPI_Comm_rank(world, &process);
@@ -66,7 +66,8 @@ void agree(const std::optional<std::string>& problem, MPI_Comm world) {
   throw Error(text);
 }
 
-// Runs a part of the work of this process; an error of any process becomes that of all.
+// Runs a part of the work of this process. An error of any process becomes an error of all
+// processes.
 template <class Work>
 void together(MPI_Comm world, const Work& work) {
   std::optional<std::string> problem;
@@ -78,11 +79,11 @@ void together(MPI_Comm world, const Work& work) {
   agree(problem, world);
 }
 
-// A molecule of this process: its atoms by their ids, all in one periodic image.
+// A molecule of this process, with its atoms sorted by id and in one periodic image.
 struct Assembled {
   std::int64_t number;
   std::vector<SiteAtom> atoms;
-  std::vector<std::size_t> messages;  // that the atoms came with
+  std::vector<std::size_t> messages;  // indices of the messages that contained the atoms
 };
 
 std::string text_of(std::int64_t number) { return std::to_string(std::abs(number)); }
@@ -120,18 +121,19 @@ std::vector<Assembled> molecules_of(const std::vector<AtomMessage>& messages,
   return molecules;
 }
 
-// The index of the kind of a molecule; the number of kinds if it is a new one.
+// The index of the kind of a molecule, or the number of kinds if its kind is new.
 std::size_t index_of_kind(const std::vector<Kind>& kinds, const std::vector<SiteAtom>& atoms) {
   const auto found =
       std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return matches(k, atoms); });
   return static_cast<std::size_t>(found - kinds.begin());
 }
 
-// New kinds of this process, each from the molecule with the lowest number here, as numbers.
+// The new kinds of this process as numbers. Each is made from its molecule with the lowest number
+// on this process.
 std::vector<double> new_kinds(const std::vector<Assembled>& molecules,
                               const std::vector<Kind>& known) {
   std::vector<Kind> found;
-  for (const Assembled& molecule : molecules)  // in the order of their numbers
+  for (const Assembled& molecule : molecules)  // molecules in the order of their numbers
     if (index_of_kind(known, molecule.atoms) == known.size() &&
         index_of_kind(found, molecule.atoms) == found.size())
       found.push_back(kind_of(molecule.number, molecule.atoms));
@@ -147,8 +149,8 @@ bool same_atoms(const Kind& a, const Kind& b) {
   return true;
 }
 
-// Adds the kinds of all processes to the known ones: of those with the same atoms the one from the
-// lowest molecule, in the order of these molecules.
+// Adds the kinds of all processes to the known kinds. If several kinds have the same atoms, only
+// the kind from the lowest molecule is added. Kinds are in the order of these molecules.
 void join_kinds(const std::vector<double>& own, std::vector<Kind>& kinds, MPI_Comm world) {
   int processes = 0;
   MPI_Comm_size(world, &processes);
@@ -170,7 +172,8 @@ void join_kinds(const std::vector<double>& own, std::vector<Kind>& kinds, MPI_Co
       kinds.push_back(std::move(candidate));
 }
 
-// The body that a molecule had, in the image of its atoms; none if it is new.
+// The previous body of a molecule, in the periodic image of its atoms; empty if the molecule is
+// new.
 std::optional<BodyRecord> body_before(const Assembled& molecule, const Kind& kind,
                                       const std::vector<AtomMessage>& messages,
                                       const AssemblySettings& settings) {

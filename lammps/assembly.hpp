@@ -13,39 +13,41 @@
 
 namespace polhode::lammps {
 
-/// An atom on its way to the process of its molecule.
+/// A message about an atom, sent to the process of its molecule.
 struct AtomMessage {
-  std::int64_t molecule;  ///< minus the atom's id for an atom without a molecule
+  std::int64_t molecule;  ///< number of the molecule, or minus the id of an atom without a molecule
   SiteAtom atom;
-  int place;      ///< index of the atom where it belongs
-  bool inside;    ///< whether it is in the group of the fix
-  bool has_body;  ///< whether it is an owner, with the body below
+  int place;      ///< index of the atom on its process
+  bool inside;    ///< whether the atom is in the group of the fix
+  bool has_body;  ///< whether the atom is the owner of `body`
   BodyRecord body;
 };
 
-/// The answer: which site of which kind an atom is, and where the rigid body has it.
+/// The reply to an AtomMessage: the kind and site of the atom, and its position and velocity in the
+/// rigid body.
 struct SiteMessage {
   int place, kind, site;
   std::int64_t owner;  ///< id of the atom that owns the body
   Vec3<double> x, v;
-  BodyRecord body;  ///< for the owner
+  BodyRecord body;  ///< body, only for its owner
 };
 
 struct AssemblySettings {
   double tolerance = default_tolerance;
-  /// Whether atoms may be elsewhere than their bodies, as within a gradient kick: then bodies
-  /// that exist are kept as they are.
+  /// Whether atoms may be away from the sites of their bodies, as within a gradient kick. Existing
+  /// bodies are then not changed.
   bool trust_bodies = false;
-  /// The periodic image of a difference that is nearest to zero.
+  /// Returns the periodic image of a difference vector that is nearest to zero.
   std::function<Vec3<double>(const Vec3<double>&)> minimum_image;
 };
 
-/// Finds the kinds of all molecules with an atom inside, adds new ones to the known ones, and gives
-/// each molecule a body. All processes of the communicator call it together.
-/// @param kinds  the known ones; the same on all processes, before and after
-/// @return  for the atoms of this process that belong to bodies
-/// @throws Error  on all processes: see kind_of() and check_shape(), or if a molecule is only
-///                partly inside
+/// Finds the kinds of all molecules with an atom in the group, adds new kinds to the known ones,
+/// and gives each molecule a body. All processes of the communicator must call this function
+/// together.
+/// @param kinds  known kinds; the same on all processes, before and after the call
+/// @return  messages for the atoms of this process that belong to bodies
+/// @throws Error  on all processes, under the conditions of kind_of() and check_shape(), or if only
+///   a part of a molecule is in the group
 std::vector<SiteMessage> assemble(const std::vector<AtomMessage>& atoms, std::vector<Kind>& kinds,
                                   const AssemblySettings& settings, MPI_Comm world);
 

@@ -12,38 +12,42 @@
 
 namespace polhode::lammps {
 
-/// Position and orientation.
+/// Position and orientation of a body.
 struct Pose {
   Vec3<double> q;
   Quaternion<double> orientation;
 };
 
-/// Everything about a body that the rest of its trajectory depends on, in the units of LAMMPS:
-/// momenta are mass × velocity, angular momenta mass × length × velocity.
+/// The data of a body on which the rest of its trajectory depends, in LAMMPS units: momenta are
+/// mass × velocity, and angular momenta are mass × length × velocity.
 struct BodyRecord {
   Pose pose;
   Vec3<double> p{}, ell{};
-  // Of a gradient kick in progress: the pose to return to, and forces and torques there.
+  // For a gradient kick in progress: the pose to return to, and forces and torques at this pose.
   Pose kept_pose;
   Vec3<double> kept_f{}, kept_tau{};
 };
 
-/// Numbers in a record: plain doubles without padding, so that records are copied as such.
+/// The number of values in a record. They are doubles without padding, so that records can be
+/// copied as arrays.
 inline constexpr std::size_t record_size = 26;
-/// Those that a restart file needs; a gradient kick is complete whenever one is written.
+/// The number of values that a restart file needs. Data of a gradient kick are not needed, because
+/// restart files are never written within a kick.
 inline constexpr std::size_t stored_size = 13;
 static_assert(sizeof(BodyRecord) == record_size * sizeof(double));
 
-/// The bodies whose owner atoms belong to this process, those of a kind together.
+/// The bodies whose owner atoms belong to this process, sorted by kind.
 struct BodyColumns {
   Bodies bodies;
   State state;
-  Load load;            ///< of the last plain evaluation
-  Load displaced_load;  ///< of the last evaluation at displaced positions
-  Vec3Column kept_q;    ///< of a gradient kick in progress
+  Load load;            ///< load of the last plain evaluation
+  Load displaced_load;  ///< load of the last evaluation at displaced positions
+  Vec3Column kept_q;    ///< original positions during a gradient kick
   QuaternionColumn kept_orientation;
-  Vec3Column pair_f, pair_tau;    ///< from pair_style polhode, until they become part of a load
-  Column<std::uint64_t> numbers;  ///< which select random numbers: the ids of the owner atoms
+  Vec3Column pair_f, pair_tau;    ///< forces and torques from pair_style polhode, until they become
+                                  ///< part of a load
+  Column<std::uint64_t> numbers;  ///< numbers that select random numbers: the ids of the owner
+                                  ///< atoms
 
   explicit BodyColumns(const Topology& topology)
       : bodies(topology),
@@ -77,7 +81,7 @@ struct BodyColumns {
     for (std::size_t i = 0; i < size(); ++i) pair_f.set(i, {}), pair_tau.set(i, {});
   }
   Vec3<double> velocity(std::size_t i) const { return bodies.inverse_m[i] * state.p[i]; }
-  /// ω = Sᵀ J⁻¹ S ℓ, lab.
+  /// The lab-frame angular velocity ω = Sᵀ J⁻¹ S ℓ.
   Vec3<double> angular_velocity(std::size_t i) const {
     const Quaternion<double> a = state.orientation[i];
     return to_lab(a, scaled(bodies.inverse_J[i], to_body(a, state.ell[i])));

@@ -21,7 +21,7 @@ namespace {
 using LAMMPS_NS::Fix;
 using LAMMPS_NS::LAMMPS;
 
-// Styles that set velocities or positions of atoms, which the bodies would not notice.
+// Styles that change velocities or positions of atoms without changing the bodies.
 constexpr std::array changers = {
     "ehex",           "heat",        "momentum",  "move",         "recenter",
     "temp/berendsen", "temp/csld",   "temp/csvr", "temp/rescale", "thermal/conductivity",

@@ -11,15 +11,16 @@ class LAMMPS;
 
 namespace polhode::lammps {
 
-/// Everything that is known before a run: minimisation, r-RESPA, boxes that change, other fixes
-/// that integrate or change velocities of the same atoms.
-/// @param evaluations  of the forces in a step of the scheme
-/// @throws Error
+/// Checks conditions that are known before a run. Minimisation, r-RESPA, changes of the box, and
+/// other fixes that integrate or change velocities of the same atoms are not supported.
+/// @param evaluations  number of force evaluations in a step of the scheme
+/// @throws Error  if a condition is not met
 void check_system(LAMMPS_NS::LAMMPS* lammps, const LAMMPS_NS::Fix* own, std::size_t evaluations);
 
-/// That a run, its thermodynamic output, dumps and averages fall on whole steps of the scheme.
-/// @param phase  evaluations of a step that precede the run
-/// @throws Error
+/// Checks that a run, its thermodynamic output, dumps and averages are at whole steps of the
+/// scheme.
+/// @param phase  number of evaluations of the current step that precede the run
+/// @throws Error  if they are not
 void check_intervals(LAMMPS_NS::LAMMPS* lammps, std::size_t evaluations, std::size_t phase);
 
 }  // namespace polhode::lammps

@@ -77,22 +77,22 @@ void FixPolhode::setup(int vflag) {
   tally_virial();
 }
 
-// A run without setup(), as of rerun.
+// This is a run without setup(), as with the command rerun.
 void FixPolhode::end_of_step() {
   if (!virial_is_old_) return;
   collect_forces(columns_->load);
   tally_virial();
 }
 
-/// The flows of the columns. The forces of displaced positions are known when a gradient kick by
-/// finite difference is due.
+/// The flows that act on the columns of bodies. Forces at displaced positions are known when a
+/// gradient kick by finite difference is due.
 struct FixPolhode::Flows {
   FixPolhode& fix;
   BodyColumns& columns;
 
   void drift(double t) { polhode::drift(columns.state, columns.bodies, t); }
   void kick(double t) { polhode::kick(columns.state, columns.bodies, columns.load, t); }
-  /// [vanzon2008, Eqs. 4 to 6]
+  /// Adds a gradient kick [vanzon2008, Eqs. 4 to 6].
   void kick(double t, double, Gradient) {
     const double lambda = fix.settings_.lambda;
     kick(t);
@@ -132,7 +132,7 @@ void FixPolhode::final_integrate() {
   if (vflag_global != 0) tally_virial();
 }
 
-/// [vanzon2008, Eq. 7]
+/// Displaces the bodies [vanzon2008, Eq. 7].
 void FixPolhode::begin_displacement(double xi) {
   BodyColumns& c = *columns_;
   c.kept_q = c.state.q;
@@ -145,7 +145,7 @@ void FixPolhode::end_displacement() {
   columns_->state.orientation = columns_->kept_orientation;
 }
 
-/// The Ornstein-Uhlenbeck flow; the total momentum stays where all atoms are in bodies.
+/// Applies the Ornstein-Uhlenbeck flow. It conserves the total momentum if all atoms are in bodies.
 void FixPolhode::bath(double t, StageNumber at) {
   const LangevinArguments& langevin = *settings_.langevin;
   const double friction = 1 / langevin.damping_time;
@@ -174,7 +174,8 @@ void FixPolhode::place_atoms() {
   }
 }
 
-/// Σ f and Σ s × f of the sites of every body, and what a pair style has added to bodies.
+/// Collects the force Σ f and the torque Σ s × f of the sites of every body, and the forces that a
+/// pair style has added to bodies.
 void FixPolhode::collect_forces(Load& load) {
   for (GhostBody& body : ghosts_) body.f = body.tau = {};
   std::swap(load.f, columns_->pair_f);
@@ -184,7 +185,7 @@ void FixPolhode::collect_forces(Load& load) {
   for (int i = 0; i < atom->nlocal; ++i) {
     if (owner(i).body < 0) continue;
     const Vec3<double> f = force->ftm2v * vector(atom->f[i]);
-    if (f == Vec3<double>{}) continue;  // of most inputs with pair_style polhode
+    if (f == Vec3<double>{}) continue;  // true for most inputs with pair_style polhode
     add_load(owner(i).body, f, cross(vector(atom->x[i]) - pose(owner(i)).q, f));
   }
   if (bodies_extend_over_atoms()) {
@@ -227,8 +228,9 @@ void FixPolhode::set_velocities() {
   }
 }
 
-/// What turns the virial and the temperature of the atoms into those of the molecules: −Σ s ⊗ f,
-/// symmetrized, and −Σ m ṡ ⊗ ṡ, with ṡ the velocity of a site relative to the centre.
+/// Adds the terms that convert the virial and temperature of atoms to the virial and temperature of
+/// molecules. They are −Σ s ⊗ f, symmetrized, and −Σ m ṡ ⊗ ṡ, where ṡ is the velocity of a site
+/// relative to the centre.
 void FixPolhode::tally_virial() {
   std::fill_n(virial, 6, 0.0);
   forward(Message::motions, 6);
@@ -251,7 +253,7 @@ LAMMPS_NS::bigint FixPolhode::dof(int group) {
   LAMMPS_NS::bigint removed = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (body_of(i) < 0 || (atom->mask[i] & bit) == 0) continue;
-    if (kind(i).particle != 0) continue;  // an atom of LAMMPS, which does not rotate
+    if (kind(i).particle != 0) continue;  // to LAMMPS a particle is an atom, which does not rotate
     const Molecule& molecule = kind(i).molecule;
     const auto sites = static_cast<LAMMPS_NS::bigint>(molecule.sites.size());
     removed += 3 * sites - (molecule.top == Top::atom ? 3 : molecule.top == Top::linear ? 5 : 6);
@@ -261,10 +263,11 @@ LAMMPS_NS::bigint FixPolhode::dof(int group) {
   return all;
 }
 
-/// Minus the energy that the bath has given to the bodies: with it, the total is conserved.
+/// Returns minus the energy that the bath has given to the bodies. Adding it to the total energy
+/// gives a conserved quantity.
 double FixPolhode::compute_scalar() { return -heat_; }
 
-/// Kinetic energy of translation, of rotation, and the number of bodies.
+/// Returns the kinetic energy of translation or of rotation, or the number of bodies.
 double FixPolhode::compute_vector(int n) {
   double sum = 0;
   for (int i = 0; i < atom->nlocal; ++i) {

@@ -66,26 +66,27 @@ class FixPolhode : public LAMMPS_NS::Fix {
   struct Motion {
     Vec3<double> velocity{}, angular_velocity{};
   };
-  /// The kind and the site of an atom; kind −1: it belongs to no body.
+  /// The kind and the site of an atom. The kind is −1 if the atom does not belong to a body.
   struct SitePlace {
     int kind, site;
   };
-  /// The body of a ghost owner.
+  /// The body of a ghost owner atom.
   struct GhostBody {
     int kind = 0;
-    int process = 0, body = 0;   ///< whose body it is, and which one there
-    std::array<int, 3> image{};  ///< by how many edges of the box it is shifted
-    Vec3<double> shift{};        ///< by these edges
-    int base = -1;               ///< the ghost that this is another image of; −1: of none
-    // Of bodies of other processes, unless they are images of other ghosts:
+    int process = 0, body = 0;   ///< process of the body, and its index there
+    std::array<int, 3> image{};  ///< number of box edges by which the ghost is shifted
+    Vec3<double> shift{};        ///< shift by these edges
+    int base = -1;               ///< ghost of which this is another image; −1 for none
+    // Bodies of other processes, unless they are images of other ghosts:
     Pose pose{};
     Motion motion{};
     Vec3<double> f{}, tau{};
   };
-  /// Finds the molecules; all processes call it together. Each run does so at its beginning.
+  /// Finds the molecules. All processes must call this function together, which happens at the
+  /// beginning of each run.
   void recognise();
   const std::vector<Kind>& kinds() const { return kinds_; }
-  bool has_all_atoms() const { return has_all_atoms_; }  ///< in bodies
+  bool has_all_atoms() const { return has_all_atoms_; }  ///< whether all atoms are in bodies
   bool has_particles() const { return !settings_.particles.empty(); }
   SitePlace site_of(int i) const {
     return {info_[static_cast<std::size_t>(i)].kind, info_[static_cast<std::size_t>(i)].site};
@@ -95,17 +96,17 @@ class FixPolhode : public LAMMPS_NS::Fix {
   Pose pose_of_ghost(std::size_t ghost) const {
     return pose(static_cast<int>(columns_->size() + ghost));
   }
-  /// A number that changes whenever bodies or ghosts come or go.
+  /// A number that changes whenever the set of bodies and ghosts changes.
   std::uint64_t arrangement() const { return arrangement_; }
 
  private:
-  /// What an atom knows of its body.
+  /// The link from an atom to its body.
   struct AtomInfo {
-    int kind = -1, site = 0;  ///< kind −1: it belongs to none
-    std::int64_t owner = 0;   ///< id of the atom that owns the body
+    int kind = -1, site = 0;  ///< kind, which is −1 if the atom does not belong to a body, and site
+    std::int64_t owner = 0;  ///< id of the atom that owns the body
   };
-  /// The body of an atom, or the ghost of it that messages reach; by which edges of the box it is
-  /// shifted to be next to the atom; and where the atom is in it.
+  /// The body of an atom, or a ghost of this body that receives messages. It includes the shift by
+  /// box edges that brings the body next to the atom, and the place of the atom in the body.
   struct Owner {
     int body = -1;
     Vec3<double> shift{}, site{};
@@ -134,7 +135,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   double mass_of_atom(int i) const;
   double mass_in_body(int i) const;
   Vec3<double> minimum_image(Vec3<double> r) const;
-  double step() const;  // h, of the whole scheme
+  double step() const;  // The step h of the whole scheme.
   void accept(const SiteMessage& site);
   void find_kinds_of_particles();
   int kind_of_particle(int i) const;
@@ -163,32 +164,33 @@ class FixPolhode : public LAMMPS_NS::Fix {
 
   FixSettings settings_;
   std::vector<ForceEvaluation> program_;
-  std::size_t phase_ = 0;     // the next evaluation of the program
-  std::uint64_t cycles_ = 0;  // steps of the scheme so far
-  double heat_ = 0;           // from the bath, of all processes [energy]
+  std::size_t phase_ = 0;     // index of the next evaluation of the program
+  std::uint64_t cycles_ = 0;  // number of steps of the scheme so far
+  double heat_ = 0;           // heat from the bath, for all processes [energy]
   bool recognised_ = false;
-  bool has_all_atoms_ = false;  // all atoms are in bodies, and the bath keeps their momentum
-  bool virial_is_old_ = false;  // forces were computed without a call of setup()
-  std::vector<AtomInfo> info_;  // of local atoms
-  // Of each atom: of owners the index of the body in the columns, behind them in arrivals_ or, for
-  // ghosts, in ghosts_; of others −1.
+  bool has_all_atoms_ = false;  // whether all atoms are in bodies, so that the bath conserves their
+                                // momentum
+  bool virial_is_old_ = false;  // whether forces were computed without a call of setup()
+  std::vector<AtomInfo> info_;  // links of local atoms to their bodies
+  // For each owner atom, the index of its body in the columns, or after these in arrivals_, or for
+  // ghosts in ghosts_. It is −1 for other atoms.
   std::vector<int> body_of_;
   std::vector<Kind> kinds_;
   std::unique_ptr<BodyColumns> columns_;
-  std::vector<BodyRecord> arrivals_;  // of atoms that came since the columns were built
+  std::vector<BodyRecord> arrivals_;  // bodies of atoms that came since the columns were built
   std::vector<GhostBody> ghosts_;
   std::uint64_t arrangement_ = 0;
-  std::vector<Owner> owners_;    // of each local atom; body −1: it belongs to none
-  std::vector<Motion> motions_;  // of the bodies, during set_velocities()
+  std::vector<Owner> owners_;    // body of each local atom; −1 if it does not belong to a body
+  std::vector<Motion> motions_;  // motions of the bodies, during set_velocities()
   Message message_ = Message::owners;
-  // Swaps with itself, by which a process makes images in directions that it has for itself: their
-  // lists of atoms to send, and the first ghosts that are received. Images follow from what they
-  // are images of, without messages.
+  // Swaps of a process with itself, by which it makes images in directions with only one process:
+  // the lists of atoms to send, and the first ghosts that are received. Such images are computed
+  // without messages.
   std::vector<const int*> own_lists_;
   std::vector<int> own_firsts_;
-  const double* packed_ = nullptr;  // the buffer and the list of the last message
+  const double* packed_ = nullptr;  // buffer and list of the last message
   const int* packed_list_ = nullptr;
-  Load* collecting_ = nullptr;  // of the columns, during collect_forces()
+  Load* collecting_ = nullptr;  // load of the columns, during collect_forces()
 };
 
 }  // namespace polhode::lammps

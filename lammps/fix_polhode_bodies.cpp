@@ -15,7 +15,7 @@
 namespace polhode::lammps {
 namespace {
 
-// Until 2024 the function did not take the place of the call.
+// Before 2024 this function of LAMMPS did not have a parameter for the place of the call.
 template <class Domain>
 void to_minimum_image(const Domain& domain, Vec3<double>& r) {
   if constexpr (requires { domain.minimum_image_big(FLERR, r.x, r.y, r.z); })
@@ -45,8 +45,8 @@ BodyRecord FixPolhode::record(int body) const {
   return i < columns_->size() ? columns_->record(i) : arrivals_[i - columns_->size()];
 }
 
-/// Images of this process's own bodies follow from these, and images of ghosts from the ghosts,
-/// without messages.
+/// The origin of an image. Images of the bodies of this process are computed from these bodies, and
+/// images of ghosts from the ghosts, without messages.
 FixPolhode::Owner FixPolhode::origin(int body) const {
   if (!is_ghost_body(body)) return {body};
   const GhostBody& image = ghost(body);
@@ -72,8 +72,8 @@ Vec3<double> FixPolhode::edges_of_box(const std::array<int, 3>& count) const {
           n(1) * domain->yprd + n(2) * domain->yz, n(2) * domain->zprd};
 }
 
-/// Assembles the molecules, which gives each a body that agrees with its atoms, and puts the atoms
-/// at their sites.
+/// Assembles the molecules, gives each a body that agrees with its atoms, and moves the atoms to
+/// their sites.
 void FixPolhode::recognise() {
   std::vector<AtomMessage> messages;
   std::vector<std::pair<int, BodyRecord>> particles;
@@ -134,7 +134,7 @@ void FixPolhode::accept(const SiteMessage& site) {
   set(atom->v[i], site.v);
 }
 
-/// The process of an atom must have its owner, or an image of it.
+/// Checks that the process of an atom has the atom's owner, or an image of the owner.
 void FixPolhode::check_communication() const {
   double span = 0;
   for (const Kind& kind : kinds_) span = std::max(span, kind.span);
@@ -153,7 +153,7 @@ void FixPolhode::pre_neighbor() {
   ++arrangement_;
 }
 
-/// The bodies of the atoms that are now here, those of a kind together.
+/// Rebuilds the columns with the bodies of the atoms that are now on this process, sorted by kind.
 void FixPolhode::rebuild_columns() {
   std::vector<std::pair<int, BodyRecord>> owners;
   for (int i = 0; i < atom->nlocal; ++i)
@@ -176,7 +176,7 @@ void FixPolhode::rebuild_columns() {
   }
 }
 
-/// Moves a body by whole edges of the box to where its owner atom was wrapped.
+/// Moves a body by whole box edges to the image of its wrapped owner atom.
 void FixPolhode::wrap_to_owner(int owner) {
   const auto body = static_cast<std::size_t>(body_of(owner));
   const Vec3<double> difference =
@@ -185,7 +185,7 @@ void FixPolhode::wrap_to_owner(int owner) {
   if (norm2(shift) > 0) columns_->shift(body, shift);
 }
 
-/// For every atom the image of its body that is next to it.
+/// Finds the image of the body that is next to each atom.
 void FixPolhode::find_owners() {
   ghosts_.clear();
   const int all = atom->nlocal + atom->nghost;
@@ -198,7 +198,7 @@ void FixPolhode::find_owners() {
     if (info(i).kind < 0) continue;
     const int any_image = atom->map(static_cast<LAMMPS_NS::tagint>(info(i).owner));
     const int owner = any_image < 0 ? -1 : domain->closest_image(i, any_image);
-    const double span = 1.001 * kind(i).span;  // more than rounding
+    const double span = 1.001 * kind(i).span;  // tolerance that is larger than round-off
     if (owner < 0 || body_of(owner) < 0 ||
         norm2(vector(atom->x[i]) - vector(atom->x[owner])) > span * span)
       error->one(FLERR,

@@ -84,14 +84,15 @@ bool FixPolhode::stays_here(int first) const {
   return std::find(own_firsts_.begin(), own_firsts_.end(), first) != own_firsts_.end();
 }
 
-/// Whether a process can have atoms of bodies of other processes.
+/// Whether a process can have atoms that belong to bodies of other processes.
 bool FixPolhode::bodies_extend_over_atoms() const {
   return comm->nprocs > 1 && std::any_of(kinds_.begin(), kinds_.end(), [](const Kind& kind) {
            return kind.particle == 0 && kind.types.size() > 1;
          });
 }
 
-/// Whose body an atom has, which may be a ghost that is sent on; 0 if it has none.
+/// Packs the owner of an atom's body, which may be a ghost that is forwarded; 0 if the atom has no
+/// body.
 double* FixPolhode::pack_owner(int i, const std::array<int, 3>& image, double* to) {
   const int body = body_of(i);
   *to++ = body >= 0 ? 1 : 0;
@@ -109,7 +110,8 @@ double* FixPolhode::pack_owner(int i, const std::array<int, 3>& image, double* t
   return to;
 }
 
-/// @param from_itself  whether the ghost is an image of what this process has
+/// Unpacks the owner of a ghost.
+/// @param from_itself  whether the ghost is an image of an atom of this process
 const double* FixPolhode::unpack_owner(int i, const double* from, bool from_itself) {
   body_of(i) = -1;
   if (*from++ == 0) return from;
@@ -127,7 +129,7 @@ int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_
   double* to = buffer;
   if (message_ != Message::owners && stays_here(list)) return 0;
   packed_ = buffer, packed_list_ = list;
-  std::array<int, 3> image{};  // that the other process sees
+  std::array<int, 3> image{};  // image that the other process sees
   if (pbc_flag != 0) std::copy_n(pbc, 3, image.begin());
   const Vec3<double> shift = edges_of_box(image);
   for (int k = 0; k < count; ++k) {

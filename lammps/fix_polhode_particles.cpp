@@ -17,10 +17,11 @@ namespace {
 
 constexpr const char* orientation_name = "orientation";
 constexpr const char* angular_momentum_name = "angular_momentum";
-// How accurately the mass of a particle must be that of its sites, which input files round.
+// Relative tolerance between the mass of a particle and the total mass of its sites, which input
+// files round.
 constexpr double same_mass = 1e-6;
 
-// Whether two kinds of particles are the same, to the rounding of files.
+// Whether two kinds of particles are the same up to rounding in files.
 bool same_kind(const Kind& a, const Kind& b) {
   if (a.types != b.types || a.charges != b.charges) return false;
   for (std::size_t k = 0; k < a.types.size(); ++k)
@@ -30,7 +31,8 @@ bool same_kind(const Kind& a, const Kind& b) {
 
 }  // namespace
 
-/// The kinds of the molecule files, in front of those that are found among molecules of atoms.
+/// Adds the kinds of the molecule files. They come before kinds that are found among molecules of
+/// atoms.
 void FixPolhode::find_kinds_of_particles() {
   for (const ParticleArguments& particle : settings_.particles) {
     std::vector<double> masses = particle.file.masses;
@@ -65,7 +67,7 @@ void FixPolhode::find_kinds_of_particles() {
   }
 }
 
-/// The kind of an atom that is a particle in the group; otherwise −1.
+/// The kind of an atom if it is a particle in the group; otherwise −1.
 int FixPolhode::kind_of_particle(int i) const {
   if ((atom->mask[i] & groupbit) == 0) return -1;
   for (std::size_t k = 0; k < kinds_.size(); ++k)
@@ -73,7 +75,7 @@ int FixPolhode::kind_of_particle(int i) const {
   return -1;
 }
 
-/// The body of a particle as LAMMPS has it, in its periodic image.
+/// The body of a particle with the data that LAMMPS stores, in its periodic image.
 BodyRecord FixPolhode::body_of_particle(int i, const Kind& kind) {
   const double* const a = particle_column(orientation_name, 4)[i];
   const Vec3<double> x = vector(atom->x[i]);
@@ -112,7 +114,7 @@ double** FixPolhode::particle_column(const char* name, int length) const {
   return atom->darray[index];
 }
 
-/// Orientations and angular momenta as LAMMPS has them.
+/// Copies orientations and angular momenta to the columns of LAMMPS.
 void FixPolhode::set_particle_columns() {
   if (settings_.particles.empty()) return;
   double** const orientation = particle_column(orientation_name, 4);

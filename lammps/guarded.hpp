@@ -9,8 +9,9 @@
 
 namespace polhode::lammps {
 
-/// Runs work. All processes meet an Error together; a RunError may be that of one.
-/// @param style  "fix polhode"
+/// Runs work and converts exceptions to LAMMPS errors. All processes throw an Error together,
+/// whereas a RunError may occur on only one process.
+/// @param style  name of the style for messages, such as "fix polhode"
 template <class Work>
 void guarded(LAMMPS_NS::Error* error, const char* style, const Work& work) {
   try {

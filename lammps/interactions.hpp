@@ -11,7 +11,7 @@
 
 namespace polhode::lammps {
 
-/// Parameters of all pairs of atom types, in the units of LAMMPS.
+/// Parameters of all pairs of atom types, in LAMMPS units.
 class PairCoefficients {
  public:
   struct Values {
@@ -38,15 +38,16 @@ class PairCoefficients {
 /// Charges of the sites of each kind [e].
 using KindCharges = std::vector<std::vector<double>>;
 
-/// Conversion of the units of LAMMPS.
+/// Conversion from LAMMPS units.
 struct PairUnits {
-  double nm = 1;          ///< the unit of length [nm]
-  double coulomb = 1;     ///< the energy of two unit charges at a unit distance
-  double charge() const;  ///< of a unit charge, so that the library's K q q is the energy
+  double nm = 1;          ///< unit of length [nm]
+  double coulomb = 1;     ///< energy of two unit charges at a unit distance
+  double charge() const;  ///< The value of a unit charge for which the library's energy K q q is
+                          ///< correct.
 };
 
-/// The kinds as molecules with interactions. The Lennard-Jones parameters of pairs are those of
-/// explicit_pairs(), in place of any that sites have.
+/// The kinds as molecules with interactions. The Lennard-Jones parameters of pairs are given by
+/// explicit_pairs(), which replaces any parameters of sites.
 std::vector<Molecule> interacting_molecules(const std::vector<Kind>& kinds,
                                             const KindCharges& charges,
                                             const PairCoefficients& coefficients,

@@ -13,10 +13,11 @@
 namespace polhode::lammps {
 namespace {
 
-// Atoms that are off a common line by less than this, relative to the largest distance between
-// them, are put on it: what three decimals in Å do to molecules of 1 Å and more.
+// Tolerance for linear molecules, relative to the largest distance between atoms. Atoms that
+// deviate by less from a common line are moved onto it. Rounding to three decimals in Å causes such
+// deviations in molecules of 1 Å and more.
 constexpr double same_line = 0.002;
-// What counts as unchanged, relative to the size of the molecule and its largest velocity.
+// Tolerance for unchanged atoms, relative to the size of the molecule and its largest velocity.
 constexpr double unchanged = 1e-9;
 
 std::string name_of(std::int64_t number) {
@@ -34,7 +35,7 @@ Vec3<double> over_J(const Molecule& molecule, Vec3<double> L) {
   return L;
 }
 
-// No angular momentum about an axis without inertia.
+// There is no angular momentum about an axis with no moment of inertia.
 Vec3<double> with_inertia(const Molecule& molecule, const Quaternion<double>& orientation,
                           const Vec3<double>& ell) {
   Vec3<double> L = to_body(orientation, ell);
@@ -43,7 +44,7 @@ Vec3<double> with_inertia(const Molecule& molecule, const Quaternion<double>& or
   return to_lab(orientation, L);
 }
 
-// straighten() has its limit in nm, so the shape is scaled until this limit is ours.
+// The tolerance of straighten() is in nm, so the shape is scaled to apply the tolerance above.
 Shape straight(Shape shape) {
   double size = 0;
   for (const Vec3<double>& r : shape) size = std::max(size, norm(r - shape.front()));
@@ -55,7 +56,7 @@ Shape straight(Shape shape) {
   return shape;
 }
 
-// The kind with a shape; its owner is the site nearest to the centre.
+// Makes the kind with a given shape. Its owner is the site nearest to the centre.
 Kind kind_with_shape(const std::string& name, const Shape& shape,
                      const std::vector<double>& masses) {
   Kind kind;

@@ -12,74 +12,79 @@
 
 namespace polhode::lammps {
 
-/// An atom of a molecule as LAMMPS has it; without mass if it only carries a charge.
+/// An atom of a molecule in LAMMPS. It is massless if it only carries a charge.
 struct SiteAtom {
   std::int64_t id = 0;
   int type = 0;
   double mass = 0;
-  Vec3<double> x{}, v{};  ///< with all atoms of a molecule in one periodic image
+  Vec3<double> x{}, v{};  ///< position and velocity, with all atoms of a molecule in one periodic
+                          ///< image
 };
 
-/// The smallest deviation from the rigid shape that is refused, relative to the span of the
-/// molecule, unless the keyword `tolerance` sets another: coordinates with three decimals in Å, and
-/// those of flexible molecules with stiff bonds, are within it.
+/// The default of the keyword `tolerance`: the largest accepted deviation from the rigid shape,
+/// relative to the span of the molecule. Coordinates with three decimals in Å are within it, and so
+/// are flexible molecules with stiff bonds.
 inline constexpr double default_tolerance = 0.02;
 
 struct Kind {
-  std::vector<int> types;  ///< of its sites: of atoms, in the order of their ids
-  Molecule molecule;       ///< its sites in the same order
-  int particle = 0;        ///< the type of its particles; 0: each of its sites is an atom
-  // Of particles: the charges of their sites, and the rotation from the principal frame to that of
-  // the molecule file, in which LAMMPS has their orientations.
+  std::vector<int> types;  ///< atom types of its sites, in the order of atom ids
+  Molecule molecule;       ///< molecule with its sites in the same order
+  int particle = 0;        ///< type of its particles; 0 if each site is an atom
+  // Only for particles: the charges of their sites, and the rotation from the principal frame to
+  // the frame of the molecule file, which LAMMPS orientations refer to.
   std::vector<double> charges;
   Quaternion<double> frame{};
-  std::int64_t first = 0;  ///< the molecule that its shape was taken from
-  std::size_t owner = 0;   ///< the site nearest to the centre: its process advances the body
-  double span = 0;         ///< largest distance of a site from the owner
+  std::int64_t first = 0;  ///< number of the molecule from which the shape was taken
+  std::size_t owner = 0;   ///< site nearest to the centre; the process of this atom advances the
+                           ///< body
+  double span = 0;         ///< largest distance of a site from the owner site
   double extent = 0;       ///< largest distance of a site from the centre
   Vec3<double> site(std::size_t k) const { return molecule.sites[k].r; }
-  /// The place of the k-th atom; a particle is at the centre.
+  /// The body-frame position of the k-th atom; a particle is at the centre.
   Vec3<double> atom(std::size_t k) const { return particle != 0 ? Vec3<double>{} : site(k); }
 };
 
-/// The kind of a molecule with the shape that the atoms have.
-/// @param number  of the molecule; negative for an atom without one, minus its id
+/// Makes the kind of a molecule with the shape given by its atoms.
+/// @param number  number of the molecule, or minus the id of an atom without a molecule
 /// @throws Error  if the molecule has no mass, or more sites than a rigid molecule may have
 Kind kind_of(std::int64_t number, const std::vector<SiteAtom>& atoms);
 
-/// The kind of particles of a type.
-/// @param masses  of the sites
-/// @throws Error  if a mass is negative, or as the other one
+/// Makes the kind of the particles of a type.
+/// @param masses  masses of the sites
+/// @throws Error  if a mass is negative, or under the same conditions as kind_of()
 Kind kind_of_particles(int type, const MoleculeFile& file, const std::vector<double>& masses);
 
-/// Whether atoms have the types and masses of a kind.
+/// Whether atoms agree with the types and masses of a kind.
 bool matches(const Kind& kind, const std::vector<SiteAtom>& atoms);
 
-/// The kind as numbers, for other processes and restart files, and back.
+/// Converts a kind to numbers and back, for other processes and restart files.
 void append(std::vector<double>& numbers, const Kind& kind);
 Kind read_kind(const double*& numbers);
 
-/// The body of a kind that fits the atoms best; momenta are the sums over the atoms.
+/// Fits a body of a kind to the atoms. Its momenta are sums over the atoms.
 BodyRecord fitted_body(const Kind& kind, const std::vector<SiteAtom>& atoms);
 
-/// Position and velocity of an atom of a body.
+/// The position and velocity of an atom of a body.
 Vec3<double> position(const Kind& kind, std::size_t atom, const Pose& pose);
 Vec3<double> velocity(const Kind& kind, std::size_t atom, const BodyRecord& body);
 
-double rotational_energy(const Kind& kind, const BodyRecord& body);  ///< L · J⁻¹ L/2
+double rotational_energy(const Kind& kind, const BodyRecord& body);  ///< The kinetic energy of
+                                                                     ///< rotation, L · J⁻¹ L/2.
 
-/// Checks that every atom is where the body has it.
-/// @throws Error  with the numbers of molecule and atom, if it is farther than tolerance × span
+/// Checks that every atom is at its site in the body.
+/// @throws Error  with the numbers of molecule and atom, if the distance exceeds tolerance × span
 void check_shape(const Kind& kind, std::int64_t number, const std::vector<SiteAtom>& atoms,
                  const BodyRecord& body, double tolerance);
 
-/// A body that agrees with the atoms: the one given, in the image of the atoms, if its sites and
-/// their velocities agree to 1e-9, much more than what rounding changes, otherwise the one that
-/// fits, as after commands that set positions or velocities.
+/// A body that agrees with the atoms. If the sites of the given body and their velocities agree
+/// with the atoms to 1e-9, which is well above round-off, it is the given body in the image of the
+/// atoms. Otherwise, for example after commands that set positions or velocities, it is the fitted
+/// body.
 BodyRecord updated_body(const Kind& kind, const std::vector<SiteAtom>& atoms,
                         const BodyRecord& before);
 
-/// A particle as LAMMPS has it; the orientation is that of the molecule in its file.
+/// A particle with the data that LAMMPS stores. Its orientation refers to the frame of the molecule
+/// file.
 struct Particle {
   Vec3<double> x{}, v{};
   Quaternion<double> orientation;
@@ -87,9 +92,9 @@ struct Particle {
 };
 Quaternion<double> orientation_of_particle(const Kind& kind, const Pose& pose);
 
-/// The body of a particle: the one given, in the image of the particle, as far as it agrees with it
-/// to 1e-9, otherwise with the numbers of the particle.
-/// @throws Error  if the orientation is not that of a rotation; `id` is that of the particle
+/// The body of a particle. Numbers of the given body that agree with the particle to 1e-9 are kept,
+/// in the image of the particle. Other numbers are taken from the particle.
+/// @throws Error  with the `id` of the particle, if its orientation is not a rotation
 BodyRecord body_of_particle(const Kind& kind, const Particle& particle, const BodyRecord* before,
                             std::int64_t id);
 

@@ -16,7 +16,7 @@
 namespace polhode::lammps {
 namespace {
 
-// Sections that are about anything else than sites.
+// Sections that do not describe sites.
 constexpr std::array skipped = {"Molecules", "Fragments", "Diameters", "Dipoles", "Bonds",
                                 "Angles",    "Dihedrals", "Impropers", "Special", "Shake",
                                 "Body",      "Integers",  "Doubles"};
@@ -26,7 +26,7 @@ class Parser {
   Parser(std::string_view text, const std::string& file) : in_(std::string(text)), file_(file) {}
 
   MoleculeFile parse() {
-    std::getline(in_, line_), ++number_;  // a title
+    std::getline(in_, line_), ++number_;  // skips the title
     while (next_line()) {
       if (words_.size() == 2 && words_[1] == "atoms") {
         set_count();
@@ -47,7 +47,7 @@ class Parser {
     throw Error(what, file_ + ":" + std::to_string(number_));
   }
 
-  // The next line with words, without its comment.
+  // Reads the next line that has words, without its comment.
   bool next_line() {
     while (std::getline(in_, line_)) {
       ++number_;
@@ -89,7 +89,7 @@ class Parser {
     }
   }
 
-  // Sections end where a line begins with a letter.
+  // A section ends where a line begins with a letter.
   bool next_line_of_section() {
     const auto before = in_.tellg();
     const int number_before = number_;

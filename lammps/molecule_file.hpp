@@ -14,12 +14,14 @@ namespace polhode::lammps {
 struct MoleculeFile {
   std::vector<Vec3<double>> r;
   std::vector<int> types;
-  std::vector<double> charges;  ///< 0 if the file has none
-  std::vector<double> masses;   ///< empty if the file has none: those of the types
+  std::vector<double> charges;  ///< charges; 0 if the file has none
+  std::vector<double> masses;   ///< masses; empty if the file has none, so that the masses of the
+                                ///< types apply
 };
 
-/// @param file    its name in errors
-/// @throws Error  with the line, if it is not such a file or has no Coords or Types
+/// Parses the text of a molecule file.
+/// @param file    file name in error messages
+/// @throws Error  with the line, if it is not a molecule file or has no Coords or Types
 MoleculeFile parse_molecule_file(std::string_view text, const std::string& file);
 
 }  // namespace polhode::lammps

@@ -12,7 +12,7 @@
 namespace polhode::lammps {
 namespace {
 
-// Pairs within molecules are excluded anyway.
+// Pairs within molecules are excluded in any case.
 bool excludes_other_pairs(const LAMMPS_NS::Neighbor* neighbor) {
   return neighbor->nex_type > 0 || neighbor->nex_group > 0 ||
          std::any_of(neighbor->ex_mol_intra, neighbor->ex_mol_intra + neighbor->nex_mol,

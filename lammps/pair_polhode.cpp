@@ -99,7 +99,7 @@ void PairPolhode::init_style() {
   forces_.reset();
 }
 
-/// Atoms that own interacting bodies are at most this far apart.
+/// Finds the maximum distance between atoms that own interacting bodies.
 void PairPolhode::find_range() {
   double extent = 0, owner = 0;
   for (const Kind& kind : fix_->kinds()) {
@@ -108,7 +108,7 @@ void PairPolhode::find_range() {
   }
   const bool by_centres = cutoff_treatment(settings_) == CutoffTreatment::molecule_switch;
   range_ = settings_.cutoff / units_.nm + 2 * owner + (by_centres ? 0 : 2 * extent);
-  range_ *= 1 + 1e-9;  // rounding
+  range_ *= 1 + 1e-9;  // margin for round-off
 }
 
 double PairPolhode::init_one(int i, int j) {
@@ -127,7 +127,7 @@ void* PairPolhode::extract(const char* name, int& dimension) {
   return std::strcmp(name, "cut_coul") == 0 ? &cutoff_of_charges_ : nullptr;
 }
 
-/// The charges of each kind, which must be those of all its molecules.
+/// The charges of each kind. All molecules of a kind must have the same charges.
 KindCharges PairPolhode::charges_of_kinds() const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::vector<Kind>& kinds = fix_->kinds();
@@ -164,8 +164,8 @@ KindCharges PairPolhode::charges_of_kinds() const {
   return charges;
 }
 
-/// The edges of the box in directions with one process, where the images of its bodies need not be
-/// ghosts [nm]; 0 in others.
+/// The box edges in directions with only one process, where images of its bodies need not be ghosts
+/// [nm]; 0 in other directions.
 Vec3<double> PairPolhode::period(const Topology& topology) const {
   Vec3<double> edges;
   if (domain->triclinic != 0) return edges;
@@ -180,7 +180,7 @@ Vec3<double> PairPolhode::period(const Topology& topology) const {
   return edges;
 }
 
-/// The bodies that are here now, those of a kind together, as the fix has its own.
+/// Arranges the bodies that are now on this process by kind, in the order of the fix.
 void PairPolhode::arrange() {
   if (comm->get_comm_cutoff() < range_ + neighbor->skin)
     error->all(FLERR,
@@ -211,7 +211,7 @@ void PairPolhode::arrange() {
   std::vector<std::size_t> counts;
   for (const Topology* const each : {&own, &ghosts})
     for (const auto& part : each->parts) counts.push_back(part.count);
-  if (forces_ && counts == counts_) return;  // its list notices where the bodies are
+  if (forces_ && counts == counts_) return;  // the neighbour list detects moved bodies
   counts_ = std::move(counts);
   settings_.mixing = explicit_pairs(kinds, coefficients_, units_);
   forces_.emplace(own, ghosts, settings_, edges);

@@ -44,14 +44,16 @@ class PairPolhode : public LAMMPS_NS::Pair {
   ForceSettings settings_;
   PairUnits units_;
   PairCoefficients coefficients_;
-  double cutoff_of_charges_ = 0;  // [length], for the kspace style
-  double range_ = 0;              // of atoms: beyond, no owners of interacting bodies [length]
+  double cutoff_of_charges_ = 0;  // cutoff of the charges [length], for the kspace style
+  double range_ = 0;              // range of owner atoms: bodies with owners farther apart do not
+                                  // interact [length]
   FixPolhode* fix_ = nullptr;
   KindCharges charges_;
-  std::optional<DomainForces> forces_;  // of the present arrangement of bodies
+  std::optional<DomainForces> forces_;  // forces for the present arrangement of bodies
   std::uint64_t arrangement_ = 0;
-  std::vector<std::size_t> counts_;       // of own bodies and ghosts of each kind in forces_
-  std::vector<std::size_t> ghost_order_;  // ghosts of the fix by their kinds
+  std::vector<std::size_t> counts_;       // numbers of own bodies and ghosts of each kind in
+                                          // forces_
+  std::vector<std::size_t> ghost_order_;  // indices of the ghosts of the fix, sorted by kind
   Load load_;
 };
 

@@ -10,13 +10,13 @@ class LAMMPS;
 
 namespace polhode::lammps {
 
-/// The unit of length of the input script [nm]; in units lj, σ counts as 1 nm.
+/// The unit of length of the input script [nm]. In units lj, σ is treated as 1 nm.
 /// @throws Error  for units in which molecules are many orders of magnitude smaller than 1
 double length_unit(LAMMPS_NS::LAMMPS* lammps);
 
-/// Settings with lengths in nm. Energies have the unit of the input script.
-/// @param arguments  behind the style, `count` of them
-/// @throws Error     with the argument that is wrong
+/// Reads force settings with lengths in nm. Energies are in the unit of the input script.
+/// @param arguments  the `count` arguments that follow the style
+/// @throws Error     with the invalid argument
 ForceSettings pair_settings(int count, char** arguments, LAMMPS_NS::LAMMPS* lammps);
 
 }  // namespace polhode::lammps

@@ -21,9 +21,9 @@
 namespace polhode::lammps {
 namespace {
 
-constexpr int largest_molecule_file = 1 << 20;  // bytes
+constexpr int largest_molecule_file = 1 << 20;  // maximum size in bytes
 
-// The text of a file, which one process reads for all.
+// The text of a file, which one process reads and sends to all others.
 std::string text_of_file(const std::string& path, MPI_Comm world) {
   int process = 0;
   MPI_Comm_rank(world, &process);
@@ -110,7 +110,7 @@ void Reader::particle() {
   settings_.particles.push_back(std::move(particle));
 }
 
-// Forces are known at the end of a step of LAMMPS, where a step of the scheme must end.
+// Forces are known at the end of a LAMMPS step, so a step of the scheme must end there.
 void Reader::check(const Scheme& scheme) const {
   if (scheme.has(Flow::bath))
     throw Error("the scheme has a bath O; leave its stages out and use the keyword langevin");

@@ -16,14 +16,15 @@ class LAMMPS;
 
 namespace polhode::lammps {
 
-/// The Ornstein-Uhlenbeck bath of the ensembles, in the units of LAMMPS.
+/// The arguments of the Langevin (Ornstein-Uhlenbeck) bath, in LAMMPS units.
 struct LangevinArguments {
   double temperature = 0;
-  double damping_time = 0;  ///< 1/γ of translation and rotation
+  double damping_time = 0;  ///< damping time 1/γ of translation and rotation
   std::uint64_t seed = 0;
 };
 
-/// Particles of a type, each a molecule with the sites of a molecule file.
+/// The arguments for particles of a type, each of which is a molecule with the sites of a molecule
+/// file.
 struct ParticleArguments {
   int type = 0;
   MoleculeFile file;
@@ -31,19 +32,22 @@ struct ParticleArguments {
 };
 
 struct FixSettings {
-  Scheme scheme;      ///< with the stages of the bath, if there is one
-  double lambda = 1;  ///< of finite differences: forces of other pair styles are not smooth
+  Scheme scheme;      ///< scheme, which includes the stages of the bath if there is one
+  double lambda = 1;  ///< displacement factor of finite differences; it is large because forces of
+                      ///< other pair styles are not smooth
   double tolerance = default_tolerance;
-  std::vector<bool> massless;  ///< [type]
+  std::vector<bool> massless;  ///< whether atoms are massless, by type
   std::optional<LangevinArguments> langevin;
   std::vector<ParticleArguments> particles;
 };
 
-/// Settings without arguments.
+/// The settings of the fix without arguments.
 FixSettings default_settings();
 
-/// @param arguments  behind the style, `count` of them
-/// @throws Error  with the argument that is wrong, or if the scheme needs what LAMMPS cannot do
+/// Reads the settings of the fix.
+/// @param arguments  the `count` arguments that follow the style
+/// @throws Error  with the invalid argument, or if the scheme needs features that LAMMPS does not
+///   have
 FixSettings fix_settings(int count, char** arguments, LAMMPS_NS::LAMMPS* lammps);
 
 }  // namespace polhode::lammps

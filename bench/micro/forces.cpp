@@ -48,8 +48,8 @@ void force_evaluation(benchmark::State& loop, InstructionSet instruction_set, Tr
       1e6 * measure_limit(precision, 0.05).seconds(whole, pairs - whole, energies);
 }
 
-/// The derivative of forces along the direction of a gradient kick, interleaved with force
-/// evaluations: minimum times, so that the ratio does not depend on other load.
+/// Measures the derivative of forces along the direction of a gradient kick, interleaved with force
+/// evaluations. Minimum times are used, so that their ratio does not depend on other load.
 void derivative(benchmark::State& loop, InstructionSet instruction_set, Precision precision,
                 const ForceSettings& settings) {
   force_instruction_set(instruction_set);
@@ -61,7 +61,7 @@ void derivative(benchmark::State& loop, InstructionSet instruction_set, Precisio
   forces(water.state, load);
   Vec3Column dq, dtheta;
   gradient_direction(water.state, water.bodies, load, dq, dtheta);
-  double derivative = 1, evaluation = 1;  // [s]
+  double derivative = 1, evaluation = 1;  // minimum times [s]
   const auto timed = [](double& min_seconds, const auto& work) {
     const double seconds = seconds_of(work);
     min_seconds = std::min(min_seconds, seconds);

@@ -57,7 +57,7 @@ void mesh(benchmark::State& loop, InstructionSet instruction_set, What what, std
       case What::spread:
         mesh.spread(slots, placed.records);
         break;
-      case What::convolve:  // on the result of the last one; so that it neither grows nor vanishes
+      case What::convolve:  // acts on its previous result, which then neither grows nor vanishes
         loop.PauseTiming();
         mesh.spread(slots, placed.records);
         loop.ResumeTiming();
@@ -88,7 +88,7 @@ void add(const std::string& name, InstructionSet instruction_set, What what, std
 
 template <class T>
 void add_all(const std::string& precision) {
-  // Relative errors of 0.9e-4 in this water.
+  // These settings have relative errors of 0.9e-4 in this water.
   const MeshSettings usual{{20, 20, 20}, 5, 5, cutoff};
   for (const InstructionSet instruction_set : available_instruction_sets()) {
     const std::string on = precision + "/" + name(instruction_set);
@@ -103,7 +103,8 @@ void add_all(const std::string& precision) {
   for (const double error : {1e-3, 1e-4, 1e-5, 1e-6})
     add<T>("chosen/error=" + std::to_string(error).substr(0, 8) + precision, best, What::forces, 1,
            mesh_for(error, cutoff, water.state.box, water.topology));
-  // What the choice of a mesh assumes: the times by order and by points (mesh_choice.cpp).
+  // Measures the times by order and by points on which the choice of a mesh is based
+  // (mesh_choice.cpp).
   for (int order = MeshSettings::min_order; order <= MeshSettings::max_order; ++order)
     add<T>("order=" + std::to_string(order) + precision, best, What::forces, 1,
            {{20, 20, 20}, order, 5, cutoff});

@@ -25,9 +25,11 @@ POLHODE_DECLARE_LOOPS(void turn_by_series(bench::Tops&, double);
 namespace bench {
 namespace {
 
-constexpr std::size_t count = 512;  // a box of water; fits the first cache
+constexpr std::size_t count = 512;  // number of tops in a box of water; they fit into the
+                                    // first-level cache
 
-/// Water molecules (moments of TIP4P [u nm²]), each rotating by `angle` in unit time.
+/// Water molecules with the moments of TIP4P [u nm²], each of which rotates by `angle` in unit
+/// time.
 Tops water_tops(double angle) {
   const Vec3<double> J{0.0061457, 0.0115512, 0.0176968};
   Tops tops(count);
@@ -52,7 +54,7 @@ void turn_packs(benchmark::State& state, Turn turn, double angle) {
   double t = 1;
   for (auto _ : state) {
     turn(tops, t);
-    t = -t;  // forward and back: |ω t| of every lane is constant
+    t = -t;  // steps alternate forward and back, so that |ω t| of every lane is constant
     benchmark::ClobberMemory();
   }
   state.counters["per_body"] =

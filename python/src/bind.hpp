@@ -16,7 +16,7 @@ void bind_lookup(nanobind::module_& m);
 void bind_top(nanobind::module_& m);
 void bind_frames(nanobind::module_& m);
 
-/// Passes Error, OutputError and RunError on as those of polhode.errors.
+/// Translates Error, OutputError and RunError to the exceptions of polhode.errors.
 void translate_errors();
 
 }  // namespace polhode::python

@@ -28,7 +28,7 @@ using namespace nb::literals;
 
 namespace {
 
-/// The type of a thermostat or barostat; nothing without.
+/// The type of a thermostat or barostat; empty if there is none.
 std::optional<std::string> type_of(const std::string& table, const Config& config) {
   const std::string type = value_text(setting(table + ".type"), config);
   return type.empty() ? std::nullopt : std::optional(type);
@@ -45,7 +45,7 @@ std::optional<double> pressure_in_bar(const Config& config) {
                   : std::nullopt;
 }
 
-/// (table, key, kinds of its values)
+/// All settings as tuples (table, key, kinds of the value).
 std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> keys() {
   std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> all;
   for (const auto& [name, kind] : setting_table_names())
@@ -58,20 +58,20 @@ std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> keys
   return all;
 }
 
-/// Settings whose text has the overlay in it.
+/// Settings whose text includes the overlay.
 Config with_text(Config config, const Overlay& overlay) {
   config.text = overlaid_text(config.text, config.source, overlay);
   return config;
 }
 
-/// The keys of the settings that a job takes by names of its own.
+/// The keys of the settings for which a job has separate names.
 std::map<std::string, std::string> keys_of_job(const std::string& job) {
   std::map<std::string, std::string> keys;
   for (const JobSetting& setting : settings_of_job(job)) keys[setting.name] = setting.key;
   return keys;
 }
 
-/// The readers of run files, with the overlay that keywords are.
+/// Binds the readers of run files. Keywords become an overlay.
 void bind_readers(nb::module_& m) {
   nb::class_<Overlay>(m, "Overlay")
       .def(

@@ -10,11 +10,11 @@
 
 namespace polhode::python {
 
-/// Forces by a Python function: called with positions (n, 3) [nm], orientations (n, 4) and box (3)
-/// [nm], which are copies; it returns forces (n, 3), torques (n, 3), an energy, and a virial (3, 3)
-/// or None, as checked arrays of doubles. The reference to it is weak: the caller keeps the
-/// function.
-/// @param name  as in ExternalForces
+/// Makes external forces from a Python function. It is called with copies of the positions (n, 3)
+/// [nm], orientations (n, 4) and box (3) [nm]. It returns forces (n, 3), torques (n, 3), an energy,
+/// and a virial (3, 3) or None, as checked arrays of doubles. The reference to the function is
+/// weak, so the caller must keep the function alive.
+/// @param name  name as in ExternalForces
 std::shared_ptr<const ExternalForces> external_forces(const nanobind::callable& function,
                                                       const std::string& name, bool has_virial);
 

@@ -12,7 +12,7 @@ namespace {
 
 namespace nb = nanobind;
 
-/// Raises polhode.errors.NAME with these arguments.
+/// Raises the exception polhode.errors.NAME with these arguments.
 template <class... Arguments>
 void raise(const char* name, const Arguments&... arguments) {
   try {

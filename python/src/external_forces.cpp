@@ -15,9 +15,9 @@ namespace {
 namespace nb = nanobind;
 using Array = nb::ndarray<const double, nb::c_contig, nb::device::cpu>;
 
-/// A weak reference to a Python object, which any thread may drop. The strong one is an attribute
-/// of a Python object: a function may refer to the simulation that calls it, and Python's garbage
-/// collector finds only cycles of its objects.
+/// A weak reference to a Python object, which any thread may drop. The strong reference is an
+/// attribute of a Python object. This matters because a function may refer to the simulation that
+/// calls it, and Python's garbage collector finds only cycles of Python objects.
 struct Reference {
   nb::object weak;
   explicit Reference(const nb::object& object) : weak(nb::weakref(object)) {}
@@ -33,7 +33,7 @@ struct Reference {
   }
 };
 
-/// A NumPy array of its own with the rows of some columns.
+/// A new NumPy array with the rows of some columns.
 template <std::size_t n>
 nb::object rows_of(const Components<n>& columns) {
   const std::size_t size = columns.size();

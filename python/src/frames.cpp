@@ -20,7 +20,7 @@ namespace {
 
 namespace nb = nanobind;
 
-/// A reader with the frame that it fills.
+/// A reader, with the frame into which it reads.
 struct OpenFrames {
   std::unique_ptr<FrameReader> reader;
   Frame frame;
@@ -60,7 +60,7 @@ nb::object numbers(const Frame& frame, const F& of) {
   return array_of(std::move(values), {frame.atoms.size()});
 }
 
-/// Frames given as arrays, to be written.
+/// A frame given as arrays, to be written.
 struct FrameToWrite {
   Frame frame;
   FrameToWrite(const std::vector<std::string>& residues, const std::vector<std::string>& names,

@@ -15,7 +15,8 @@ using namespace std::chrono_literals;
 
 std::atomic<bool> signalled = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
-bool watched = false;  // by an outer job; under the interpreter's lock
+bool watched = false;  // whether an outer job watches for Ctrl-C; protected by the interpreter's
+                       // lock
 void (*python_handler)(int) = nullptr;
 
 extern "C" void remember(int signal_number) {

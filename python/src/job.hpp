@@ -11,14 +11,14 @@
 
 namespace polhode::python {
 
-/// What Python is told during a job; each None or a function.
+/// The Python callbacks of a job; each is None or a function.
 struct JobHooks {
   nanobind::object progress;  ///< called with (job, fraction done or None, detail)
   nanobind::object message;   ///< called with a line of text
 };
 
-/// Notes Ctrl-C while it exists, in the main thread of Python; elsewhere it does nothing. The
-/// signal also reaches Python's own handler.
+/// Detects Ctrl-C while this object exists, in the main thread of Python. In other threads it does
+/// nothing. The signal also reaches Python's handler.
 class InterruptWatch {
  public:
   InterruptWatch();
@@ -36,7 +36,7 @@ class Job {
   explicit Job(JobHooks hooks) : hooks_(std::move(hooks)) {}
 
   /// Calls f(callbacks) without the interpreter's lock, and returns its result.
-  /// @throws nanobind::python_error  with KeyboardInterrupt, if it was ended by Ctrl-C
+  /// @throws nanobind::python_error  with KeyboardInterrupt, if Ctrl-C ended the call
   template <class F>
   auto run(const F& f) {
     auto result = [&] {
@@ -54,7 +54,7 @@ class Job {
 
   JobHooks hooks_;
   InterruptWatch interrupt_;
-  std::chrono::steady_clock::time_point shown_{};  // when progress was last reported
+  std::chrono::steady_clock::time_point shown_{};  // time of the last progress report
 };
 
 }  // namespace polhode::python

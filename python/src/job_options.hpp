@@ -15,7 +15,7 @@
 
 namespace polhode::python {
 
-/// What all jobs have in common.
+/// Options that all jobs have in common.
 struct JobOptions {
   int threads = 1;
   OutputOptions output;
@@ -31,7 +31,7 @@ struct JobOptions {
   }
 };
 
-/// The report of a job: its JSON, and the rows that notebooks show.
+/// The report of a job as text: its JSON, and the rows that notebooks show.
 inline std::string report_text(const Quantities& results) {
   return json_text(results, text_rows(results));
 }

@@ -24,7 +24,7 @@ namespace {
 
 namespace nb = nanobind;
 using namespace nb::literals;
-// Simulations.
+// Functions for simulations follow.
 
 nb::tuple run(const Config& config, const JobOptions& options) {
   const RunResult result = options.run([&](const Callbacks& callbacks, Workers& workers) {
@@ -65,7 +65,7 @@ std::string write_run_file(const std::string& kind, const std::string& file, con
   });
 }
 
-// Trajectories.
+// Functions for trajectories follow.
 
 nb::tuple analyze_trajectory(const std::string& trajectory, const Config* run, const Options& given,
                              const JobOptions& options) {
@@ -93,7 +93,7 @@ std::vector<std::string> export_lammps(const Config& config, const std::string& 
   });
 }
 
-// Schemes and steps.
+// Functions for schemes and steps follow.
 
 nb::tuple advise(const Config& config, const Options& given, bool schemes_given,
                  const JobOptions& options) {

@@ -50,7 +50,7 @@ Dimension dimension_of(const std::string& name) {
               "; there are: " + join_names(names));
 }
 
-/// The mean of a series of samples, its standard error, and why that is not known.
+/// The mean of a series of samples, its standard error, and the reason if the error is not known.
 nb::tuple series_mean(const std::vector<double>& samples) {
   TimeBlocks blocks;
   for (const double x : samples) blocks.add(std::array{x});

@@ -28,7 +28,8 @@ nb::tuple as_tuple(const ReplicaTask& task) {
                         nb::bytes(task.record.data(), task.record.size()));
 }
 
-/// Calls a function of Python with a list of tasks; it returns their records as bytes.
+/// Makes an executor from a Python function. The function is called with a list of tasks and
+/// returns their records as bytes.
 ReplicaExecutor executor_of(const nb::object& function) {
   if (function.is_none()) return {};
   return [&function](const std::vector<ReplicaTask>& tasks) {

@@ -23,7 +23,7 @@ namespace {
 namespace nb = nanobind;
 using namespace nb::literals;
 
-/// Marks a simulation as in use by one thread.
+/// Marks a simulation as being used by one thread.
 class InUse {
  public:
   explicit InUse(std::atomic<bool>& flag) : flag_(flag) {
@@ -48,21 +48,22 @@ struct OwnedSimulation {
   Simulation simulation;
   std::atomic<bool> in_use = false;
   std::vector<double> samples;         // rows of energies since the last call of take_energies()
-  std::optional<State> before_change;  // while the state may be changed
+  std::optional<State> before_change;  // state before a change, while the state may be changed
 
   DegreesOfFreedom degrees_of_freedom() const {
     return polhode::degrees_of_freedom(simulation.system().topology);
   }
 };
 
-/// A row of energies with that of external forces as its last number.
+/// A row of energies, with the energy of external forces as its last number.
 std::vector<double> row_of(const Energies& energies, const DegreesOfFreedom& n) {
   const auto row = energy_row(energies, n);
-  std::vector<double> all(row.begin(), row.end() - 1);  // without the error of the step
+  std::vector<double> all(row.begin(), row.end() - 1);  // the row without the time-step error
   all.push_back(energies.external);
   return all;
 }
 
+/// Advances a simulation.
 /// @return  false if it was interrupted
 bool advance(OwnedSimulation& s, std::size_t steps, bool keep_energies, JobHooks hooks) {
   const InUse use(s.in_use);
@@ -103,7 +104,8 @@ auto view_of(Member State::*member) {
   };
 }
 
-/// Writable views of positions, momenta, orientations and angular momenta.
+/// Begins a change of the state, and returns writable views of positions, momenta, orientations and
+/// angular momenta.
 nb::tuple begin_change(SimulationPointer s) {
   const InUse use(s.p->in_use);
   if (s.p->before_change) throw Error("the state is already being changed; leave that block first");
@@ -114,7 +116,8 @@ nb::tuple begin_change(SimulationPointer s) {
                         writable(state.orientation, owner), writable(state.ell, owner));
 }
 
-/// @param keep  false: the state as it was before
+/// Ends a change of the state.
+/// @param keep  false to restore the state before the change
 void end_change(OwnedSimulation& s, bool keep) {
   const InUse use(s.in_use);
   if (!s.before_change) throw Error("the state is not being changed");
@@ -128,7 +131,7 @@ void end_change(OwnedSimulation& s, bool keep) {
   }
 }
 
-/// Forces (n, 3) and torques (n, 3) at the current positions.
+/// Returns the forces (n, 3) and torques (n, 3) at the current positions.
 nb::tuple forces(OwnedSimulation& s) {
   const InUse use(s.in_use);
   const System& system = s.simulation.system();
@@ -148,7 +151,7 @@ nb::tuple forces(OwnedSimulation& s) {
   return nb::make_tuple(array_of(std::move(f), {n, 3}), array_of(std::move(tau), {n, 3}));
 }
 
-/// Positions and velocities of all sites, molecules whole.
+/// Returns positions and velocities of all sites, with whole molecules.
 nb::tuple sites(const OwnedSimulation& s, bool massless) {
   const System& system = s.simulation.system();
   std::vector<double> r, v;
@@ -168,7 +171,7 @@ std::string kinds_json(const OwnedSimulation& s) {
   return json_text(records(molecules));
 }
 
-/// (molecule, count) of each part of the topology.
+/// Returns (molecule, count) for each part of the topology.
 nb::list parts(const OwnedSimulation& s) {
   nb::list list;
   for (const auto& [molecule, count] : s.simulation.system().topology.parts)

@@ -24,7 +24,8 @@ Vec3<double> row(const Rows& rows, std::size_t i) {
   return {x[0], x[1], x[2]};
 }
 
-/// Rotations of n tops over their times: quaternions (n, 4), and angular momenta after it (n, 3).
+/// Rotates n tops over their times. Returns quaternions (n, 4), and the angular momenta after the
+/// rotation (n, 3).
 nb::tuple rotations(const Rows& J, const Rows& L, const Numbers& t, const std::string& method) {
   const auto chosen = given_name<RotorMethod>({method, "method"});
   const std::size_t n = t.shape(0);
@@ -49,8 +50,9 @@ void add(std::vector<double>& row, const Quaternion<double>& q, const Vec3<doubl
   row.insert(row.end(), {q.w, q.x, q.y, q.z, L.x, L.y, L.z});
 }
 
-/// The samples of TopTrajectory: t; rotation and L, exact, of the series, of NO_SQUISH; and for
-/// the last two the relative errors of energy and momentum, and the angle.
+/// Returns the samples of a TopTrajectory. They contain t, and the rotation and L by the closed
+/// form, the series and NO_SQUISH. For the last two, they also contain the relative errors of
+/// energy and momentum, and the angle.
 nb::object top(const Options& given, const JobOptions& options) {
   const auto request = request_of<TopRequest>(given);
   const auto [J, L, step, length] = request.top();

@@ -172,8 +172,7 @@ PackedIntegers pack_integers(std::vector<IntegerVector> atoms) {
     int change = small > smallest ? -1 : 0;
     if (small < largest && i > 0 && within(atoms[i], previous, range_of(largest) / 2)) change = 1;
     bool near = i + 1 < atoms.size() && within(atoms[i], atoms[i + 1], half);
-    // The second atom of a run is stored first, because in water both hydrogens are close to the
-    // oxygen.
+    // The second atom is stored first: in water both hydrogens are close to the oxygen.
     if (near) std::swap(atoms[i], atoms[i + 1]);
     if (!near && change < 0) change = 0;
 
