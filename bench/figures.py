@@ -13,7 +13,7 @@ BENCH = Path(__file__).resolve().parent
 sys.path[:0] = [str(BENCH.parent / "studies"), str(BENCH / "lammps")]
 from lib import figures  # noqa: E402
 
-GREYS = ("#404040", "#707070", "#9a9a9a", "#c0c0c0", "#585858", "#868686", "#aeaeae", "#d4d4d4")  # of other programs: schemes have the colours
+GREYS = ("#404040", "#707070", "#9a9a9a", "#c0c0c0", "#585858", "#868686", "#aeaeae", "#d4d4d4")  # colours of other programs; polhode has the colours of its schemes
 SHAPES = ("s", "o", "^", "v", "D", "p")
 KINDS = {"reaction-field": "reaction field", "site-switch": "reaction field, site switch", "ewald": "Ewald sum"}
 
@@ -57,7 +57,7 @@ def engine(result, prefix):
 
 
 def steps(result, prefix):
-    """Whole steps of the program that was compared with an earlier one."""
+    """Whole steps of the program that was compared with an earlier version."""
     curves = {title: ({"color": figures.PALETTE[k], "marker": "os^"[k]}, lambda c, f=forces: c["forces"] == f) for k, (forces, title) in enumerate(KINDS.items())}
     caveat = f"TIP4P, {result['cases'][0]['precision']} precision, velocity Verlet; {result['processor']}, {result['date']}"
     two_figures(curves, result["cases"], lambda c: (c["forces"], c["molecules"]), lambda c, _: 1e3 * c["now_ms"] / c["molecules"], " and step",
@@ -73,12 +73,12 @@ def peer_looks(names):
 
 
 def program(name):
-    """An engine with the name of its program as it is written: "GROMACS"."""
+    """The name of an engine with the usual spelling of its program, such as "GROMACS"."""
     return functools.reduce(lambda text, own: text.replace(own.lower(), own), ("GROMACS", "LAMMPS", "OpenMM"), name)
 
 
 def absent(costs):
-    """The engines that do not reach an R, as a text."""
+    """The engines that do not reach an R, as text."""
     return "\n".join(f"{program(r['engine'])} does not reach {r['R_percent']:g} %" for r in costs if not r["seconds_per_ns"])
 
 
@@ -99,7 +99,7 @@ def peers(result, path):
                title=f"{molecules} molecules, {threads} thread{'s' * (threads > 1)}")
         figures.plain_ticks(ax.xaxis, targets)
     rows[0][0].set_ylabel("seconds per nanosecond")
-    # A build for another instruction set has another speed.
+    # A build for another instruction set has a different speed.
     builds = "\n".join(f"{program(n)} {v}" for n, v in result.get("versions", {}).items() if n in looks and not n.startswith("polhode"))
     figure.supxlabel(f"Builds as distributed, others are faster or slower:\n{builds}" if builds else "", fontsize=9)
     figures.legend(figure, rows[0][0], 3)

@@ -15,7 +15,7 @@ from lib import runs  # noqa: E402
 
 
 def run_file(molecules=512, start="w512", prefix="out", **tables):
-    """A run file without trajectory and figure. tables: what it has besides, such as forces={"precision": "mixed"}."""
+    """A run file without trajectory and figure. tables: its other tables, such as forces={"precision": "mixed"}."""
     system = {"molecules": runs.molecules("tip4p", molecules), "initial_configuration": start, **tables.pop("system", {})}
     return runs.run_file(system=system, **{**tables, "output": {"prefix": prefix, **runs.QUIET, **tables.get("output", {})}})
 
@@ -44,7 +44,7 @@ def start(copies, folder):
 
 
 def spent(command, folder=None, **environment):
-    """(wall-clock time, user time) of a process [s]; the benchmark ends where the process does not succeed."""
+    """(wall-clock time, user time) of a process [s]; the benchmark ends if the process fails."""
     before, begin = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime, time.perf_counter()
     done = subprocess.run(command, cwd=folder, env={**os.environ, **environment}, check=False, text=True, capture_output=True)
     if done.returncode:

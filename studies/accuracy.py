@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How dynamics depends on the accuracy of the integration: diffusion, relaxation times and temperatures of liquid TIP4P
+"""The dependence of dynamics on the accuracy of the integration: diffusion, relaxation times and temperatures of liquid TIP4P,
 with schemes and time steps of very different R, from the same initial configurations."""
 
 from statistics import fmean
@@ -28,7 +28,7 @@ def tables(o, name, place, scheme, step, seed, **more):
 
 
 def initial(o, folder, seed):
-    """A liquid at 298 K: a lattice melted with velocity rescaling, then a picosecond at constant energy."""
+    """Prepares a liquid at 298 K: a lattice is melted with velocity rescaling, followed by 1 ps at constant energy."""
     name = f"start-{seed}"
     runs.kept(folder, name, lambda: runs.run(o, tables(o, name, {"density": "0.997 g/cm3"}, "hoa2", 2, seed, equilibrate=f"{o.equilibrate:g} ps",
                                                        length="1 ps", sample="20 fs"), folder, name=name))
@@ -80,7 +80,7 @@ def report(result):
 
 
 def draw(result):
-    """Diffusion, relaxation time and temperatures against R."""
+    """Plots diffusion, relaxation time and temperatures against R."""
     from lib import figures
     looks = figures.styles(list(dict.fromkeys(p["scheme"] for p in result["points"])))
     percent = lambda q: lambda p: [100 * p["differences"][q][part] / p[q]["value"] for part in ("value", "error")]

@@ -31,7 +31,7 @@ def write(o, folder, name, system, seed):
 
 
 def new_runs(o, folder, system, seed, best):
-    """R of new runs: another lattice, other momenta, equilibrated as long as in the run file; infinite after a blow-up."""
+    """R of new runs with another lattice and other momenta, equilibrated as in the run file; infinite after a blow-up."""
     for attempt in range(1, 11):  # molecules of a dense lattice may overlap
         write(o, folder, "fresh.toml", system, 1_000_000 * attempt + seed)
         try:
@@ -47,7 +47,7 @@ def new_runs(o, folder, system, seed, best):
 
 
 def case(o, system, accuracy, seed):
-    """One guarantee, and how many new runs met it."""
+    """One guarantee, and the number of new runs that met it."""
     with runs.scratch() as folder:
         write(o, folder, "run.toml", system, seed)
         result = {"system": system, "accuracy": accuracy, "seed": seed}

@@ -34,7 +34,7 @@ QUANTITIES = "potential energy [kJ/mol per molecule]", "pressure [bar]", "first 
 
 
 def made(o, folder, method, place, seed, length, name=None, equilibrate=None):
-    """The prefix of a run, made or from the folder."""
+    """The prefix of a run, which is performed unless the folder has it."""
     scheme, step, bath = METHODS[method]
     name = name or method.replace(" ", "-")
     tables = {"system": {"molecules": runs.molecules("spce", o.molecules), **place, "temperature": f"{TEMPERATURE} K", "seed": seed},
@@ -47,7 +47,7 @@ def made(o, folder, method, place, seed, length, name=None, equilibrate=None):
 
 
 def results(o, folder, name):
-    """Of each quantity the mean and its standard error."""
+    """The mean of each quantity, with its standard error."""
     samples = runs.columns(Path(folder, f"{name}-energies.csv"))
     samples = samples[samples["time"] >= o.skip]
     potential, pressure = (block_mean(samples[q], max(2, round((o.length - o.skip) / BLOCK))) for q in ("potential", "pressure"))
@@ -58,7 +58,7 @@ def results(o, folder, name):
 
 
 def with_scaled_velocities(text, factor):
-    """A GRO file of polhode: the columns of its numbers have 15 characters."""
+    """Reads a GRO file of polhode, whose number columns have 15 characters."""
     lines = text.splitlines()
     for k in range(2, len(lines) - 1):
         velocities = [factor * float(lines[k][at:at + 15]) for at in (65, 80, 95)]
@@ -67,7 +67,7 @@ def with_scaled_velocities(text, factor):
 
 
 def match_energy(o, folder, potential):
-    """Writes the last state of rescaling with the mean total energy: <U> + n kT/2 with n = 6 N - 3."""
+    """Writes the last state of the rescaling run, scaled to the mean total energy <U> + n kT/2 with n = 6 N - 3."""
     last = runs.columns(Path(folder, "rescaling-energies.csv")).iloc[-1]
     required = potential + (6 * o.molecules - 3) * BOLTZMANN * TEMPERATURE / 2 - last["potential"]
     factor = sqrt(required / (last["kinetic_translation"] + last["kinetic_rotation"]))
@@ -88,7 +88,7 @@ def measured(o):
 
 
 def deviations(values):
-    """Of each (mean, error) from the mean of all others, in standard errors of the difference."""
+    """The deviation of each (mean, error) from the mean of all others, in standard errors of the difference."""
     found = []
     for k, (value, error) in enumerate(values):
         others = values[:k] + values[k + 1:]

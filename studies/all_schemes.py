@@ -40,7 +40,7 @@ def cost_at(own, ratio, order):
 
 
 def ranking(points, orders):
-    """At each R the schemes by cost."""
+    """The schemes at each R, sorted by cost."""
     rows = []
     for ratio in RATIOS:
         found = [(cost_at(own, ratio, orders[scheme]), scheme) for scheme, own in curves.by_scheme(points).items()]
@@ -50,7 +50,7 @@ def ranking(points, orders):
 
 
 def add_times(o, tables, rows):
-    """The time of the first schemes at each R, and of the paper's."""
+    """The times of the cheapest schemes at each R, and of the schemes of the paper."""
     for row in rows:
         timed = [r for k, r in enumerate(row["schemes"]) if k < TIMED or r["scheme"] in PAPER]
         times = curves.seconds_per_ps(o, tables, [(r["scheme"], r["step_fs"]) for r in timed])
@@ -88,7 +88,7 @@ def report(result):
 
 
 def draw(result):
-    """A panel for each system; the schemes of the paper and those that are cheapest at some R in colour, the others pale."""
+    """Draws a panel for each system. Schemes of the paper and schemes that are cheapest at some R are coloured, and all others are pale."""
     from lib import figures
     systems = result["systems"]
     best = [row["schemes"][0]["scheme"] for of in systems.values() for row in of["ranking"] if row["schemes"]]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Are the errors that `polhode analyze` states those that values have? Long runs at constant energy are cut into segments
-of equal length, each is analysed separately, and the errors stated are compared with the scatter of the segments about the mean
-of their own run: runs differ in energy, and so in temperature, which no segment can know."""
+"""A test of the errors that `polhode analyze` states. Long runs at constant energy are divided into segments of equal length, which
+are analysed separately. The stated errors are compared with the scatter of the segments about the mean of their run, because runs
+differ in energy and temperature, which a segment cannot show."""
 
 import struct
 from pathlib import Path
@@ -32,7 +32,7 @@ def quantities(said):
 
 
 def frame_bytes(data):
-    """Bytes of a TRR frame; all are alike in a file of one run."""
+    """Size of a TRR frame in bytes, which is the same for all frames of a run."""
     at = 12 + (struct.unpack(">3i", data[:12])[2] + 3) // 4 * 4
     sizes = struct.unpack(">13i", data[at:at + 52])  # ten sizes of blocks, atoms, step, nre; then two reals
     return at + 52 + 2 * (sizes[2] // 9) + sum(sizes[:10])
@@ -61,8 +61,8 @@ def segments(o, system, seed, folder):
 
 
 def compared(of_runs, name):
-    """(segments, fraction with an error, scatter, rms and mean stated error over the scatter) of a quantity; only segments
-    with an error count for the last three."""
+    """(segments, fraction with an error, scatter, rms and mean stated error over the scatter) of a quantity. The last three
+    include only segments with an error."""
     every = sum(map(len, of_runs))
     own = [[p[name] for p in run if name in p and p[name][1] is not None] for run in of_runs]
     told = sum(map(len, own)) / every

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Stated errors of the averages of a run against their scatter over many runs of one system.
 
-Each run begins with the final state of the one before, so runs at constant energy have one energy, and all are of one
-equilibrium. What a run states is compared with the scatter of all."""
+Each run begins with the final state of the previous run, so all runs at constant energy have the same energy, and all runs sample the
+same equilibrium. The errors that a run states are compared with the scatter of all runs."""
 
 from math import sqrt
 from pathlib import Path
@@ -49,7 +49,7 @@ def averages(report):
 
 
 def chain(o, system, ensemble):
-    """The averages of every run; the first, which equilibrates, is left out."""
+    """The averages of every run, except for the first, which equilibrates."""
     molecules, place, forces, step = SYSTEMS[system]
     found, place = {}, dict(place)
     with runs.scratch() as folder:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Coverage of the intervals that `polhode measure` states: over many calls with seeds of their own, how often the 68 % and
+"""Coverage of the intervals that `polhode measure` states: the fraction of many calls with different seeds whose 68 % and
 95 % intervals contain a reference, which is a call with a small error.
 
 Every call decides by itself when to stop, so a bias of the stop rule towards errors that are small by chance would show.

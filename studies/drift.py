@@ -40,7 +40,7 @@ KEPT = ("R", "R_error", "drift_kJ_per_mol_ps", "drift_error", "drift_p_value", "
 
 
 def judged(o, cell, seed):
-    """What one run reports at each of its lengths."""
+    """The report of one run at each of its lengths."""
     density, cutoff, temperature, sample = BOXES[cell.model, cell.count]
     sample = sample if o.design == "walk" else max(4, cell.step)
     tables = {"system": {"molecules": runs.molecules(cell.model, cell.count), "density": density, "temperature": temperature, "seed": seed},
@@ -58,11 +58,11 @@ def fired(reports, level=0.01):
 
 
 def row(cell, length, reports):
-    """What the runs of a cell state at a length, against their scatter."""
+    """The statements of the runs of a cell at a length, compared with their scatter."""
     n = len(reports)
     known = [r for r in reports if r["drift_p_value"] is not None]
     shadow = [r["shadow"] for r in reports if r["shadow"]]
-    # The size of a drift is known in every run, its error where there is a p-value.
+    # The size of a drift is known in every run, and its error if there is a p-value.
     ratio = lambda value, error, of=reports: (over_scatter([(r[value], r[error]) for r in of]) or [None])[-1]
     return {"system": f"{cell.count} {cell.model}", "scheme": f"{cell.scheme} {cell.step:g} fs", "smoothness": cell.smoothness,
             "ensemble": cell.thermostat or "NVE", "ps": length, "runs": n, "p-value": len(known) / n, "p < 5 %": 100 * fired(reports, 0.05) / n,
@@ -100,7 +100,7 @@ def cell_text(value):
 
 
 def report(result):
-    """The rows, and shares over all systems. The lengths of a run share samples."""
+    """The rows, and fractions over all systems. The lengths of a run share samples."""
     lines = []
     for kind, (count, n) in result["totals"].items():
         low, high = share_interval(count, n)

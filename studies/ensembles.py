@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Whether runs sample the ensemble that they claim to, for every thermostat, barostat and hybrid Monte Carlo.
+"""A test of whether runs sample their ensemble, for every thermostat, barostat and hybrid Monte Carlo.
 
 Pairs of runs at two temperatures and at two pressures: the log ratio of the densities of potential energy (or volume) has the slope
 that theory gives (lib/slopes.py). Then the same at one temperature: potential energy and pressure agree for all thermostats, hybrid
@@ -14,7 +14,7 @@ from lib.slopes import check
 from lib.statistics import correlated_mean, rms
 
 TEMPERATURES = 300, 340  # [K]: potential energies of small systems overlap
-SHORT = {"cutoff": "0.52 nm", "switch": "0.46 nm"}  # small boxes: every law is sampled exactly, also one of short range
+SHORT = {"cutoff": "0.52 nm", "switch": "0.46 nm"}  # small boxes, because every law is sampled exactly, also a short-range law
 FIELD, PME = ({**SHORT, "electrostatics": kind} for kind in ("reaction-field", "pme"))
 SYSTEMS = {  # molecules, density [g/cm³], pressures [bar], [forces], compressibility [1/bar]
     "water, reaction field": (("spce", 64), 0.98, (1, 1200), FIELD, 4.5e-5),
@@ -53,7 +53,7 @@ def quantity(method):
 
 
 def series(o, system, method, temperature, pressure, seed):
-    """The samples of a run, without the method's own equilibration: [run] equilibrate is for the temperature."""
+    """The samples of a run, without an initial part in which the method equilibrates ([run] equilibrate only sets the temperature)."""
     molecules, density, _, forces, compressibility = SYSTEMS[system]
     scheme, bath = METHODS.get(method, ("hoa2", {}))
     if "barostat" in bath:
@@ -75,7 +75,7 @@ def states(system, of):
 
 
 def slopes(o, found):
-    """Of every pair the slope, and that of theory."""
+    """The slope of every pair, and the slope that theory gives."""
     result = []
     for s in o.systems:
         for m in o.methods:
@@ -86,8 +86,8 @@ def slopes(o, found):
 
 
 def agreement(o, found):
-    """Means of potential energy and pressure at the lower temperature, by method; of constant energy moved to it with the
-    derivatives that a pair of runs gives."""
+    """Means of potential energy and pressure at the lower temperature, by method. Means at constant energy are shifted to this temperature
+    with derivatives from a pair of runs."""
     result = []
     for s in o.systems:
         (low, P), (high, _) = states(s, "potential")
@@ -101,7 +101,7 @@ def agreement(o, found):
             weights = np.array([error ** -2 for *_, error in group])
             for (m, mean, error), w in zip(group, weights):
                 common = np.average([value for _, value, _ in group], weights=weights)
-                # The common mean contains this one: the variance of their difference is less by its own.
+                # The common mean contains this mean, so the variance of their difference is smaller by the variance of the common mean.
                 result.append({"system": s, "method": m, "quantity": of, "mean": mean, "error": error,
                                "deviation": float((mean - common) / sqrt(max(1 / w - 1 / weights.sum(), 1e-300)))})
     return result

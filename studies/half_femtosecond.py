@@ -79,15 +79,15 @@ SMOKE = [Point(group, *WATER, ensemble, scheme, 4, 1) for group, ensemble, schem
 
 
 def run_tables(point, seed, equilibrate):
-    """At constant energy the n-th runs of all points have a common start, and are compared with each other; with a thermostat, whose
-    noise a common seed would share among points, every run has a seed of its own."""
+    """The seed of a run. At constant energy the n-th runs of all points have the same initial configuration, and are compared with each other.
+    With a thermostat every run has a different seed, because a common seed would share the noise among points."""
     small, pressure = point.ensemble == SMALL, point.ensemble == "constant pressure"
     if not point.ensemble.startswith("constant energy"):
         seed = zlib.crc32(repr((*point, seed)).encode())
     brackets = point.ensemble in ("rescaling", "constant pressure") and point.scheme not in FOURTH_ORDER
     return {"system": {"molecules": runs.molecules(point.model, 64 if small else 216), "density": f"{point.density} g/cm3",
                        "temperature": f"{point.temperature} K", "seed": seed},
-            # The correction for the truncated dispersion shifts energy and pressure by constants: it matters at constant pressure only.
+            # The long-range dispersion correction shifts energy and pressure by constants, so it matters only at constant pressure.
             "forces": {"precision": "mixed", "cutoff": f"{0.6 if small else 0.85} nm", "electrostatics": "pme",
                        "dispersion_correction": pressure or None},
             "integrator": {"scheme": point.scheme, "step": f"{point.step} fs"},
@@ -103,7 +103,7 @@ def equilibration(point):
 
 
 def line(o, point, seed):
-    """What a run adds to the record."""
+    """The data that a run adds to the record."""
     with runs.scratch() as folder:
         report = runs.run(o, run_tables(point, seed, 0.5 if o.smoke else equilibration(point)), folder)
         found = {"point": list(point), "seed": seed, **{name: report.get(name) for name in tables.KEPT}, "seconds": report["seconds"]["all"]}
@@ -123,7 +123,7 @@ def known(record):
 
 
 def complete(o, lines):
-    """Makes the runs that the record lacks, the first of all points before the second."""
+    """Performs the runs that are missing in the record, the first runs of all points before the second runs."""
     points = [p for p in (SMOKE if o.smoke else POINTS) if p.group in o.groups]
     missing = [(p, seed) for seed in range(1, o.runs + 1) for p in points if (p, seed) not in lines]
     with o.record.open("a", encoding="utf-8") as record:

@@ -10,7 +10,7 @@ PANELS = {"difference": "|T$_{\\rm rot}$ − T$_{\\rm trans}$|, time-step bias  
 
 
 def bias(points):
-    """Two panels: the bias that runs at constant energy predict, against force evaluations per ps, with the required bias."""
+    """Draws two panels: the bias that runs at constant energy predict, against force evaluations per ps, with the required bias."""
     figure, (axes,) = figures.panels(2, size=(9.6, 5.2))
     style = figures.styles(dict.fromkeys(p.scheme for p in points))
     for ax, (name, label) in zip(axes, PANELS.items()):
@@ -29,7 +29,7 @@ def bias(points):
 
 
 def looks(names):
-    """The style of each curve: a step shorter than another of its scheme has open markers and a dashed line."""
+    """The style of each curve. If a scheme has two steps, the shorter one has open markers and a dashed line."""
     scheme, step = (lambda name: name.split(",")[0]), (lambda name: float(name.split(", ")[1].split()[0]))
     style = figures.styles(dict.fromkeys(map(scheme, names)))
     short = {n for n in names if any(scheme(m) == scheme(n) and step(m) > step(n) for m in names)}
@@ -37,8 +37,8 @@ def looks(names):
 
 
 def density(points):
-    """Above: densities without a time-step bias and of schemes without a prediction, with cubics; of the other schemes as predicted.
-    Below: the predicted biases, with parabolas."""
+    """Draws two panels. The upper panel has densities without a time-step bias and of schemes without a prediction, with cubics, and the
+    predicted densities of the other schemes. The lower panel has the predicted biases, with parabolas."""
     maxima, own, biases = tables.maxima_of(points), tables.own_densities(points), tables.density_biases(points)
     style = {tables.LIMIT: (figures.Style(figures.INK, "o").of(), "-"), **looks([n for n in maxima if n != tables.LIMIT])}
     limit = tables.limit_densities(points)

@@ -15,10 +15,10 @@ from numpy.polynomial import Polynomial
 
 KEPT = ("potential_kJ_per_mol", "temperature_K", "temperature_translation_K", "temperature_rotation_K", "pressure_bar", "R",
         "temperature_configurational_K", "step_bias", "half_steps", "force_evaluations", "degrees_of_freedom_rotation")  # of a report
-# Of one step, in force evaluations: what points are compared by.
+# The cost of one step in force evaluations, by which points are compared.
 EVALUATIONS = {"velocity-verlet": 1, "hoa2": 2, "bcss3": 3, "gier4-fd": 3, "4mn5fv": 5, "baoab": 1, "obabo": 1}
 KAPPA = 4.6e-5  # 1/bar, of SPC/E water at 298 K
-# What is required: bias [unit], name in the record.
+# The required bias: bias [unit], name in the record.
 REQUIRED = {"difference": (0.1, "K"), "potential": (0.01, "kJ/mol"), "pressure": (4, "bar")}
 BIASES = {"difference": "rotation_minus_translation_K", "potential": "potential_kJ_per_mol", "pressure": "pressure_bar"}
 
@@ -48,23 +48,23 @@ def rotation(run):
 
 
 def difference(run):
-    """Of the kinetic temperatures of rotation and translation [K]."""
+    """The difference of the kinetic temperatures of rotation and translation [K]."""
     return rotation(run) - run["temperature_translation_K"]
 
 
 def configurational(run):
-    """The same of the configurational temperatures [K]."""
+    """The difference of the configurational temperatures of rotation and translation [K]."""
     translation, *axes = [T["value"] for T in run["temperature_configurational_K"]]
     return float(np.mean(axes)) - translation
 
 
 def predicted(name):
-    """The bias that a run predicts for itself; None where it is not known."""
+    """The bias that a run predicts for itself; None if it is not known."""
     return lambda run: run["step_bias"] and run["step_bias"][BIASES[name]]["value"]
 
 
 def constant_energy(points):
-    """Biases against the step."""
+    """A table of biases against the step."""
     head = ["scheme", "step [fs]", "force evaluations per ps", "T_rot − T_trans, measured [K]", "predicted [K]", "configurational [K]",
             "potential energy, predicted bias [kJ/mol]", "pressure, predicted bias [bar]"]
     return table(head, [[p.scheme, f"{p.step:g}", f"{cost(p):.0f}", cell(of_runs(runs, difference), 3),
@@ -74,7 +74,7 @@ def constant_energy(points):
 
 
 def controlled(points):
-    """Averages of runs with a thermostat."""
+    """A table of averages of runs with a thermostat."""
     head = ["thermostat", "scheme", "step [fs]", "force evaluations per ps", "potential energy [kJ/mol]", "predicted bias", "pressure [bar]",
             "predicted bias", "T_trans, T_rot, kinetic [K]", "configurational [K]"]
     kelvin = lambda runs, *values: ", ".join(cell(of_runs(runs, value), 2) for value in values)
@@ -91,14 +91,14 @@ def density(run):
 
 
 def density_bias(run):
-    """[kg/m³]: of the volume, with the other sign; None for a scheme of fourth order, which has no prediction at constant pressure."""
+    """The predicted bias of the density [kg/m³], from the bias of the volume; None for a scheme of fourth order, which has no prediction at constant pressure."""
     if not run["step_bias"]:
         return None
     return -density(run) * run["step_bias"]["volume_nm3"]["value"] / run["volume_nm3"]["value"]
 
 
 def unbiased_density(run):
-    """What is left of the density without the predicted bias; None where that is not known."""
+    """The density minus its predicted bias; None if the bias is not known."""
     bias = density_bias(run)
     return None if bias is None else density(run) - bias
 
@@ -117,7 +117,7 @@ def name_of(p):
 
 
 def limit_densities(points):
-    """[(T, density, error)] without the bias of the step, from all runs that predict theirs."""
+    """[(T, density, error)] without the time-step bias, from all runs that predict it."""
     corrected = defaultdict(list)
     for p, runs in points.items():
         corrected[p.temperature] += [unbiased_density(run) for run in runs if run["step_bias"]]
@@ -125,7 +125,7 @@ def limit_densities(points):
 
 
 def density_biases(points):
-    """By scheme and step: [(T, predicted bias, error)]; of one run the error that it states."""
+    """[(T, predicted bias, error)] by scheme and step; for a single run, the error is the error that it states."""
     curves = defaultdict(list)
     for p, runs in points.items():
         if (bias := of_runs(runs, density_bias)) is None:
@@ -138,7 +138,7 @@ def density_biases(points):
 
 
 def own_densities(points):
-    """By scheme and step: [(T, density, error)] of schemes without a prediction."""
+    """[(T, density, error)] by scheme and step, for schemes without a prediction."""
     curves = defaultdict(list)
     for p, runs in points.items():
         if of_runs(runs, density_bias) is None:
@@ -147,8 +147,8 @@ def own_densities(points):
 
 
 def density_fit(T, densities):
-    """A least-squares cubic: water is lost faster on the cold side of the maximum than on the warm one, and a parabola misses the
-    densities of this study by more than their errors (chi squared 21 with 4 degrees of freedom; cubic: 4 with 3)."""
+    """A least-squares cubic. The density decreases faster on the cold side of the maximum than on the warm side, and a parabola deviates
+    from the densities of this study by more than their errors (chi squared 21 with 4 degrees of freedom; cubic: 4 with 3)."""
     return Polynomial.fit(T, densities, 3)
 
 
@@ -157,14 +157,14 @@ def bias_fit(T, biases):
 
 
 def maximum(curve):
-    """The temperature at which a fit is highest, within the temperatures of its points."""
+    """The temperature at which a fit has its maximum, within the temperatures of its points."""
     low, high = curve.domain
     flat = [root.real for root in curve.deriv().roots() if abs(root.imag) < 1e-9 and low < root.real < high]
     return float(max([low, high, *flat], key=curve))
 
 
 def spread(drawn):
-    """Half of the interval that holds 68 % of the draws: a few of them have curves without a maximum."""
+    """Half of the interval that contains 68 % of the draws, because a few draws have curves without a maximum."""
     return float(np.diff(np.percentile(drawn, (16, 84)))[0] / 2)
 
 
@@ -215,8 +215,8 @@ def maxima(points, draws=2000):
 
 
 def cost_at(curve, bound):
-    """Force evaluations per ps at which the bias is as large as the bound, from (cost, bias) by the power law between two points, or
-    of the two nearest points beyond them; None if it has no two points."""
+    """Force evaluations per ps at which the bias is as large as the bound, from (cost, bias). It follows from the power law between two
+    points, or beyond them from the two nearest points; None if there are fewer than two points."""
     curve = sorted((c, abs(b)) for c, b in curve)
     if len(curve) < 2:
         return None
@@ -226,7 +226,7 @@ def cost_at(curve, bound):
 
 
 def costs(points):
-    """By scheme: the cost at which the predicted bias of each quantity is as large as required; no less than that of the longest step."""
+    """By scheme, the cost at which the predicted bias of each quantity is as large as required, and at least the cost of the longest step."""
     curves = defaultdict(lambda: defaultdict(list))
     for p, runs in points.items():
         for name in REQUIRED:
@@ -241,7 +241,7 @@ def costs(points):
 
 
 def biases(runs, value):
-    """The mean over runs of a predicted bias, with the error that the runs state: too few runs for that of their scatter."""
+    """The mean over runs of a predicted bias, with the error that the runs state, because there are too few runs for an error from their scatter."""
     known = [value(run) for run in runs]
     if any(k is None or k["error"] is None for k in known):
         return None
@@ -257,14 +257,14 @@ def dielectric(run):
 
 
 def structure(points):
-    """What the step changes in averages over frames, as runs predict it."""
+    """A table of the predicted time-step bias of averages over frames."""
     head = ["ensemble", "scheme", "step [fs]", "force evaluations per ps", "ε", "first peak of g(r), O–O", "first peak of g(r), O–H"]
     return table(head, [[p.ensemble, p.scheme, f"{p.step:g}", f"{cost(p):.0f}", cell(biases(runs, dielectric), 2),
                          cell(biases(runs, peak(0, "peak_height")), 4), cell(biases(runs, peak(1, "peak_height")), 4)] for p, runs in points.items()])
 
 
 def structure_seen(points):
-    """Averages over frames themselves."""
+    """A table of averages over frames."""
     height = lambda pair: lambda run: run["analysis"]["rdf"][pair]["peak_height"]["value"]
     dielectric = lambda run: number(run["analysis"]["dielectric"]["constant"])
     head = ["ensemble", "scheme", "step [fs]", "force evaluations per ps", "ε", "first peak of g(r), O–O", "first peak of g(r), O–H"]
@@ -280,7 +280,7 @@ def slope(curve):
 
 
 def compressibilities(points):
-    """From the bias of the pressure at three densities."""
+    """The bias of the compressibility, from the bias of the pressure at three densities."""
     curves = defaultdict(list)
     for p, runs in points.items():
         curves[p.scheme, p.step].append((p.density / 0.998, *biases(runs, lambda run: run["step_bias"]["pressure_bar"])))
@@ -292,8 +292,8 @@ def compressibilities(points):
 
 
 def from_volumes(points):
-    """Compressibilities that runs at constant pressure have, relative to the mean of all schemes at the same temperature, averaged over
-    the temperatures, from whose scatter the errors are."""
+    """Compressibilities in runs at constant pressure, relative to the mean of all schemes at the same temperature. They are averaged over
+    the temperatures, and errors are from the scatter over the temperatures."""
     kappa = {p: mean([run["compressibility_per_bar"]["value"] for run in runs])[0] for p, runs in points.items()}
     at = {T: np.mean([value for p, value in kappa.items() if p.temperature == T]) for T in {p.temperature for p in kappa}}
     ratios = defaultdict(list)
@@ -304,7 +304,7 @@ def from_volumes(points):
 
 
 def starts(points):
-    """Differences of temperatures without a bias of the step."""
+    """Temperature differences without a time-step bias."""
     head = ["initial configuration", "runs", "length [ps]", "T_rot − T_trans, measured [K]", "predicted [K]", "configurational [K]"]
     return table(head, [[p.ensemble, str(len(runs)), f"{p.length:g}", cell(of_runs(runs, difference), 3), cell(of_runs(runs, predicted("difference")), 3),
                          cell(of_runs(runs, configurational), 3)] for p, runs in points.items()])

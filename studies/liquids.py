@@ -91,7 +91,7 @@ def measured(o):
 
 
 def report(result):
-    """The results, each run, and how errors grow with the block length."""
+    """The results, each run, and the growth of errors with the block length."""
     cell = lambda number, digits: text((number["value"], number["error"]), digits)
     all_waters = result["waters"]
     parts = ["At 298.15 K, with errors by the jackknife over blocks:\n", study.table(

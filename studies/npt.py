@@ -145,7 +145,7 @@ def run(o):
 # Results
 
 class Series(NamedTuple):
-    """Of one run, without its beginning."""
+    """The samples of one run, without its beginning."""
     length: float  # [ps]
     volume: numpy.ndarray  # [nm³]
     potential: numpy.ndarray  # [kJ/mol]
@@ -187,7 +187,7 @@ def estimate(x):
 
 
 def variance(x):
-    """Of the distribution, not of the mean; what the mean of the sample itself takes away is restored."""
+    """The variance of the distribution, not of the mean, corrected for the variance of the sample mean."""
     return scaled(estimate((x - numpy.mean(x)) ** 2), 1 / (1 - 1 / estimate(x).samples))
 
 
@@ -258,7 +258,7 @@ def rerun_by_gromacs(liquid, o, name, found):
 
 
 def shift(values, difference, kT):
-    """First-order change of a mean where the potential changes by `difference`: -cov/kT, with the error for independent frames."""
+    """First-order change -cov/kT of a mean if the potential changes by `difference`, with the error for independent frames."""
     product = -(values - values.mean()) * (difference - difference.mean()) / kT
     return Estimate(float(product.mean()), float(product.std() / len(product) ** 0.5), len(product))
 

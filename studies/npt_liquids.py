@@ -40,7 +40,7 @@ class Liquid(NamedTuple):
 
     @property
     def mass(self):
-        """Of one molecule [u]."""
+        """The mass of one molecule [u]."""
         return sum(number(s, "mass") for s in self.sites)
 
 
@@ -51,7 +51,7 @@ LIQUIDS = {liquid.model: liquid for liquid in (
 
 
 def number(site, key):
-    """A quantity of a molecule file in its own unit; 0 where it has none."""
+    """A quantity of a molecule file in its unit there; 0 if it is absent."""
     return float(site.get(key, "0").split()[0])
 
 
@@ -99,7 +99,7 @@ class Atom(NamedTuple):
 
 
 def atoms(liquid):
-    """Of GROMACS: the sites; for a linear molecule first two mass points, which replace the masses of the sites."""
+    """The atoms in GROMACS: the sites. A linear molecule has first two mass points, which replace the masses of the sites."""
     linear = is_linear(liquid.sites)
     found = [Atom(s["name"], 0 if linear else number(s, "mass"), *(number(s, k) for k in ("charge", "sigma", "epsilon")))
              for s in liquid.sites]
@@ -149,7 +149,7 @@ def topology(liquid):
 
 
 def coordinates(liquid, text, title=""):
-    """A GRO file of GROMACS from one of polhode: with the mass points of linear molecules, without velocities."""
+    """Converts a GRO file of polhode to GROMACS: adds the mass points of linear molecules, and removes velocities."""
     read, size, own = gro.read(text), len(liquid.sites), atoms(liquid)
     places = []
     for m in range(liquid.count):

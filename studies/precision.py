@@ -48,7 +48,7 @@ def row(kind, scheme, precision, lam, electrostatics, step, length, start, repor
 
 
 def parts(times, energies, length):
-    """The energies of consecutive windows of a length [ps]."""
+    """The energies in consecutive windows of a length [ps]."""
     count = max(1, int(times[-1] / length + 1e-6))
     return [energies[(times >= k * length) & (times < (k + 1) * length)] for k in range(count)]
 

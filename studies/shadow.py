@@ -8,7 +8,7 @@ KEPT = ("R", "rms_total_kJ_per_mol", "drift_kJ_per_mol_ps", "drift_error", "drif
 
 
 def sample(step):
-    """Between energies, and between shadow energies: 4 fs in whole steps [fs]."""
+    """The intervals between energies and between shadow energies: 4 fs, rounded to whole steps [fs]."""
     return step * max(1, round(4 / step))
 
 

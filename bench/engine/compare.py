@@ -69,12 +69,12 @@ def arguments():
 
 
 def copies(size):
-    """Of the box of 512 waters, along each edge."""
+    """Number of copies of the box of 512 waters along each edge."""
     return round((size / 512) ** (1 / 3))
 
 
 def base_program(base):
-    """The program at that path, or that of a commit, built in build/base-COMMIT."""
+    """The program at a path, or the program of a commit, built in build/base-COMMIT."""
     if Path(base).is_file():
         return study.program(base)
     git = lambda *words: subprocess.run(["git", "-C", ROOT, *words], check=True, text=True, stdout=subprocess.PIPE).stdout.strip()
@@ -98,7 +98,7 @@ def run_file(case, steps):
 
 
 def run_options(case, steps):
-    """The run file of a case, and options."""
+    """The run file of a case, and its options."""
     if Path(case.forces).is_file():
         return [case.forces, "--length", f"{steps * file_step(case.forces):.17g} ps", "--output", "out"]
     Path("run.toml").write_text(run_file(case, steps), encoding="utf-8")
@@ -118,8 +118,8 @@ def seconds(program, case, steps, cpu_time):
 
 
 def time_per_step(program, case, steps, cpu_time):
-    """[ms]: of the steps alone, as the difference of a long and a short run. Where other processes made the short run the longer
-    one, both are repeated."""
+    """Time of only the steps [ms], as the difference of a long and a short run. If other processes made the short run take
+    longer, both are repeated."""
     few = max(1, steps // 20)
     for _ in range(MAX_TRIES):
         taken = seconds(program, case, steps, cpu_time) - seconds(program, case, few, cpu_time)
@@ -129,7 +129,7 @@ def time_per_step(program, case, steps, cpu_time):
 
 
 def enough_steps(o, case):
-    """Steps of a run of about the requested time: one run is doubled until it is a tenth of it."""
+    """Number of steps in a run of about the requested time. A run is doubled until it takes 10 % of this time."""
     steps = 20
     while (taken := seconds(o.base_program, case, steps, o.cpu_time) - seconds(o.base_program, case, 1, o.cpu_time)) < o.seconds / 10:
         steps *= 2
@@ -170,7 +170,7 @@ def main():
     if o.json:
         study.write(o.json, result)
     if o.figures:
-        import figures  # only here: measurements need no matplotlib
+        import figures  # imported only here, because measurements need no matplotlib
         figures.steps(result, o.figures)
 
 

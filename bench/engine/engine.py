@@ -16,7 +16,7 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 import water  # noqa: E402
 
-# The same water as `polhode bench` has, on a lattice; a few short steps, to measure the memory of a run.
+# The same water as in `polhode bench`, on a lattice, with a few short steps to measure the memory of a run.
 RUN = {"forces": {"truncation": "molecule-switch", "cutoff": "0.9 nm", "switch": "0.765 nm", "electrostatics": "reaction-field"},
        "integrator": {"scheme": "hoa2", "step": "0.1 fs"}, "run": {"length": "1 fs", "sample": "1 fs"},
        "system": {"density": "1 g/cm3", "temperature": "297 K"}}
@@ -58,7 +58,7 @@ def outcome(command, folder=None, memory=False):
 
 
 def peak_memory(pid):
-    """[bytes]; 0 if the process has just ended, or if the system does not report it."""
+    """Memory of a process [bytes]; 0 if the process has just ended, or if the system does not report it."""
     try:
         status = Path(f"/proc/{pid}/status").read_text(encoding="utf-8")
     except OSError:
@@ -123,7 +123,7 @@ def main():
     if o.json:
         o.json.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
     if o.figures:
-        import figures  # only here: measurements need no matplotlib
+        import figures  # imported only here, because measurements need no matplotlib
         figures.engine(result, o.figures)
 
 

@@ -50,7 +50,7 @@ def seconds(program, electrostatics, scheme, step, tables, steps):
 
 
 def time_per_step(few, many, *case):
-    """[ms]: of the steps alone, as the difference of a long and a short run."""
+    """Time of only the steps [ms], as the difference of a long and a short run."""
     return 1000 * (seconds(*case, many) - seconds(*case, few)) / (many - few)
 
 
@@ -62,7 +62,7 @@ def main():
     p.add_argument("--steps", type=int, default=4000, help="of the long runs; a multiple of 100, so that barostats move (4000)")
     p.add_argument("--rounds", type=int, default=7, help="runs of each (7)")
     o = p.parse_args()
-    short = max(o.steps // 400, 1) * 100  # the errors of meshes, which the first boxes need, are computed in it, and kept
+    short = max(o.steps // 400, 1) * 100  # this run computes and stores the mesh errors that the first boxes need
     program = study.program(o.program)
     print("| electrostatics | ensemble | scheme, step | constant energy [ms per step] | ratio: median | smallest and largest |\n"
           "| --- | --- | --- | --- | --- | --- |")

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Time of a step of water in LAMMPS on one process: pair_style polhode with fix polhode, with atoms or with one particle a
-molecule, and fix polhode and fix rigid/nve/small with lj/cut/coul/cut, against a step of polhode itself. All with a reaction field
+molecule, and fix polhode and fix rigid/nve/small with lj/cut/coul/cut, against a step of polhode itself. All runs have a reaction field
 or a plain cutoff of 1 nm, at 2 fs.
 
     bench/lammps/cost.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so
 
-It prints a table. Times are user time, the difference of two runs of different lengths, and the shortest of the rounds: they
-hardly depend on how busy the computer is. FOLDER is what lammps/environment.py makes.
+It prints a table. Times are user times: the difference of two runs of different lengths, and the minimum over rounds. They
+hardly depend on other load of the computer. FOLDER is the folder that lammps/environment.py makes.
 """
 
 import argparse
@@ -94,7 +94,7 @@ class Bench:
         return water.spent(command, self.folder, **self.environment)[1]
 
     def export(self, text, style="table"):
-        """Writes the input of LAMMPS for a run file."""
+        """Writes the LAMMPS input for a run file."""
         self.write("start.toml", text)
         self.run([self.program, "export", "lammps", "start.toml", "--pair-style", style, "--force"])
 

@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Seconds per nanosecond of rigid water in LAMMPS at equal R: schemes of fix polhode with pair_style polhode, with atoms or with
-one particle a molecule, against fix rigid/nve/small with the same law as a table. The schemes also with the truncation by molecules
-that is the default of polhode, and which pair styles of LAMMPS do not have.
+one particle per molecule, against fix rigid/nve/small with the same law as a table. The schemes are also measured with polhode's
+default truncation by molecules, which LAMMPS pair styles do not have.
 
     bench/lammps/equal_accuracy.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so --output RESULT.json
     bench/lammps/equal_accuracy.py --stored RESULT.json
     bench/figures.py lammps RESULT.json FIGURE.svg
 
-R is measured with 512 waters, the same number of runs from different velocities at each step, and does not depend on the number of
-molecules; the time of a step is measured with 4,096 waters, on one and on two processes, the shortest of several rounds. FOLDER is
-what lammps/environment.py makes.
+R is measured with 512 waters, with the same number of runs from different velocities at each step. It does not depend on the number of
+molecules. The time of a step is measured with 4,096 waters on one and on two processes, as the minimum over several rounds. FOLDER is
+the folder that lammps/environment.py makes.
 """
 
 import argparse
@@ -46,7 +46,7 @@ SAMPLE = 12.0  # about the time between samples [fs]
 WANTED = (1.5, 0.4)  # R [%]
 
 LAWS = ("site-switch", "molecule-switch")
-# How LAMMPS has the molecules: the style of the export, the precision and the law.
+# The representation of molecules in LAMMPS: the style of the export, the precision and the law.
 FORMS = {
     f"{OTHER}, table": ("table", "double", LAWS[0]),
     f"{OTHER}, lj/cut/coul/cut": ("table", "double", LAWS[0]),
@@ -91,7 +91,7 @@ thermo {every}
 run {steps}
 """)
         table = engine.tables(output)[0]
-        rotation = table.get("f_rigid[2]", [0] * len(table["Step"]))  # which LAMMPS does not know of particles
+        rotation = table.get("f_rigid[2]", [0] * len(table["Step"]))  # LAMMPS does not know that particles rotate
         total = [a + b for a, b in zip(table["TotEng"], rotation)]
         return 100 * statistics.pstdev(total) / statistics.pstdev(table["PotEng"])
 
@@ -109,7 +109,7 @@ run {steps}
 
 
 def step_at(points, wanted):
-    """The step at which log R over log h, linear between the points, has a value; none if it is not among them."""
+    """The step at which log R, interpolated linearly in log h, has a value; None if it is outside the points."""
     for (h0, r0), (h1, r1) in zip(points, points[1:]):
         if r0 <= wanted <= r1:
             return h0 * (h1 / h0) ** (math.log(wanted / r0) / math.log(r1 / r0))
@@ -150,12 +150,12 @@ def seconds_per_ns(result, scheme, form, ranks, step):
 
 
 def curve_of(result, scheme, form):
-    """(step, R) with a form's law."""
+    """(step, R) with the law of a form."""
     return [(h, statistics.fmean(values)) for h, values in result["R_percent"][f"{scheme}, {FORMS[form][2]}"]]
 
 
 def rows(result):
-    """(ranks, R, scheme, form, step, s/ns) of all that reach R."""
+    """(ranks, R, scheme, form, step, s/ns) of all schemes and forms that reach R."""
     for ranks in (1, 2):
         for wanted in WANTED:
             for scheme in SCHEMES:

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What the processes of LAMMPS send in a step of rigid water: pair_style polhode with atoms or with one particle a molecule, and
+"""The messages that LAMMPS processes send in a step of rigid water, with pair_style polhode (atoms or one particle per molecule) and with
 fix rigid/nve/small.
 
     bench/lammps/weak_scaling.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so --output RESULT.json
 
-It compiles messages.c, which counts what is sent, and prints messages and bytes a step of the busiest process: on 1, 2, 4 and 8
-processes with 512 waters each, then on 8 with more waters each, and the bytes for each molecule of the shell around a domain within
-which there are ghosts. FOLDER is what lammps/environment.py makes. A computer with fewer cores than processes will do: only messages
-are counted.
+It compiles messages.c, which counts messages and bytes, and prints both per step for the busiest process. Systems are 1, 2, 4 and 8
+processes with 512 waters each, and then 8 processes with more waters each. The bytes are also printed per molecule of the shell of
+ghosts around a domain. FOLDER is the folder that lammps/environment.py makes. Because only messages are counted, the computer may have
+fewer cores than processes.
 """
 
 import argparse
@@ -91,7 +91,7 @@ class Bench(cost.Bench):
         return [max(int(row[k]) for row in found) for k in range(3)]
 
     def per_step(self, form, ranks, waters):
-        """Of a step, with a share of the exchanges of molecules; waters: copies of 512 of each process along each edge."""
+        """Messages of a step, with a share of the exchanges of molecules; waters: number of copies of 512 waters per process along each edge."""
         copies = [waters * n for n in RANKS[ranks]]
         steps = self.options.steps
         short, long = (self.sent(form, ranks, copies, n) for n in (10, 10 + steps))

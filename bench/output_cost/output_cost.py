@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What writing costs in a run: trajectories of 512 TIP4P waters in each format, and checkpoints of a large system.
+"""The cost of writing files in a run: trajectories of 512 TIP4P waters in each format, and checkpoints of a large system.
 
 The time for energies and output in the summary of a run is divided by that of everything else, and the same ratio of a run
 without trajectory (or with no checkpoint between its steps) in the same round is subtracted: other load on the
@@ -47,7 +47,7 @@ def spread(values):
 
 
 def trajectories(o):
-    """For each format and interval the share of output, minus that of a run without trajectory."""
+    """For each format and interval, the share of output minus the share in a run without trajectory."""
     found = {(form, every): [] for form in o.formats for every in o.every}
     size = {}
     for _ in range(o.rounds):
@@ -66,7 +66,7 @@ def checkpoints(o):
     for _ in range(o.rounds):
         without, often = seconds(o, o.waters, length), seconds(o, o.waters, length, checkpoint=1e-6)
         rest = lambda times: times["all"] - times["energies_and_output"]
-        # Output time of a run with a checkpoint at every step, minus that without checkpoints.
+        # Output time of a run with a checkpoint at every step, minus the output time without checkpoints.
         extra = often["energies_and_output"] - share(without) * rest(often)
         taken.append(extra / (often["steps"] - 1))
     cost = spread(taken)

@@ -6,9 +6,9 @@ from statistics import fmean, median, pstdev
 from typing import NamedTuple
 
 BLOCKS = 20
-T_18 = 2.878  # Student's t of 18 degrees of freedom that chance exceeds once in a hundred
-LONG = 400.0  # [fs], of a block: within shorter times energies are correlated, and a t-test would always find drifts
-LOST = 0.05  # of the kinetic energy per nanosecond: drifts above this count
+T_18 = 2.878  # value of Student's t with 18 degrees of freedom that chance exceeds in 1 % of cases
+LONG = 400.0  # length of a block [fs]; within shorter times energies are correlated, and a t-test would always find drifts
+LOST = 0.05  # fraction of the kinetic energy per nanosecond above which a drift matters
 
 
 class Point(NamedTuple):
@@ -22,23 +22,23 @@ class Point(NamedTuple):
 
     @property
     def usable(self):
-        """Energies stay finite, and the total energy does not diverge."""
+        """Whether energies stay finite and the total energy does not diverge."""
         return isfinite(self.ratio) and not (self.drift_significant and abs(self.drift) > LOST)
 
 
 def ratio(samples):
-    """R: rms deviation of the total energy from its mean, divided by that of the potential energy."""
+    """R: rms deviation of the total energy from its mean, divided by the rms deviation of the potential energy."""
     return pstdev([s.total for s in samples]) / pstdev([s.potential for s in samples])
 
 
 def blocks(samples):
-    """BLOCKS equal consecutive parts; the remainder is omitted."""
+    """Divides a series into BLOCKS equal consecutive parts; the remainder is omitted."""
     size = len(samples) // BLOCKS
     return [samples[k * size : (k + 1) * size] for k in range(BLOCKS)]
 
 
 def ratio_error(samples):
-    """Standard error of R by the jackknife over blocks."""
+    """Standard error of R, by the jackknife over blocks."""
     parts = blocks(samples)
     without = [ratio([s for j, p in enumerate(parts) if j != k for s in p]) for k in range(BLOCKS)]
     mean = fmean(without)
@@ -98,6 +98,6 @@ def ns_per_day(step_us, step_fs):
 
 
 def middle(values):
-    """Median, and half of the range divided by it."""
+    """The median, and half of the range divided by the median."""
     m = median(values)
     return m, (max(values) - min(values)) / 2 / m

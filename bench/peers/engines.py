@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How each program gets the water, reports energies during a run, and is timed.
+"""Interfaces to each program: how it reads the water, reports energies during a run, and is timed.
 
 An engine produces samples with `samples(case, step, length, interval)` and a time with
 `step_us(case, step, steps, threads)`. Timed runs write no intermediate energies."""
@@ -59,7 +59,7 @@ class Case:
         (self.folder / name).write_text(text, encoding="utf-8")
 
     def run(self, *command, given=None):
-        """Standard output and errors of a command in the case's folder; a RuntimeError if it did not succeed."""
+        """Standard output and error of a command in the folder of the case; raises RuntimeError if it failed."""
         done = subprocess.run([str(c) for c in command], cwd=self.folder, text=True, input=given,
                               capture_output=True, check=False,
                               env={**os.environ, **ENVIRONMENT})
@@ -75,14 +75,14 @@ def steps_between(interval, step):
 
 
 class Engine:
-    """One program with one integrator; `evaluations` of the forces per step."""
+    """One program with one integrator, which has `evaluations` force evaluations per step."""
 
     evaluations = 1
     start_step = 2.0  # [fs], for the first table of times
     ladder = (0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0)  # [fs]
 
     def missing(self):
-        """Why it cannot run here, or None."""
+        """The reason why the engine cannot run here, or None."""
         return None if shutil.which(self.program) else f"no program '{self.program}' on PATH"
 
     def threads(self, requested):
@@ -162,7 +162,7 @@ class Gromacs(Engine):
         return logs.gromacs_energies((case.folder / "energy.xvg").read_text())
 
     def step_us(self, case, step, steps, threads):
-        # The counters are reset halfway, when the list is tuned; so twice as many steps.
+        # The counters are reset halfway, when the list is tuned, so there are twice as many steps.
         log = self._run(case, step, 2 * steps, 100, threads, "-resethway")
         return logs.gromacs_step_us(log, step)
 
@@ -236,7 +236,7 @@ class OpenMM(Engine):
 
 
 def engines(options):
-    """The requested programs, polhode first; the names of the others are the values of --peers."""
+    """The requested programs, with polhode first; the other names are the values of --peers."""
     peers = {
         "gromacs": lambda: Gromacs(options),
         "gromacs-md": lambda: Gromacs(options, "gromacs-md", integrator="md"),

@@ -19,7 +19,7 @@ WARMUP = 50  # steps before the clock starts
 
 
 def water(start, order):
-    """The system: rigid bodies as three constraints, M as a virtual site."""
+    """The OpenMM system: rigid bodies as three constraints, M as a virtual site."""
     system, force = mm.System(), mm.NonbondedForce()
     a, b, c = start.box
     system.setDefaultPeriodicBoxVectors(mm.Vec3(a, 0, 0), mm.Vec3(0, b, 0), mm.Vec3(0, 0, c))
@@ -52,7 +52,7 @@ def main():
     context = mm.Context(water(start, order), integrator, mm.Platform.getPlatformByName("CPU"),
                          {"Threads": str(order["threads"])})
     context.setPositions([mm.Vec3(*r) for r in start.positions])
-    # The velocities of the integrator are those half a step earlier.
+    # The velocities of the integrator lag half a step behind.
     pull = context.getState(getForces=True).getForces()._value
     back = [order["step_fs"] / 2000 / MASSES[i % gro.SITES] if MASSES[i % gro.SITES] else 0.0
             for i in range(len(start.labels))]

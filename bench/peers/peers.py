@@ -77,7 +77,7 @@ def start_of(molecules):
 
 
 def scan(programs, case, options):
-    """R of each engine at the steps of its ladder, engines interleaved; and V of the initial configuration as each computes it."""
+    """R of each engine at its list of steps, with engines interleaved, and the potential energy of the initial configuration in each engine."""
     points, potential = {e.name: [] for e in programs}, {}
     skipped = options.scan_length / 10
     print(f"\nR of {case.molecules} molecules, {options.scan_length:g} ps after {skipped:g} ps; V: kJ/mol a "
@@ -217,7 +217,7 @@ def main():
     if options.json:
         study.write(options.json, result)
     if options.figure:
-        import figures  # only here: measurements need no matplotlib
+        import figures  # imported only here, because measurements need no matplotlib
         figures.peers(result, options.figure)
 
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What the Python package costs against the program: the time of a step, of a view, of the import, and memory that is not freed.
+"""The cost of the Python package compared with the program: the time of a step, of a view and of the import, and memory that is not freed.
 
     bench/python/cost.py --polhode ./polhode     # by a Python in which the package is installed
 
-512 TIP4P waters, mixed and double precision, one thread; program and package in alternating runs. Times of steps are processor times: those of the
-program are the difference of two runs of different lengths. The ratio of two times of one round hardly depends on what else the
-computer does; medians of the rounds are printed, with the smallest and largest.
+The system is 512 TIP4P waters in mixed and double precision on one thread, in alternating runs of program and package. Times of steps are
+processor times. For the program they are the difference of two runs of different lengths. The ratio of two times of one round hardly depends
+on other load of the computer. Medians over the rounds are printed, with minimum and maximum.
 """
 
 import argparse
@@ -123,7 +123,7 @@ def resident():
 
 
 def memory(simulations):
-    """Simulations that are created, advanced and dropped: kB more after all than after the first hundred."""
+    """Memory growth of simulations that are created, advanced and dropped: kB after all of them minus kB after the first hundred."""
     state = 0
     for k in range(100 + simulations):
         if k == 100:

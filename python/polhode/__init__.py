@@ -11,7 +11,7 @@
 
 The verbs of the command line are functions: run, prepare, minimise, measure, merge, energy, analyze, convert, export,
 advise, study, tune_scheme, verify, molecules, schemes, top, bench, new. Quantities are texts with
-units, "2 fs", or those of pint or openmm.unit. Wrong input raises polhode.Error.
+units such as "2 fs", or quantities of pint or openmm.unit. Invalid input raises polhode.Error.
 """
 
 from . import _core

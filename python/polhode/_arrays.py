@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Arrays of real numbers from what users pass."""
+"""Conversion of arguments to arrays of real numbers."""
 
 import numpy as np
 

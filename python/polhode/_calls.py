@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Calls of the package as Python that could be typed again, for the records of results."""
+"""Calls of the package as Python code that could be typed again, for the records of results."""
 
 import inspect
 import os
@@ -11,7 +11,7 @@ __all__ = ["call_text", "expression"]
 
 
 def expression(value) -> str:
-    """Python for a value; of a function its name."""
+    """Python code for a value; for a function, its name."""
     value = text_of(value)
     if hasattr(value, "call") and hasattr(value, "tables"):
         return value.call
@@ -37,15 +37,15 @@ def _differs(value, default):
         return True
 
 
-# What has no effect on the contents of files, as on the command line.
+# Arguments that have no effect on the contents of files, as on the command line.
 _WITHOUT_EFFECT = ("resume", "force", "threads", "progress", "messages")
 
 
 def call_text(function, given) -> str:
-    """The call of a public function, with all that was given and has an effect on its files.
+    """The call of a public function, with all given arguments that have an effect on its files.
 
     Args:
-        given (dict): its arguments by name, those in **keywords under "keywords"; defaults are left out.
+        given (dict): its arguments by name, with **keywords under "keywords"; defaults are omitted.
     """
     words, paths = [], []
     for name, parameter in inspect.signature(function).parameters.items():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What to cite: the entries of the bibliography that a simulation uses."""
+"""Citations: the entries of the bibliography that a simulation uses."""
 
 import re
 from importlib import resources
@@ -19,7 +19,7 @@ def bibliography():
 
 
 def citations(simulation):
-    """BibTeX of the program's paper, and of the scheme and the models of a simulation."""
+    """BibTeX entries for the program's paper, and for the scheme and the models of a simulation."""
     from ._lookup import Scheme
 
     entries = bibliography()

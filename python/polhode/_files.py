@@ -62,7 +62,7 @@ def _frame(core):
 
 
 def read_frames(path: Path, names: Path | None = None) -> Iterator[Frame]:
-    """Yields the frames of a file one after the other; never more than one is in memory.
+    """Yields the frames of a file one after the other. Only one frame is in memory at a time.
 
     Args:
         path: in any format of the program: gro, pdb, xyz, xtc, trr, dcd, h5md, a LAMMPS data file.
@@ -77,7 +77,7 @@ def read_frames(path: Path, names: Path | None = None) -> Iterator[Frame]:
 
 
 def read(path: Path, names: Path | None = None) -> Frame:
-    """The first frame of a file; arguments and errors as of read_frames().
+    """The first frame of a file. Arguments and errors are as for read_frames().
 
     Returns:
         Frame
@@ -111,7 +111,7 @@ def write(path: Path, frames: Frame | Iterable[Frame], force: bool = False) -> N
 
     Args:
         path: file to write.
-        frames: a Frame, or an iterable of them with the same atoms.
+        frames: a Frame, or an iterable of frames with the same atoms.
         force (bool): overwrite the file if it exists.
 
     Raises:

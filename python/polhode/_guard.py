@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Objects in which no assignment is without effect: what cannot be set is refused."""
+"""Base classes that reject assignments to attributes that cannot be set."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ __all__ = ["Energies", "Guarded", "Record", "missing"]
 
 
 def missing(name, names) -> str:
-    """"there is no 'totl'; did you mean 'total'?", or the names that there are."""
+    """A message such as "there is no 'totl'; did you mean 'total'?", or the list of existing names."""
     near = _core.did_you_mean(str(name), [str(n) for n in names])
     return f"there is no '{name}'{near or '; there are: ' + ', '.join(map(str, names))}"
 
 
 class Guarded:
-    """A base of classes with slots. Attributes that cannot be set say what to do instead.
+    """A base of classes with slots. An assignment to an attribute that cannot be set raises an error with advice.
 
     Class attributes:
-        _instead (dict): what to do, for the names of attributes.
-        _remedy (str): the same for all others that exist.
-        _renamed (dict): today's name of attributes that had another one.
+        _instead (dict): advice by the name of the attribute.
+        _remedy (str): advice for all other existing attributes.
+        _renamed (dict): new names of attributes by their old names.
     """
 
     __slots__ = ()

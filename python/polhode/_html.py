@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What notebooks show: small tables, with light and dark backgrounds alike."""
+"""HTML for notebooks: small tables that suit light and dark backgrounds."""
 
 from html import escape
 
@@ -11,7 +11,7 @@ _STYLE = "style='text-align:left;padding:0.15em 0.8em 0.15em 0'"
 
 
 def number(x):
-    """A number with five digits; texts and others as they are."""
+    """A number with five digits; other values are unchanged."""
     if isinstance(x, bool) or x is None:
         return {True: "yes", False: "no", None: "–"}[x]
     if isinstance(x, float):
@@ -20,7 +20,7 @@ def number(x):
 
 
 def table(rows, head=None, caption="", meanings=None):
-    """An HTML table; all texts are escaped. Meanings of rows are shown where the mouse is."""
+    """An HTML table in which all texts are escaped. Meanings of rows are tooltips."""
     def line(cells, tag, meaning=""):
         title = f" title='{escape(meaning)}'" if meaning else ""
         return "<tr>" + "".join(f"<{tag} {_STYLE}{title}>{escape(number(c))}</{tag}>" for c in cells) + "</tr>"
@@ -33,7 +33,7 @@ def table(rows, head=None, caption="", meanings=None):
 
 
 def report_html(report):
-    """A report: what the command line prints, the meaning of a row as a tooltip."""
+    """A report: the rows that the command line prints, with meanings as tooltips."""
     plain = [row for row in report.rows if not row["table"]]
     parts = [table([("\u2003" * row["level"] + row["label"], row["text"]) for row in plain],
                    caption=report.job, meanings=[row["meaning"] for row in plain])]
@@ -65,7 +65,7 @@ def molecule_html(m):
 
 
 def simulation_html(s):
-    """A simulation: what it is of, and how far it is."""
+    """A simulation: its system, and its progress."""
     names = ", ".join(f"{n} {name}" for name, n in s.molecules)
     integrator = s.settings.tables.get("integrator") or {}
     box = " × ".join(f"{x:.4g}" for x in s.state.box)
@@ -75,19 +75,19 @@ def simulation_html(s):
 
 
 def _fluctuation(values):
-    """The rms fluctuation with three digits; 0 where it is rounding alone."""
+    """The rms fluctuation with three digits; 0 if it is only round-off."""
     rms = values.std()
     return "0" if rms <= 1e-14 * np.abs(values).max() * len(values)**0.5 else f"{float(f'{rms:.3g}'):g}"
 
 
 def _error(values):
-    """The standard error of the mean with two digits, or why it is not known."""
+    """The standard error of the mean with two digits, or the reason why it is not known."""
     _, error, reason = _core.series_mean(values.tolist())
     return reason if error is None else f"{float(f'{error:.2g}'):g}"
 
 
 def run_html(run):
-    """A run: mean energies of its samples with errors, and R."""
+    """A run: the mean energies of its samples with errors, and R."""
     e = run.energies
     if not len(e):
         return table([], caption="Run without samples")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The verbs of the command line as functions: the same library calls, files and reports."""
+"""The verbs of the command line as functions, with the same library calls, files and reports."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ __all__ = ["advise", "analyze", "bench", "convert", "energy", "export", "minimis
 
 
 def _text(value):
-    """The text of an option: of a list its entries with commas, of a dict "tip4p 512, na 4"."""
+    """The text of an option. Entries of a list are separated by commas, and a dict becomes "tip4p 512, na 4"."""
     value = text_of(value)
     if isinstance(value, Mapping):
         return ", ".join(f"{name} {count}" if count else str(name) for name, count in value.items())
@@ -40,7 +40,7 @@ def _text(value):
     return os.fspath(value) if isinstance(value, os.PathLike) else str(value)
 
 
-# Arguments that are no options of a job: those of all jobs, and settings.
+# Arguments that are not options of a job: arguments of all jobs, and settings.
 _COMMON = ("source", "keywords", "kind", "path", "run", "particles", "resume", "force", "threads", "progress", "messages")
 
 
@@ -64,7 +64,7 @@ class _Job:
 
     @property
     def texts(self):
-        """The arguments as texts, without those that are not given."""
+        """The given arguments as texts."""
         return {name: _text(value) for name, value in self._given.items() if value is not None and name not in _COMMON}
 
     def settings(self):

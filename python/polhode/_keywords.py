@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The keywords of settings: the keys of run files, as the reader of the library knows them.
+"""The keywords of settings, which are the keys of run files.
 
 With its table every key is a keyword: barostat_time_constant, study_runs; or as a path,
 "barostat.time_constant". A key of one table only is a keyword without it, too.
@@ -11,16 +11,16 @@ from . import _core
 
 __all__ = ["CHOICES_OF", "KEYWORDS", "LISTS", "PATH_OF", "TABLES", "stub", "takes_settings"]
 
-# Whose keys are keywords in their tables only: lengths and steps of several runs.
+# Tables whose keys are keywords only with the table: lengths and steps of several runs.
 OF_TABLES = ("study", "prepare")
 LISTS = ("pair", "shape")  # of tables
-# Keys by another name, or none: thermostat="langevin" is the type of a thermostat.
+# Keys with another keyword, or with none: thermostat="langevin" is the type of a thermostat.
 RENAMED = {("integrator", "lambda"): "lambda_", ("hybrid_monte_carlo", "steps"): "hybrid_steps",
            ("thermostat", "type"): None, ("barostat", "type"): None}
 
 KINDS = {"text": "Text", "quantity": "Quantity", "number": "float", "integer": "int", "boolean": "bool",
          "texts": "Texts", "table": "Mapping[str, Any]", "tables": "Sequence[Mapping[str, Any]]"}
-# What Python takes besides the kinds of the run file.
+# Types that Python accepts in addition to the kinds of run files.
 MORE = {"molecules": "Text | Molecule | Mapping[str, Any] | Sequence[Any]",
         "forces": "Mapping[str, Any] | Callable[..., Any]",
         "thermostat": "str | Mapping[str, Any]", "barostat": "str | Mapping[str, Any]"}
@@ -60,8 +60,8 @@ _read_keys()
 
 
 def takes_settings(function):
-    """Shows the settings as keywords of a function that takes them as **keywords: in its signature,
-    for completion and help(). Parameters of its own have precedence."""
+    """Adds the settings as keywords to the signature of a function that takes **keywords, for
+    completion and help(). Parameters of the function have precedence."""
     signature = inspect.signature(function)
     own = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
     names = {p.name for p in own}

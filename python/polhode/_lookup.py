@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Schemes and molecules: those of the program, and one's own."""
+"""Schemes and molecules: built-in and user-defined ones."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Scheme(Record):
     """A splitting scheme: a name of the table, or stages as text such as "B(1/2) A(1) B(1/2)".
 
     Attributes:
-        name (str): or the text.
+        name (str): name of the scheme, or its text.
         order (int): 0 if it is unknown.
         stages (list of dict): "flow" ("drift", "kick", "bath"), "fraction", "xi", "gradient".
         cost (float): force evaluations per step, with a derivative as two.
@@ -78,7 +78,7 @@ def schemes(name: str | None = None) -> Scheme | dict[str, Scheme]:
         name (str): a name, or stages as text; None: all.
 
     Returns:
-        Scheme, or dict of them by name.
+        Scheme, or a dict of schemes by name.
     """
     if name is not None:
         return Scheme(name)
@@ -95,7 +95,7 @@ def verify(scheme: Scheme | str, *, order: int = 0, lambda_: float | None = None
 
     Returns:
         Report: "measured_order", "declared_order", "holds" (None without a declared order), and
-        "points": step [ps], and error of the energy relative to the kinetic one.
+        "points": step [ps], and energy error relative to the kinetic energy.
     """
     text = scheme.text if isinstance(scheme, Scheme) else scheme
     given = {"order": str(order)} if isinstance(order, bool) or order != 0 else {}
@@ -182,12 +182,12 @@ def _molecule(data, table=None):
 
 
 def kinds_of(core):
-    """The molecules of a simulation of the library."""
+    """The molecules of a simulation in the library."""
     return [_molecule(data) for data in json.loads(core.kinds_json())]
 
 
 def _document(table):
-    """A molecule file: keys, then an array of sites on one line."""
+    """The text of a molecule file: its keys, followed by an array of sites on one line."""
     text = toml_text({"m": table})
     return text.partition("\n")[2]
 
@@ -199,7 +199,7 @@ def molecules(name: Path | None = None) -> Molecule | dict[str, Molecule]:
         name: a model, a molecule file, a GROMACS topology or a LAMMPS data file; None: all models.
 
     Returns:
-        dict of Molecule by name; for the name of one model, or a molecule file, that Molecule.
+        dict of Molecule by name; or a single Molecule for the name of a model or a molecule file.
     """
     found = [_molecule(data)
              for data in json.loads(_core.molecules_json("" if name is None else os.fspath(name)))]

@@ -19,7 +19,7 @@ __all__ = ["measure", "merge"]
 
 
 def _words(properties):
-    """The words of the command line: names, each of which may be followed by its error."""
+    """The words of the command line: names of properties, each of which may be followed by its error."""
     if isinstance(properties, str):
         return [properties]
     if isinstance(properties, Mapping):
@@ -29,7 +29,7 @@ def _words(properties):
 
 
 def _perform(system, words, texts, task):
-    """A task of an executor: the record of a replica afterwards."""
+    """Performs a task of an executor, and returns the record of the replica."""
     return _core.perform_replica(system, words, texts, *task)
 
 
@@ -42,7 +42,7 @@ def measure(system: Path, properties: str | Sequence[str] | Mapping[str, Quantit
             messages: Messages = None) -> Report:
     """Measures properties of a model, each to a requested error, as ``polhode measure``.
 
-    What is computed is kept in records; the same call, also with other properties or errors, resumes from them.
+    Results are stored in records. The same call, also with other properties or errors, resumes from them.
 
     Args:
         system: run file, molecule file, name of a model, or a mixture: "spce 488, na-spce 12".
@@ -71,13 +71,13 @@ def merge(system: Path, properties: str | Sequence[str] | Mapping[str, Quantity 
           at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None,
           replicas: SupportsIndex | None = None, seed: SupportsIndex | None = None,
           output: Path | None = None) -> Report:
-    """The properties from the records of all shards, without computing more, as ``polhode merge``.
+    """The properties from the records of all shards, without new computations, as ``polhode merge``.
 
     Args:
         system, properties, at, molecules, replicas, seed, output: as in measure().
 
     Returns:
-        Report: as of measure().
+        Report: as from measure().
     """
     return _measured(merge, locals(), only_evaluate=True)
 

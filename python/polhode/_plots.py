@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Figures by matplotlib with the colours of the documents."""
+"""Figures made with matplotlib, in the colours of the documents."""
 
 from .errors import Error
 
-# Those of data/plots/schemes.toml for the schemes of the paper, and an order for all others.
+# Colours of data/plots/schemes.toml for the schemes of the paper, and a sequence of colours for all others.
 COLOURS = {"velocity-verlet": "#0072b2", "hoa2": "#d55e00", "gier4": "#009e73",
            "gier4-fd": "#009e73", "bcss3": "#cc79a7"}
 OTHERS = ("#e69f00", "#56b4e9", "#999999", "#f0e442", "#000000")
 
 
 def _axes(ax, count=1, **options):
-    """The Axes to draw on."""
+    """The Axes on which to draw."""
     try:
         import matplotlib.pyplot as plt
     except ImportError:
@@ -24,7 +24,7 @@ def _colour(name, index):
 
 
 def plot_energies(energies, ax=None):
-    """Total energy about its mean, and potential energy, against time."""
+    """Plots the total energy about its mean, and the potential energy, against time."""
     axes = _axes(ax, 2, sharex=True, figsize=(6, 4.5))
     time = energies["time"]
     axes[0].plot(time, energies["conserved"] - energies["conserved"].mean(), color="#d55e00", lw=0.8)
@@ -38,7 +38,7 @@ def plot_energies(energies, ax=None):
 
 
 def _plot_study(report, ax):
-    """R against cost, with its standard error."""
+    """Plots R against cost, with standard errors."""
     ax = _axes(ax, figsize=(6, 4.5))
     points = report.data["points"]
     names = list(dict.fromkeys(p["scheme"] for p in points))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Progress of a job: a bar in terminals and notebooks, silence in pipes."""
+"""Progress of a job: a bar in terminals and notebooks, nothing in pipes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ __all__ = ["hooks"]
 
 
 def _in_notebook():
-    """Whether this runs in a Jupyter kernel."""
+    """Whether Python runs in a Jupyter kernel."""
     shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
     return type(shell).__name__ == "ZMQInteractiveShell"
 
@@ -30,7 +30,7 @@ def _of_text(job):
 
 
 class _Line:
-    """A line of text, where tqdm is not installed."""
+    """A line of text that replaces the bar if tqdm is not installed."""
 
     def __init__(self, job):
         self._job, self.n, self._shown = job, 0, False
@@ -46,9 +46,9 @@ class _Line:
 
 
 class Bar:
-    """A bar of tqdm: in a notebook one of widgets, elsewhere and without ipywidgets one of text; a
-    line of text without tqdm. Progress is worth no run: whatever fails is replaced by the next kind,
-    and in the end by silence."""
+    """A tqdm bar. In a notebook with ipywidgets it consists of widgets, otherwise of text. Without
+    tqdm it is a line of text. A bar that fails must not stop a run, so it is replaced by the next kind,
+    and finally by nothing."""
 
     def __init__(self):
         self._kinds = [*([_of_notebook] if _in_notebook() else []), _of_text, _Line]
@@ -79,7 +79,7 @@ class Bar:
 
 
 def _watched():
-    """Whether someone sees a bar."""
+    """Whether a bar would be visible to a user."""
     try:
         return _in_notebook() or sys.stderr.isatty()
     except (AttributeError, ValueError):  # there is no stream, or it is closed
@@ -90,7 +90,7 @@ class hooks:
     """A context with `progress` and `message` for a job.
 
     Args:
-        progress: None: a bar where someone watches; False: none; True: always a bar; or a function
+        progress: None for a bar if a user can see it; False for none; True for a bar in any case; or a function
             called with (job, fraction done or None, detail).
         messages: a function called with each line of text, such as print; None: lines are dropped.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Quantities: texts such as "2 fs", or those of pint and openmm.unit, as texts for the library."""
+"""Conversion of quantities (texts such as "2 fs", or pint and openmm.unit objects) to texts for the library."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _UNITS = (
 
 
 def _from_pint(value):
-    """A pint quantity in the first of these units that it can be converted to."""
+    """A pint quantity, converted to the first compatible unit of a list."""
     if value.dimensionless:
         return f"{100 * float(value.to('').magnitude)!r} %"
     for pint_unit, ours in _UNITS:
@@ -32,7 +32,7 @@ def _from_pint(value):
 
 
 def _from_openmm(value):
-    """A quantity of openmm.unit, likewise."""
+    """An openmm.unit quantity, converted to the first compatible unit of a list."""
     from openmm import unit as u
 
     units = (
@@ -48,13 +48,13 @@ def _from_openmm(value):
 
 
 def text_of(value) -> object:
-    """A quantity as a text of run files; other values unchanged.
+    """A quantity as text, in the form used in run files; other values are unchanged.
 
     Args:
         value: a text ("2 fs"), a ``pint.Quantity``, an ``openmm.unit.Quantity``, or anything else.
 
     Returns:
-        For quantities "NUMBER UNIT" with all digits, in one of the units of run files; for a Scheme its
+        For a quantity, "NUMBER UNIT" with all digits, in one of the units of run files. For a Scheme, its
         stages.
     """
     if isinstance(value, Record) and "stages" in value.data:
@@ -67,10 +67,10 @@ def text_of(value) -> object:
 
 
 def quantity_text(value, dimension, name):
-    """The text of a quantity that an argument needs.
+    """The text of an argument that must be a quantity.
 
     Raises:
-        Error: if it is a bare number, with the message of run files.
+        Error: if it is a number without a unit, with the same message as for run files.
     """
     value = text_of(value)
     if isinstance(value, numbers.Number) and not isinstance(value, bool):
@@ -87,7 +87,7 @@ def quantity_text(value, dimension, name):
 
 
 def optional_text(value, dimension, name):
-    """The same for an argument that may be left out."""
+    """The text of an argument that must be a quantity or None."""
     return None if value is None else quantity_text(value, dimension, name)
 
 
@@ -98,7 +98,7 @@ def quantity(value: Quantity, dimension: str, name: str = "quantity") -> float:
         value: a text ("2 fs") or a quantity of pint or openmm.unit.
         dimension (str): "length", "time", "mass", "charge", "temperature", "force", "energy",
             "density" [u/nm³], "pressure" [kJ/mol/nm³], "power", "viscosity", "fraction" or "rate".
-        name (str): what the value is, for errors.
+        name (str): name of the value, for error messages.
 
     Returns:
         float: the number.
@@ -110,10 +110,10 @@ def quantity(value: Quantity, dimension: str, name: str = "quantity") -> float:
 
 
 def positive(value, dimension, name) -> float:
-    """The same of a quantity that must be above 0.
+    """The number of a quantity that must be above 0, in the units of the library.
 
     Raises:
-        Error: if it is not, with the message of the command line.
+        Error: if the number is not above 0, with the same message as on the command line.
     """
     number = quantity(value, dimension, name)
     if not number > 0:
@@ -124,5 +124,5 @@ def positive(value, dimension, name) -> float:
 
 
 def is_finite_number(value):
-    """Whether a value is an int or a float that is neither infinite nor not a number."""
+    """Whether a value is an int or a finite float."""
     return isinstance(value, numbers.Real) and math.isfinite(value)

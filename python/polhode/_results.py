@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Results: energies as a structured array, reports of jobs as dicts that show themselves."""
+"""Results: energies as a structured array, and reports of jobs as dicts with a display for notebooks."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ class EnergySeries(Guarded):
 
     @property
     def conserves(self) -> bool:
-        """bool: whether "conserved" is a conserved energy. Hybrid Monte Carlo has none: there it performs a
-        random walk of the energy errors of all trajectories, which decisions correct."""
+        """bool: whether "conserved" is a conserved energy. With hybrid Monte Carlo it is not: it performs a
+        random walk of the energy errors of all trajectories, which rejections correct."""
         return self._conserves
 
     @property
@@ -62,8 +62,8 @@ class EnergySeries(Guarded):
 
     @property
     def ratio(self) -> float | None:
-        """R, the rms fluctuation of the conserved energy divided by that of the potential energy; None
-        for hybrid Monte Carlo, which conserves no energy."""
+        """R, the rms fluctuation of the conserved energy divided by the rms fluctuation of the potential
+        energy; None for hybrid Monte Carlo, which does not conserve any energy."""
         if not self.conserves:
             return None
         if len(self) < 3:
@@ -84,8 +84,8 @@ class EnergySeries(Guarded):
 
 
 class Report(Record, Mapping):
-    """The report of a job: the keys of its JSON, ``report["R"]`` or ``report.R``; names contain units, as
-    in "length_ps"."""
+    """The report of a job. It has the keys of its JSON, as ``report["R"]`` or ``report.R``. Names contain
+    units, as in "length_ps"."""
 
     __slots__ = ("_job", "_files", "_complete", "_rows")
 
@@ -98,23 +98,23 @@ class Report(Record, Mapping):
 
     @property
     def job(self) -> str:
-        """str: the verb: "run", "study", ..."""
+        """str: the verb of the job, such as "run" or "study"."""
         return self._job
 
     @property
     def files(self) -> list[str]:
-        """list of str: that were written."""
+        """list of str: paths of the files that were written."""
         return self._files
 
     @property
     def rows(self) -> list[dict]:
-        """list of dict: what --verbose prints on the command line: "label", "text", "meaning", "level" of
+        """list of dict: the rows that --verbose prints on the command line, with "label", "text", "meaning", "level" of
         indentation and "table", whose first row is the head."""
         return self._rows
 
     @property
     def complete(self) -> bool:
-        """bool: False if it was interrupted."""
+        """bool: whether the job was completed; False if it was interrupted."""
         return self._complete
 
     def __getitem__(self, key):
@@ -137,7 +137,7 @@ class Report(Record, Mapping):
         return report_html(self)
 
     def plot(self, ax=None):
-        """Draws the results with matplotlib, where the job has a figure: a study.
+        """Draws the results with matplotlib, if the job has a figure, as a study does.
 
         Returns:
             matplotlib.axes.Axes, or an array of them.
@@ -148,7 +148,7 @@ class Report(Record, Mapping):
 
 
 class Run(Guarded):
-    """What Simulation.run() computed."""
+    """The result of Simulation.run()."""
 
     __slots__ = ("_simulation", "_energies", "_frames", "_summary", "__weakref__")
 
@@ -174,12 +174,12 @@ class Run(Guarded):
 
     @property
     def simulation(self):
-        """Simulation: that it is of; None in a copy that was pickled, which keeps the summary."""
+        """Simulation: the simulation of the run; None in a pickled copy, which keeps the summary."""
         return self._simulation
 
     @property
     def summary(self) -> Report:
-        """Report: statistics of the trajectory of the simulation until now, or of its present segment."""
+        """Report: statistics of the simulation's trajectory so far, or of its present segment."""
         return self._summary if self.simulation is None else self.simulation.summary
 
     def __getstate__(self):
@@ -192,8 +192,9 @@ class Run(Guarded):
 
     @property
     def ratio(self) -> float | None:
-        """R of these samples, the rms fluctuation of the conserved energy over that of the potential;
-        None for hybrid Monte Carlo, whose summary has the acceptance and the effective samples."""
+        """R of these samples, the rms fluctuation of the conserved energy divided by the rms fluctuation
+        of the potential energy. It is None for hybrid Monte Carlo, whose summary has the acceptance and
+        the number of effective samples."""
         return self.energies.ratio
 
     def to_pandas(self):
@@ -201,7 +202,7 @@ class Run(Guarded):
         return self.energies.to_pandas()
 
     def plot(self, ax=None):
-        """Draws total and potential energy against time with matplotlib; returns its two Axes."""
+        """Draws total and potential energy against time with matplotlib, and returns the two Axes."""
         from ._plots import plot_energies
 
         return plot_energies(self.energies, ax)
@@ -219,7 +220,7 @@ class Run(Guarded):
         return mdtraj_trajectory(self.simulation, self.frames)
 
     def view_3d(self, width: int = 640, height: int = 480, js: str | None = None):
-        """An animation of the frames in three dimensions for notebooks, with the box of the first; see
+        """A three-dimensional animation of the frames for notebooks, with the box of the first frame; see
         Simulation.view_3d()."""
         from ._viewer import view_3d
 

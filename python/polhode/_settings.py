@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Settings: the tables and keys of a run file, from a file, a dict, or keywords."""
+"""Settings: the tables and keys of a run file, given by a file, a dict, or keywords."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 __all__ = ["settings"]
 
-# TOML text of Python values.
+# Conversion of Python values to TOML text.
 
 def _string(text):
     """A basic string of TOML."""
@@ -43,7 +43,7 @@ def _string(text):
 
 
 def _value(value, name, depth=0):
-    """A value on one line."""
+    """A value as TOML on one line."""
     value = text_of(value)
     if depth > 20:
         raise Error(f"{name} is nested more than 20 levels deep; run files have at most 4")
@@ -80,7 +80,7 @@ def toml_text(tables) -> str:
     """The TOML text of a dict of tables.
 
     Raises:
-        Error: if a value has no place in a run file.
+        Error: if a value is not possible in a run file.
     """
     lines = [f"{name} = {_value(tables[name], name)}\n" for name in LISTS  # before all tables
              if tables.get(name) is not None]
@@ -107,7 +107,7 @@ def parsed(text) -> dict:
 # Keywords.
 
 def _components(molecules, count):
-    """"tip4p", a molecule, {"tip4p": 512}, or a list as in run files."""
+    """Molecules given as "tip4p", a Molecule, {"tip4p": 512}, or a list as in run files."""
     def model(m):
         return m.as_dict() if hasattr(m, "as_dict") else m
 
@@ -127,7 +127,7 @@ def _components(molecules, count):
 
 
 def _overrides(words, job):
-    """(path, value, keyword) of each key that keywords set. Tables come first, since keys have precedence."""
+    """(path, value, keyword) of each key that keywords set. Tables come first, because keys have precedence."""
     own = _core.job_settings(job)
     for word in sorted(words, key=lambda w: w not in TABLES):
         value = words[word]
@@ -152,7 +152,7 @@ def _overrides(words, job):
 
 
 def _overlay(words, job, quick):
-    """The overlay of the library that keywords are."""
+    """The overlay of the library that corresponds to keywords."""
     count = words.pop("count", None)
     if "molecules" in words:
         words["molecules"] = _components(words["molecules"], count)
@@ -165,7 +165,7 @@ def _overlay(words, job, quick):
 
 
 def _parts(source):
-    """Tables, keywords, and own forces of a dict, which has tables as in a run file or keywords."""
+    """Tables, keywords, and external forces of a dict, which has tables as in a run file or keywords."""
     tables = {k: v for k, v in source.items() if k in TABLES and (k in LISTS or isinstance(v, Mapping))}
     words = {k: v for k, v in source.items() if k not in tables and k != "external_forces"}
     return tables, words, source.get("external_forces")
@@ -173,7 +173,7 @@ def _parts(source):
 
 @takes_settings
 def settings(source: Source = None, **keywords: Unpack[Keywords]) -> Settings:
-    """The settings of a run: those of a run file.
+    """Makes the settings of a run, as a run file does.
 
     Args:
         source: path of a run file; a dict with its tables, ``{"system": {...}, ...}``, or with
@@ -185,20 +185,20 @@ def settings(source: Source = None, **keywords: Unpack[Keywords]) -> Settings:
             over the source. With its table every key is a keyword, ``barostat_time_constant="2 ps"``,
             ``study_runs=4``, or a path, ``**{"study.runs": 4}``; a key of two tables, such as
             time_constant, needs it. ``pressure="1 bar"`` without a thermostat selects Langevin, and
-            without a barostat cell rescaling. ``forces=f`` with a function adds forces of one's own, see
+            without a barostat cell rescaling. ``forces=f`` adds external forces given by a function, see
             polhode.forces.
 
     Returns:
         Settings: for any function of this package that takes a run file.
 
     Raises:
-        Error: if a key or a value is wrong, with its place.
+        Error: if a key or a value is invalid, with its place.
     """
     return made(source, keywords)
 
 
 def made(source, keywords, job="", quick=False) -> Settings:
-    """What settings() makes, with the keywords that a job has of its own."""
+    """Makes the settings of a job, including the keywords that only this job has."""
     words = {k: v for k, v in keywords.items() if v is not None}
     text, name, own, is_file = None, "keywords", None, False
     if isinstance(source, Settings):
@@ -222,7 +222,7 @@ def made(source, keywords, job="", quick=False) -> Settings:
 
 
 def _view(value):
-    """A value that cannot be changed."""
+    """An immutable copy of a value."""
     if isinstance(value, Mapping):
         return MappingProxyType({k: _view(v) for k, v in value.items()})
     return tuple(map(_view, value)) if isinstance(value, list) else value
@@ -250,22 +250,22 @@ class Settings(Guarded):
 
     @property
     def name(self) -> str:
-        """str: where the settings are from, for errors."""
+        """str: the origin of the settings, for error messages."""
         return self._name
 
     @property
     def call(self) -> str:
-        """str: the call of Python that makes these settings, for records."""
+        """str: the Python call that makes these settings, for records."""
         return self._call
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """tuple of str: what was selected by default, such as a thermostat for a pressure."""
+        """tuple of str: notes on defaults that were selected, such as a thermostat for a pressure."""
         return tuple(self._core.notes)
 
     @property
     def own_forces(self):
-        """ExternalForces, or the function: the forces of one's own; None: none."""
+        """ExternalForces, or the function that computes them; None if there are none."""
         return self._own_forces
 
     @property
@@ -284,7 +284,7 @@ class Settings(Guarded):
             list: a dict for each setting, with its table, key, meaning, unit, bounds, default and value.
 
         Raises:
-            Error: if there is no such setting.
+            Error: if the setting does not exist.
         """
         return json.loads(_core.settings_json(name, self._core))
 

@@ -51,13 +51,13 @@ class Simulation(Guarded):
         threads (int): default: one for each available core, or POLHODE_THREADS. Results have the
             same bits for any number.
 
-    The trajectory has the same bits as that of ``polhode run``, whether it is computed by step()
+    The trajectory has the same bits as the trajectory of ``polhode run``, whether it is computed by step()
     or run(), or resumed.
 
     Raises:
-        Error: if a setting or the initial configuration does not fit.
+        Error: if a setting or the initial configuration is invalid.
 
-    A simulation is used by one thread at a time; several simulations can run in several threads.
+    Only one thread at a time may use a simulation. Several simulations can run in several threads.
 
     Between steps, temperature, pressure, time_step, scheme, thermostat and barostat can be set; see
     change().
@@ -78,7 +78,7 @@ class Simulation(Guarded):
 
     @property
     def settings(self) -> Settings:
-        """Settings: those in force, with all changes since the simulation was made."""
+        """Settings: the present settings, with all changes since the simulation was made."""
         return self._settings
 
     @property
@@ -102,18 +102,18 @@ class Simulation(Guarded):
         return self._core.time
 
     def change(self, **keywords: Unpack[Keywords]) -> None:
-        """Changes scheme, step, temperature, thermostat or barostat between two steps, any of them at
-        once: ``simulation.change(scheme="gier4-fd", step="6 fs")``. Momenta stay as they are.
+        """Changes one or more of scheme, step, temperature, thermostat and barostat between two steps:
+        ``simulation.change(scheme="gier4-fd", step="6 fs")``. Momenta do not change.
 
-        A segment of the trajectory begins, with statistics, heat and work of its own, which the
-        summary is of; ``summary.segment`` has its first step and what was changed. Checkpoints
-        are those of a simulation that is made with these settings.
+        A new segment of the trajectory begins, with separate statistics, heat and work, to which the
+        summary refers. ``summary.segment`` contains its first step and the changes. Checkpoints are
+        the same as for a simulation that is made with these settings.
 
         Args:
-            **keywords: those of polhode.settings() for the scheme and the ensemble.
+            **keywords: keywords of polhode.settings() for the scheme and the ensemble.
 
         Raises:
-            Error: with nothing changed, if a setting cannot be changed, or does not fit.
+            Error: if a setting cannot be changed, or is invalid; nothing is changed then.
         """
         for word in keywords:
             if word not in _CHANGEABLE:
@@ -126,7 +126,7 @@ class Simulation(Guarded):
 
     @property
     def time_step(self) -> float:
-        """The step of the scheme [ps]; it is set as a quantity, ``"2 fs"``."""
+        """The time step [ps]; it is set as a quantity such as ``"2 fs"``."""
         return self._core.config.step
 
     @time_step.setter
@@ -144,7 +144,7 @@ class Simulation(Guarded):
 
     @property
     def temperature(self) -> float | None:
-        """Temperature that is kept [K], None at constant energy; it is set as a quantity, ``"300 K"``.
+        """Target temperature [K], None at constant energy; it is set as a quantity such as ``"300 K"``.
         The temperature of the momenta is in `energies`."""
         return self._core.config.kept_temperature
 
@@ -154,7 +154,7 @@ class Simulation(Guarded):
 
     @property
     def pressure(self) -> float | None:
-        """Pressure that a barostat keeps [bar], None without; it is set as a quantity, ``"1 bar"``."""
+        """Target pressure of a barostat [bar], None without a barostat; it is set as a quantity such as ``"1 bar"``."""
         return self._core.config.pressure
 
     @pressure.setter
@@ -163,7 +163,7 @@ class Simulation(Guarded):
 
     @property
     def thermostat(self) -> str | None:
-        """The type of the thermostat, None without; it is set as a type or a dict with parameters."""
+        """The type of the thermostat, None if there is none; it is set as a type or a dict with parameters."""
         return self._core.config.thermostat
 
     @thermostat.setter
@@ -172,7 +172,7 @@ class Simulation(Guarded):
 
     @property
     def barostat(self) -> str | None:
-        """The type of the barostat, None without; it is set as a type or a dict with parameters."""
+        """The type of the barostat, None if there is none; it is set as a type or a dict with parameters."""
         return self._core.config.barostat
 
     @barostat.setter
@@ -191,18 +191,18 @@ class Simulation(Guarded):
 
     @property
     def molecules(self) -> list[tuple[str, int]]:
-        """list of (str, int): names and counts, in the order of the rows."""
+        """list of (str, int): names and counts of the molecules, in the order of the rows."""
         return self._core.parts()
 
     @property
     def kinds(self) -> list[Molecule]:
-        """list of Molecule: of each entry of `molecules`."""
+        """list of Molecule: the molecule of each entry of `molecules`."""
         return kinds_of(self._core)
 
     @property
     def energies(self) -> dict[str, float]:
         """dict: energies of the present state [kJ/mol], temperature [K], pressure [bar], volume
-        [nm³]; from a force evaluation that leaves the trajectory as it is."""
+        [nm³]; computed by a separate force evaluation, which does not affect the trajectory."""
         row = self._core.energies()
         return Energies(zip(EnergySeries.names(), row, strict=True))
 
@@ -214,8 +214,8 @@ class Simulation(Guarded):
 
     @property
     def summary(self) -> Report:
-        """Report: statistics of the trajectory so far, with the keys of ``polhode run --json``; of its
-        present segment, if something was changed.
+        """Report: statistics of the trajectory so far, with the keys of ``polhode run --json``. After a
+        change, only the present segment is included.
 
         Raises:
             Error: if there is no trajectory yet.
@@ -223,12 +223,12 @@ class Simulation(Guarded):
         return Report("run", json.loads(self._core.report()), [])
 
     def sites(self, massless: bool = True) -> tuple[np.ndarray, np.ndarray]:
-        """Positions (m, 3) [nm] and velocities (m, 3) [nm/ps] of all sites, molecules whole and
-        with their centres in the box."""
+        """Positions (m, 3) [nm] and velocities (m, 3) [nm/ps] of all sites. Molecules are whole, and
+        their centres are in the box."""
         return self._core.sites(massless)
 
     def choose_step(self, progress: Progress = None) -> None:
-        """Lets the adviser choose the step, if the settings ask for an accuracy.
+        """Lets the adviser choose the step, if the settings require an accuracy.
 
         Raises:
             RunError: if no scheme meets it.
@@ -241,7 +241,7 @@ class Simulation(Guarded):
 
         Raises:
             RunError: if the trajectory blows up.
-            KeyboardInterrupt: after Ctrl-C, between two steps; the simulation can be used on.
+            KeyboardInterrupt: after Ctrl-C, between two steps; the simulation remains usable.
         """
         if isinstance(steps, bool) or not hasattr(steps, "__index__"):
             raise Error(f"steps = {steps!r} must be a whole number; a time is simulated by "
@@ -256,12 +256,12 @@ class Simulation(Guarded):
         """Advances by a time, in memory; no file is written.
 
         Args:
-            length: "15 ps", rounded to whole steps; default: what remains of that of the settings.
+            length: "15 ps", rounded to whole steps; default: the remaining part of the length in the settings.
             observe: function, or list of functions, called with this simulation at the start, and
                 then at each interval.
-            every: the interval: "20 fs", as other intervals rounded down to whole steps; default: that
-                of the samples of the energies.
-            frames: interval at which positions of sites are kept for the result: "0.1 ps".
+            every: interval of calls such as "20 fs", rounded down to whole steps; default: the interval
+                of the energy samples.
+            frames: interval at which positions of sites are stored in the result, such as "0.1 ps".
             progress: see polhode.Progress.
 
         Returns:
@@ -285,7 +285,7 @@ class Simulation(Guarded):
         return self._last_run
 
     def save(self, path: Path) -> None:
-        """Writes a checkpoint, from which a simulation of the same settings resumes bit for bit."""
+        """Writes a checkpoint, from which a simulation with the same settings resumes bit for bit."""
         call = self._settings.call.replace("polhode.settings(", "polhode.Simulation(", 1)
         self._core.save(os.fspath(path), f"{call}.save({os.fspath(path)!r})")
 
@@ -293,7 +293,7 @@ class Simulation(Guarded):
         """Continues from a checkpoint of the same run.
 
         Raises:
-            Error: if it is damaged, or of another run, version or instruction set.
+            Error: if the file is damaged, or belongs to another run, version or instruction set.
         """
         self._core.resume(os.fspath(path))
 
@@ -303,13 +303,13 @@ class Simulation(Guarded):
         self._core.write(os.fspath(path), massless, velocities)
 
     def cite(self) -> str:
-        """str: what to cite for this simulation, as in the manual, "How to cite"."""
+        """str: the references to cite for this simulation, as in the manual, "How to cite"."""
         from ._citing import citations
 
         return citations(self)
 
     def to_mdanalysis(self):
-        """MDAnalysis.Universe with the present state; of a Run: with all its frames."""
+        """MDAnalysis.Universe with the present state or, for a Run, with all its frames."""
         from ._trajectories import universe
 
         return universe(self, [self._frame()])
@@ -321,17 +321,17 @@ class Simulation(Guarded):
         return mdtraj_trajectory(self, [self._frame()])
 
     def view_3d(self, width: int = 640, height: int = 480, js: str | None = None):
-        """A view of the atoms in three dimensions for notebooks, to turn and zoom; of a Run: an
-        animation of its frames.
+        """A three-dimensional view of the atoms for notebooks, which can be rotated and zoomed. For a Run
+        it is an animation of its frames.
 
         The browser of the notebook loads the script 3Dmol.js from the network.
 
         Args:
             width, height: in pixels.
-            js: the address of 3Dmol.js, such as that of a copy; default: that of py3Dmol.
+            js: address of 3Dmol.js, such as a local copy; default: the address that py3Dmol uses.
 
         Returns:
-            py3Dmol.view, whose methods change style and labels; lengths in Å, as it has them.
+            py3Dmol.view, whose methods change style and labels; lengths are in Å.
 
         Raises:
             Error: if py3Dmol is not installed, or there are more than 200,000 atoms.
@@ -358,12 +358,12 @@ class Simulation(Guarded):
 
 
 def config_accuracy(of):
-    """Whether settings ask for an accuracy instead of a step."""
+    """Whether settings require an accuracy instead of giving a step."""
     return (of.tables.get("integrator") or {}).get("accuracy") is not None
 
 
 class _Frames:
-    """Keeps the positions of sites."""
+    """Stores the positions of sites."""
 
     def __init__(self):
         self.kept = []
@@ -373,7 +373,7 @@ class _Frames:
 
 
 def _steps(core, length):
-    """The number of steps in a length, or up to that of the settings."""
+    """The number of steps in a length, or up to the length in the settings."""
     if length is None:
         steps = core.steps_left()
         if steps == 0:
@@ -388,14 +388,14 @@ def _steps(core, length):
 
 
 def _interval(core, time):
-    """The number of whole steps in an interval [ps], at least one, or trajectories of hybrid Monte Carlo."""
+    """The number of whole steps (or trajectories of hybrid Monte Carlo) in an interval [ps], at least one."""
     step = core.config.step
     whole = core.steps_in(step)
     return math.ceil(max(1, math.floor(min(time / step, 2**53) + 1e-9)) / whole) * whole
 
 
 def _tasks(observe, every, frames, core):
-    """[(steps between calls, function)]."""
+    """The list of tasks as (steps between calls, function)."""
     tasks = []
     if frames is not None:
         tasks.append((_interval(core, positive(frames, "time", "frames")), _Frames()))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The state of a simulation: views of its numbers, and changes of them."""
+"""The state of a simulation: views of its numbers, and a way to change them."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ __all__ = ["State"]
 
 
 class State(Guarded):
-    """The state of a simulation: views of the numbers in use, without a copy.
+    """The state of a simulation, as views of its numbers without a copy.
 
-    A view shows the present state at any time, also after further steps; it is read-only, and
-    stays valid as long as it exists. To change the state, enter change()::
+    A view always shows the present state, also after further steps. It is read-only, and
+    stays valid as long as it exists. To change the state, use change()::
 
         with simulation.state.change() as state:
             state.positions[0] += [0.1, 0, 0]
@@ -46,7 +46,7 @@ class State(Guarded):
 
     @property
     def orientations(self) -> np.ndarray:
-        """Orientations (n, 4), unit quaternions (w, x, y, z) that rotate body to lab."""
+        """Orientations (n, 4), unit quaternions (w, x, y, z) that rotate from the body to the lab frame."""
         return self._core.orientations
 
     @property
@@ -71,16 +71,16 @@ class State(Guarded):
         return f"<state of {len(self)} molecules at {self.time:g} ps>"
 
     def change(self) -> _Change:
-        """A context in which the state can be changed: its target has the writable arrays
+        """A context in which the state can be changed. Its target has the writable arrays
         `positions`, `momenta`, `orientations` and `angular_momenta`, to be changed in place or assigned.
 
-        At its end orientations are normalized, and a segment of the trajectory begins, with new forces
-        and statistics; steps are counted on. If an exception leaves the block, or a number is wrong, the state is
-        as it was before. The arrays must not be kept: later writes have no defined effect.
+        At the end of the context orientations are normalized, and a new segment of the trajectory begins,
+        with new forces and statistics. The step count continues. If an exception leaves the block, or a number
+        is invalid, the state is restored. The arrays must not be kept, because later writes have no defined effect.
 
         Raises:
-            Error: at the end, naming the molecule, if a number is not finite or an angular momentum
-                has a component along an axis without inertia.
+            Error: at the end, if a number is not finite or an angular momentum has a component along an
+                axis with no moment of inertia; the message names the molecule.
         """
         return _Change(self._core, self._settings)
 

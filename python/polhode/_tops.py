@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Free rotation: of arrays of tops, and the trajectory of one."""
+"""Free rotation of arrays of tops, and the trajectory of a single top."""
 
 from __future__ import annotations
 
@@ -29,22 +29,22 @@ def _vectors(values, name):
 
 def free_rotation(J: ArrayLike, L: ArrayLike, t: ArrayLike,
                   method: str = "series") -> tuple[np.ndarray, np.ndarray]:
-    """The exact rotation of free rigid bodies over a time; all arguments are broadcast.
+    """The exact rotation of free rigid bodies over a time. All arguments are broadcast.
 
     Args:
         J: principal moments (..., 3), any order, one of them may be 0; any consistent units, such
             as u nm².
         L: angular momenta in the body frame (..., 3), such as u nm²/ps.
         t: times (...), such as ps; any sign.
-        method (str): "series" (as in molecular dynamics), "closed", "theta", "recursive", exact
-            all of them; "no-squish" and "symmetric-product", of second order.
+        method (str): an exact method ("series" as in molecular dynamics, "closed", "theta" or "recursive"),
+            or a method of second order ("no-squish" or "symmetric-product").
 
     Returns:
         (rotation, L): quaternions (..., 4), (w, x, y, z), with orientation(t) = orientation(0) *
         rotation, body to lab; and angular momenta in the body frame (..., 3).
 
     Raises:
-        Error: if moments are not those of a rigid body, or a number is not finite.
+        Error: if moments do not belong to a rigid body, or a number is not finite.
     """
     J, L = _vectors(J, "J"), _vectors(L, "L")
     t = reals(t, "t")
@@ -60,8 +60,8 @@ def free_rotation(J: ArrayLike, L: ArrayLike, t: ArrayLike,
 
 
 def rotation_matrix(q: ArrayLike) -> np.ndarray:
-    """The matrices (..., 3, 3) of quaternions (..., 4), (w, x, y, z), that rotate body to lab:
-    r_lab = matrix @ r_body."""
+    """The matrices (..., 3, 3) of quaternions (..., 4), (w, x, y, z). They rotate from the body to the lab
+    frame: r_lab = matrix @ r_body."""
     w, x, y, z = np.moveaxis(np.asarray(q, dtype=np.float64), -1, 0)
     rows = ((w*w + x*x - y*y - z*z, 2*(x*y - w*z), 2*(x*z + w*y)),
             (2*(x*y + w*z), w*w - x*x + y*y - z*z, 2*(y*z - w*x)),
@@ -78,7 +78,7 @@ def _triple(values, name):
 
 def top(J: ArrayLike, L: ArrayLike, step: float | None = None, length: float | None = None, *,
         output: Path | None = None, force: bool = False, messages: Messages = None) -> np.ndarray:
-    """The trajectory of one free top, exactly and by two integrators, as ``polhode top``.
+    """The trajectory of one free top, computed exactly and by two integrators, as ``polhode top``.
 
     Args:
         J: principal moments of inertia in any consistent units: "1, 2, 3".
@@ -113,5 +113,5 @@ def top(J: ArrayLike, L: ArrayLike, step: float | None = None, length: float | N
 
 
 def rotate_table(path: Path, method: str = "series") -> str:
-    """Rotates the tops of a CSV file, as ``polhode top --table``; returns CSV text."""
+    """Rotates the tops of a CSV file, as ``polhode top --table``, and returns CSV text."""
     return _core.rotate_table({"table": os.fspath(path), "method": method})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Trajectories for MDAnalysis and mdtraj, without a file."""
+"""Trajectories for MDAnalysis and mdtraj that need no file."""
 
 import numpy as np
 
@@ -28,7 +28,7 @@ def check_frames(simulation, frames):
 
 
 def universe(simulation, frames):
-    """MDAnalysis.Universe; lengths in Å, as it has them."""
+    """MDAnalysis.Universe of the frames; lengths are in Å."""
     check_frames(simulation, frames)
     try:
         import MDAnalysis
@@ -57,7 +57,7 @@ def universe(simulation, frames):
 
 
 def mdtraj_trajectory(simulation, frames):
-    """mdtraj.Trajectory; lengths in nm."""
+    """mdtraj.Trajectory of the frames; lengths are in nm."""
     check_frames(simulation, frames)
     try:
         import mdtraj

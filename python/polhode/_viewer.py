@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Molecules in three dimensions in a notebook, by py3Dmol."""
+"""Three-dimensional views of molecules in notebooks, with py3Dmol."""
 
 import itertools
 
@@ -8,7 +8,7 @@ import numpy as np
 from ._trajectories import ANGSTROM_PER_NM, check_frames, sites_of
 from .errors import Error
 
-# A page with more is slow to load and to turn.
+# A page with more atoms is slow to load and to rotate.
 MAX_ATOMS = 200_000
 STYLE = {"stick": {"radius": 0.12}, "sphere": {"scale": 0.28}}
 
@@ -22,7 +22,7 @@ def _py3dmol():
 
 
 def _xyz(elements, positions):
-    """A frame in the format XYZ; positions in nm."""
+    """A frame in XYZ format; the argument has positions in nm."""
     rows = [f"{e} {x:.3f} {y:.3f} {z:.3f}" for e, (x, y, z) in
             zip(elements, positions * ANGSTROM_PER_NM, strict=True)]
     return "\n".join([str(len(rows)), "", *rows, ""])
@@ -39,7 +39,7 @@ def _add_box(view, box):
 
 
 def view_3d(simulation, frames, width, height, js):
-    """A py3Dmol.view of frames (time, box, positions of all sites); several are an animation."""
+    """A py3Dmol.view of frames (time, box, positions of all sites); several frames form an animation."""
     check_frames(simulation, frames)
     py3dmol = _py3dmol()
     sites = [site for _, _, site in sites_of(simulation)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The exceptions of the package. Their texts are those of the command line."""
+"""The exceptions of the package. Their texts are the same as on the command line."""
 
 import re
 
@@ -7,11 +7,11 @@ __all__ = ["Error", "OutputError", "RunError"]
 
 
 class Error(ValueError):
-    """Wrong input: a value, a file, an option. The command line exits with code 2.
+    """Invalid input, such as a value, a file or an option. The command line exits with code 2.
 
     Attributes:
-        text (str): what is wrong, with value, unit and bound, and what to do.
-        where (str): file, line and key, as far as known: ``"water.toml:9, forces.cutoff"``.
+        text (str): description of the error with value, unit and bound, and advice.
+        where (str): file, line and key, as far as known, such as ``"water.toml:9, forces.cutoff"``.
     """
 
     def __init__(self, text: str, where: str = "") -> None:
@@ -41,5 +41,5 @@ class OutputError(Error):
 
 
 class RunError(RuntimeError):
-    """A run that cannot continue although its input was valid, as when it blows up. The command
+    """A run that cannot continue although its input was valid, for example because it blows up. The command
     line exits with code 1."""

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Forces of one's own: from a Python function, added to those of the force field.
+"""External forces, which a Python function computes and which are added to the force field.
 
 A function ``f(q, orientation)``, or ``f(q, orientation, box)``, is called with
 
 - ``q`` (n, 3): centres of mass [nm], unwrapped;
-- ``orientation`` (n, 4): unit quaternions (w, x, y, z) that rotate body to lab;
+- ``orientation`` (n, 4): unit quaternions (w, x, y, z) that rotate from the body to the lab frame;
 - ``box`` (3): edges [nm];
 
 and returns ``force, torque, energy`` or ``force, torque, energy, virial``:
@@ -12,9 +12,9 @@ and returns ``force, torque, energy`` or ``force, torque, energy, virial``:
 - ``force`` (n, 3) [kJ/mol/nm];
 - ``torque`` (n, 3) about the centres of mass, lab frame [kJ/mol], or None for none;
 - ``energy`` [kJ/mol];
-- ``virial`` (3, 3), the sum of R ⊗ f over pairs [kJ/mol]; without it the pressure lacks these forces.
+- ``virial`` (3, 3), the sum of R ⊗ f over pairs [kJ/mol]; without it the pressure does not include these forces.
 
-The arrays belong to the function. Forces must depend on these arguments alone, and be minus the
+The arrays belong to the function. Forces must depend only on these arguments, and must be minus the
 gradient of the energy.
 """
 
@@ -38,8 +38,8 @@ class ExternalForces(Guarded):
 
     Args:
         function: as described in polhode.forces.
-        name (str): under which checkpoints know it; default: that of the function.
-        virial (bool): whether it returns a virial, too.
+        name (str): name in checkpoints; default: name of the function.
+        virial (bool): whether the function also returns a virial.
     """
 
     __slots__ = ("_function", "_name", "_virial", "_takes_box", "__weakref__")
@@ -61,16 +61,16 @@ class ExternalForces(Guarded):
 
     @property
     def name(self) -> str:
-        """str: under which checkpoints know it."""
+        """str: name in checkpoints."""
         return self._name
 
     @property
     def virial(self) -> bool:
-        """bool: whether it returns a virial, too."""
+        """bool: whether the function also returns a virial."""
         return self._virial
 
     def __call__(self, q, orientation, box):
-        """The result of the function, checked: force, torque, energy, virial."""
+        """The checked result of the function: force, torque, energy, virial."""
         arguments = (q, orientation, np.array(box)) if self._takes_box else (q, orientation)
         result = self.function(*arguments)
         wanted = 4 if self.virial else 3

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What all studies share: options, runs of the program, records, statistics and figures."""
+"""The library of all studies: options, runs of the program, records, statistics and figures."""

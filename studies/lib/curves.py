@@ -65,7 +65,7 @@ def at_ratio(own, ratio):
 
 
 def seconds_per_ps(o, tables, chosen):
-    """Wall-clock time of (scheme, step) pairs that run, energies not sampled: the minimum of interleaved repeats."""
+    """Wall-clock time of runs at (scheme, step) pairs without energy samples: the minimum of interleaved repeats."""
     timed = {**tables, "run": {"sample": f"{o.clock:g} ps"}, "output": {"prefix": "clock", **runs.QUIET}}
     (o.folder / "clock.toml").write_text(runs.run_file(**timed), encoding="utf-8")
     best = {}
@@ -82,7 +82,7 @@ def seconds_per_ps(o, tables, chosen):
 
 
 def plot(ax, own, x, look, **more):
-    """Draws R of a curve up to its end, and crosses beyond."""
+    """Draws R of a curve up to its end, and crosses beyond the end."""
     good = len(usable(own))
     percent = lambda points: ([p[x] for p in points], [100 * p["R"] for p in points])
     ax.plot(*percent(own[:good]), **look, **more)

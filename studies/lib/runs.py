@@ -25,7 +25,7 @@ def value(x):
 
 
 def run_file(**tables):
-    """A run file from its tables; keys whose value is None are left out."""
+    """The text of a run file from its tables; keys whose value is None are omitted."""
     return "\n".join(f"[{name}]\n" + "".join(f"{key} = {value(x)}\n" for key, x in table.items() if x is not None)
                      for name, table in tables.items() if table is not None)
 
@@ -36,7 +36,7 @@ def molecules(*of):
 
 
 def called(o, *words, folder, **environment):
-    """What the program prints; the study ends where the program does not succeed."""
+    """The output of the program; the study ends if the program fails."""
     done = subprocess.run([o.program, *map(str, words)], cwd=folder, text=True, capture_output=True, check=False, env={**os.environ, **environment})
     if done.returncode:
         raise SystemExit(f"polhode {' '.join(map(str, words))}: exit code {done.returncode}\n{done.stderr}")
@@ -44,23 +44,23 @@ def called(o, *words, folder, **environment):
 
 
 def asked(o, *words, folder, **environment):
-    """The JSON that the program prints."""
+    """The JSON output of the program."""
     return json.loads(called(o, *words, "--json", folder=folder, **environment))
 
 
 def run(o, tables, folder, *words, name="run"):
-    """The report of a run; its files are in the folder."""
+    """The report of a run, whose files are in the folder."""
     Path(folder, f"{name}.toml").write_text(run_file(**tables), encoding="utf-8")
     return asked(o, "run", f"{name}.toml", "--threads", 1, "--force", *words, folder=folder)
 
 
 def scratch(o=None):
-    """A folder: that of the option, or one that is deleted."""
+    """A folder: the folder of the option, or a temporary one."""
     return contextlib.nullcontext(o.folder) if o and o.folder else tempfile.TemporaryDirectory()
 
 
 def kept(folder, name, make):
-    """The JSON of a file, which make() gives where it does not exist."""
+    """The JSON of a file; if the file does not exist, make() gives the contents."""
     path = Path(folder, f"{name}.json")
     if not path.exists():
         path.write_text(json.dumps(make()), encoding="utf-8")
@@ -87,5 +87,5 @@ UNKNOWN = {"value": None, "unconverged_estimate": float("nan")}
 
 
 def number(estimate):
-    """The value of an estimate; of a run that is too short for one its preliminary value: the mean over many runs may determine it."""
+    """The value of an estimate. If the run is too short, it is the preliminary value, because the mean over many runs may determine it."""
     return estimate["value"] if estimate["value"] is not None else estimate.get("unconverged_estimate")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The slope of the log ratio of two densities [merz2018], by maximum likelihood, and what it must be.
+"""The slope of the log ratio of two densities [merz2018], by maximum likelihood, and its theoretical value.
 
 Of two samples of a quantity x with densities p1 and p2, each value belongs to the second with the probability 1/(1 + exp(-(a + s x)))
 if ln p2/p1 = const + s x. For the potential energy at two temperatures s = 1/kT1 - 1/kT2, for the volume at two pressures
@@ -29,7 +29,7 @@ def slope(first, second):
         p = 1 / (1 + np.exp(-A @ b))
         information = A.T @ (A * (p * (1 - p))[:, None])
         step = np.linalg.solve(information, A.T @ (y - p))
-        b += step / max(1.0, np.abs(step).max())  # at most 1: far from the maximum Newton's steps may be too long
+        b += step / max(1.0, np.abs(step).max())  # at most 1, because Newton's steps may be too long far from the maximum
         if np.abs(step).max() < 1e-10:
             break
     return float(b[1] / width), float(np.sqrt(np.linalg.inv(information)[1, 1]) / width)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Means with standard errors: of independent runs, of correlated samples, and of what is computed from several of them."""
+"""Means with standard errors: for independent runs, for correlated samples, and for statistics of several of them."""
 
 from math import inf, sqrt
 
@@ -14,7 +14,7 @@ def mean(values):
 
 
 def estimate(values):
-    """The same for a record."""
+    """The mean and its standard error as an entry of a record."""
     centre, error = mean(values)
     return {"value": centre, "error": error if error < inf else 0.0}
 
@@ -32,7 +32,7 @@ def over_scatter(pairs):
 
 
 def share_interval(count, runs, method="wilson"):
-    """The 95 % interval of a share."""
+    """The 95 % interval of a fraction."""
     found = stats.binomtest(count, runs).proportion_ci(0.95, method=method)
     return float(found.low), float(found.high)
 
@@ -66,7 +66,7 @@ def jackknife(items, statistic):
 
 
 def text(estimate, digits):
-    """1.23 ± 0.04; empty if there is none."""
+    """An estimate as text, such as 1.23 ± 0.04; empty if there is none."""
     if estimate is None:
         return ""
     value, error = estimate

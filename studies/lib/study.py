@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The frame of every study: its options, its record, its tables and its figure."""
+"""The framework of all studies: options, record, tables and figure."""
 
 import argparse
 import json
@@ -58,7 +58,7 @@ def processor():
 
 
 def head(o):
-    """What every record begins with."""
+    """The first part of every record."""
     return {"date": str(date.today()), "processor": processor(), "command": o.command}
 
 
@@ -87,8 +87,8 @@ def read(path):
 
 
 def perform(o, measure, report, draw=None):
-    """The whole of a study: measure(o) gives what the record holds below its head, report(result) the tables in Markdown, and
-    draw(result) a figure of matplotlib."""
+    """Performs a whole study. measure(o) gives the contents of the record below its head, report(result) the tables in Markdown, and
+    draw(result) a matplotlib figure."""
     if not o.report:
         write(o.record, head(o) | measure(o))
     result = read(o.record)

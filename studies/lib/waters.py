@@ -19,7 +19,7 @@ WATERS = (Water("tip4p", "TIP4P", 0.999), Water("spce", "SPC/E", 0.997), Water("
 
 
 def made(o, folder, water, seed, temperature):
-    """(prefix, report) of one run from a lattice, made or from the folder."""
+    """(prefix, report) of one run from a lattice, which is performed unless the folder has it."""
     prefix = f"{water.model}-{seed}"
     tables = {"system": {"molecules": runs.molecules(water.model, o.count), "density": f"{water.density} g/cm3",
                          "temperature": f"{temperature:g} K", "seed": seed},
@@ -31,7 +31,7 @@ def made(o, folder, water, seed, temperature):
 
 
 def analyzed(o, folder, prefix, *words):
-    """What `polhode analyze` reports on a run, without its first frame."""
+    """The report of `polhode analyze` on a run, without its first frame."""
     return runs.kept(folder, f"{prefix}-analysis", lambda: runs.asked(
         o, "analyze", f"{prefix}-trajectory.trr", "--run", f"{prefix}.toml", "--from", f"{o.every:g} ps", "--pairs", "OW-OW", "--plot", "none",
         "--threads", 1, "--force", "--output", prefix, *words, folder=folder))
