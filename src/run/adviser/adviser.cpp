@@ -30,37 +30,33 @@
 namespace polhode {
 namespace {
 
-/// Numbers of initial configurations for the choosing runs, and for each set of confirming runs.
+/// Numbers of initial configurations for the choosing runs, and for a set of confirming runs.
 constexpr std::size_t choosing = 6, confirming = 8;
-/// Number of rejected sets of confirming runs after which the adviser gives up.
+/// Rejected sets of confirming runs after which the adviser gives up.
 constexpr std::size_t max_refusals = 10;
-constexpr double preparation = 2;  // maximum length of the preparation of an initial configuration
-                                   // [ps], in steps of 1 fs
-/// Maximum interval between energy samples [ps]. With fewer samples, R would be less accurate than
-/// the length of the run allows.
+constexpr double preparation = 2;  // longest preparation [ps], in steps of 1 fs
+/// Maximum interval between energy samples [ps]; fewer samples would make R less accurate.
 constexpr double max_sample_interval = 0.004;
 /// Number of times that a longer step is tried because R is well below the bound.
 constexpr int max_lengthenings = 4;
-/// Fractions of the length of confirming runs at which hopeless sets of runs are stopped.
+/// Fractions of the length of confirming runs at which hopeless sets are stopped.
 constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
 /// The first fraction after which a longer step may be tried.
 constexpr double telling = 1.0 / 3;
-/// Fractions of the computing time for choosing runs, for timings, for the response to the
-/// temperature (if needed), and at least for confirming runs.
+/// Fractions of the computing time for choosing runs, timings, the response to the temperature (if
+/// needed), and at least for confirming runs.
 constexpr double choosing_share = 0.35, clock_share = 0.1, response_share = 0.15,
                  min_confirming_share = 0.3;
-/// Length of preliminary runs, relative to the length of runs near the final step.
+/// Length of preliminary runs, relative to runs near the final step.
 constexpr double way = 0.5;
 /// The first step to confirm, relative to the step that the choosing runs propose. Short runs
 /// underestimate R, especially if R grows as a high power of the step, because the energy then
 /// begins a random walk.
 double reserve(double exponent) { return 1 - 0.015 * std::clamp(exponent, 2.0, 4.0); }
-/// A scheme is postponed while its expected number of force evaluations exceeds the number of the
-/// second cheapest scheme by this factor. Smaller factors may be compensated by differences in
-/// speed.
+/// A scheme is postponed while its expected cost exceeds the cost of the second cheapest scheme by
+/// this factor. Differences in speed may compensate smaller factors.
 constexpr double hopeless = 1.25;
-/// Maximum cost of configurational temperatures relative to the force evaluations of a run, and the
-/// cost of one sample in force evaluations.
+/// Maximum cost of configurational temperatures relative to a run; cost of a sample.
 constexpr double temperature_share = 0.03, sample_cost = 2;
 /// The p-value below which an energy drift of the choosing runs ends the range of steps. It is
 /// smaller than the usual significance level, because there are about a dozen tests.
@@ -125,8 +121,7 @@ class Adviser {
     callbacks_.report({"advising", effort_.fraction(), what});
   }
 
-  /// Returns a stop() that is called after each step of a run and adds the force evaluations of the
-  /// step to the effort.
+  /// Returns a stop() that is called after each step and adds its force evaluations to the effort.
   std::function<bool()> counting_stop(double evaluations, const std::string& what) const {
     return [this, evaluations, what] {
       effort_.add(evaluations);
@@ -135,9 +130,8 @@ class Adviser {
     };
   }
 
-  /// Number of force evaluations of a search without rejected steps, with the shortest useful runs.
-  /// It has about five steps per scheme, mostly in shortened runs, and one confirmation, at 3.3 ω
-  /// force evaluations per ps.
+  /// Number of force evaluations of a search without rejected steps and with the shortest runs. It
+  /// has about five steps per scheme and one confirmation, at 3.3 ω force evaluations per ps.
   double min_work() const {
     const double search = 5 * way * choosing * static_cast<double>(advice_.candidates.size());
     return confirming * 1000 * preparation_length() +
@@ -165,12 +159,10 @@ class Adviser {
     return !stop();
   }
 
-  /// Prepares the conversion of biases, which the runs measure at constant energy, to the ensemble
-  /// of the run file. Without a thermostat no conversion is needed.
+  /// Prepares the conversion of biases from constant energy to the run file's ensemble.
   void prepare_conversion() {
     if (!needs_conversion(settings_.criterion.quality, config_.ensemble)) return;
-    constexpr double cost = 2, part = 0.2 * cost;  // cost of hoa2, and its step in units of the
-                                                   // inverse Einstein frequency
+    constexpr double cost = 2, part = 0.2 * cost;  // cost of hoa2; its step times the frequency
     const double step = three_digits(part / frequency_);
     const ResponseRuns runs{
         step,
@@ -212,8 +204,7 @@ class Adviser {
     return run;
   }
 
-  /// Runs every job from every initial configuration, with as many runs at a time as there are
-  /// workers.
+  /// Runs every job from every initial configuration, as many at a time as there are workers.
   std::vector<AdviserPoint> measure(const std::vector<Job>& jobs) const {
     std::vector<AdviserPoint> points;
     for (const Job& job : jobs)
@@ -242,7 +233,7 @@ class Adviser {
     point.usable = !blew_up(point.runs) && !drifts(point.runs, significance_level);
   }
 
-  /// Whether a point is free of failures and drift, so that only the bound could exclude its step.
+  /// Whether only the bound could exclude the step of a point.
   bool calm(const AdviserPoint& point) const {
     return !blew_up(point.runs) &&
            (settings_.criterion.quality == Quality::drift || !drifts(point.runs));
@@ -256,8 +247,7 @@ class Adviser {
            (!run.failure.empty() || run.ratio > settings_.criterion.bound);
   }
 
-  /// Performs confirming runs over the whole length, or up to the fraction at which they are
-  /// hopeless.
+  /// Performs confirming runs over the whole length, or until they are hopeless.
   AdviserPoint confirming_runs(std::vector<ResumableRun> resumable_runs, const Job& whole) const {
     AdviserPoint point{whole.step, whole.length, std::vector<Outcome>(resumable_runs.size())};
     effort_.expect(work_of(whole, resumable_runs.size()));
@@ -311,8 +301,7 @@ class Adviser {
   /// The total time of all runs, in seconds of one thread.
   double budget(double share) const { return share * settings_.seconds * workers_.threads(); }
 
-  /// The length of each of `runs` runs that together fit into a time, given the number of force
-  /// evaluations per ps.
+  /// The length of each of `runs` runs that together fit into a time.
   double affordable(double seconds, double runs, double cost) const {
     return seconds / (runs * cost * evaluation_);
   }
@@ -324,8 +313,7 @@ class Adviser {
     return {settings_.criterion, candidate.scheme.order(), three_digits(first)};
   }
 
-  /// The number of force evaluations per ps that a scheme is expected to need; 0 if nothing is
-  /// known yet.
+  /// The expected force evaluations per ps of a scheme; 0 if nothing is known yet.
   double expected_cost(std::size_t c) const {
     const Candidate& candidate = advice_.candidates[c];
     if (settled_[c] && candidate.step == 0) return std::numeric_limits<double>::infinity();
@@ -334,8 +322,7 @@ class Adviser {
                         : max_expected_step(search_of(candidate), candidate.points));
   }
 
-  /// The maximum cost of a scheme that deserves further runs. The search must find a best scheme
-  /// and a runner-up.
+  /// The maximum cost of a scheme that deserves further runs to find an answer and a runner-up.
   double worthwhile() const {
     std::vector<double> costs;
     for (std::size_t c = 0; c < settled_.size(); ++c) costs.push_back(expected_cost(c));
@@ -412,8 +399,7 @@ class Adviser {
     return best;
   }
 
-  /// Tries one step after another from the same initial configurations, until a step is confirmed
-  /// and a much longer step is impossible.
+  /// Tries steps until one is confirmed and a much longer step is impossible.
   void confirm() {
     std::vector<ResumableRun> starts;
     while (advice_.refused.size() < max_refusals) {
@@ -426,8 +412,7 @@ class Adviser {
       if (stop()) return;
       const auto c = advice_.best ? advice_.best : cheapest();
       if (!c) return;
-      // After a rejection, the same initial configurations are used again. Drawing new ones until a
-      // step is confirmed would select lucky ones.
+      // After a rejection, new initial configurations would select lucky runs.
       if (starts.empty()) starts = fresh_starts(confirming);
       if (stop()) return;
       Candidate& candidate = advice_.candidates[*c];
@@ -452,8 +437,7 @@ class Adviser {
         advice_.surpassed.emplace_back(*c, point);
       } else {
         advice_.refused.emplace_back(*c, point);
-        if (advice_.best) {  // the longer step was rejected and the shorter one confirmed: try a
-                             // step between them
+        if (advice_.best) {  // try a step between the rejected and the confirmed one
           const auto between = longer_step(*c, advice_.confirmation);
           set_step(candidate, between.value_or(advice_.confirmation.step));
           if (!between) return;
@@ -473,7 +457,7 @@ class Adviser {
   }
 
   /// Shortens the step of a candidate after runs that did not confirm it.
-  /// @param part  fraction of the whole length that the runs covered
+  /// @param part  fraction of the length that the runs covered
   void shorten(Candidate& candidate, const AdviserPoint& point, double part) const {
     const double factor = calm(point) && candidate.model
                               ? shortening(settings_.criterion, point.runs, confirming, part,
