@@ -27,9 +27,9 @@ class Scheme(Record):
         name (str): name of the scheme, or its text.
         order (int): 0 if it is unknown.
         stages (list of dict): "flow" ("drift", "kick", "bath"), "fraction", "xi", "gradient".
-        cost (float): force evaluations per step, with a derivative as two.
-        force_evaluations, gradient_kicks (int): per step.
-        palindrome (bool): whether it is time-reversible.
+        cost (float): force evaluations per step; a derivative counts as two evaluations.
+        force_evaluations, gradient_kicks (int): numbers per step.
+        palindrome (bool): whether the scheme is time-reversible.
         source (str): key in the bibliography.
         text (str): the stages as text.
     """
@@ -128,9 +128,9 @@ class Molecule(Record):
         name, description, source (str)
         mass (float): [u]
         top (str): "atom", "linear", "spherical", "symmetric" or "asymmetric"
-        charge (float): [e]
-        dipole (float): [D]
-        sites (list of dict): in the principal frame; positions (3) [nm], masses [u], charges [e].
+        charge (float): total charge [e]
+        dipole (float): dipole moment [D]
+        sites (list of dict): sites in the principal frame, with positions (3) [nm], masses [u] and charges [e].
     """
 
     __slots__ = ("_table", "_moments")
