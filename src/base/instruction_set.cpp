@@ -28,7 +28,7 @@ template <class Loops>
 constexpr bool compiled = !std::is_same_v<Loops, loops_scalar::Loops>;
 
 constexpr std::array targets{
-    // in the order of InstructionSet
+    // instruction sets in the order of InstructionSet
     Target{"scalar", 0, true}, Target{"sse4", HWY_SSE4, compiled<loops_sse4::Loops>},
     Target{"avx2", HWY_AVX2, compiled<loops_avx2::Loops>},
     Target{"avx512", HWY_AVX3, compiled<loops_avx512::Loops>},

@@ -14,7 +14,8 @@ namespace polhode {
 struct Spectrum {
   double prior = 0;      ///< prior probability
   double amplitude = 0;  ///< amplitude of the correlated part, relative to white noise
-  double time = 0;       ///< its correlation time divided by the length of the run
+  double time = 0;       ///< correlation time of the correlated part, divided by the length of the
+                         ///< run
   double walk = 0;       ///< variance of a random walk in the slowest mode, relative to white noise
 };
 

@@ -229,14 +229,15 @@ POLHODE_INLINE inline void add_pairs(const SitePairs<Shape, Real>& pairs, const 
 
 /// Sums over the site pairs of molecules a and b. The cutoff treatments are
 ///
-/// `molecule_switch`:  U = w(R) Σ u(r), R the distance between the centres of mass `site_switch`:
-/// U = Σ w(r) u(r) `site_shift`:       U = Σ [u(r) − u(r_c) − (r − r_c) u'(r_c)] for r < r_c
+/// - `molecule_switch`: U = w(R) Σ u(r), where R is the distance between the centres of mass,
+/// - `site_switch`: U = Σ w(r) u(r),
+/// - `site_shift`: U = Σ [u(r) − u(r_c) − (r − r_c) u'(r_c)] for r < r_c,
 ///
 /// with u = u_short + K q q (1/r + k r² − c), where u_short is the short-range law of the two
 /// sites, and k and c describe the reaction field, and
 ///
-/// `smooth`:           U = Σ w(r) u_short(r) + K q q (1/r − P(r)) for r < r_c, P the
-/// SmoothPolynomial
+/// - `smooth`: U = Σ w(r) u_short(r) + K q q (1/r − P(r)) for r < r_c, where P is the
+///   SmoothPolynomial.
 ///
 /// @tparam energies  whether energies are computed; the forces are the same either way
 /// @param R       vector from the centre of a to the centre of b, with its periodic image [nm]

@@ -127,12 +127,12 @@ class PointMeasurement {
                        [&](const auto& p) { return p.property->measured_in == what; });
   }
 
-  /// The error that the replicas are to reach: those of one of n shards need reach √n times the
-  /// error requested.
+  /// The standard error that the replicas must reach. With n shards, the replicas of one shard need
+  /// to reach only √n times the requested error.
   double required_error(const MeasuredProperty& m) const {
     return std::sqrt(static_cast<double>(settings_.shard.count)) * m.requested_error();
   }
-  /// Whether replicas become longer for a property.
+  /// Whether the replicas must become longer for a property.
   bool continues(const MeasuredProperty& m) const {
     return m.request.property->measured_in != MeasuredIn::pair &&
            !(m.value.known == Known::yes && m.obstacle.empty() &&
@@ -329,7 +329,8 @@ void PointMeasurement::show(const std::vector<MeasuredProperty>& values, bool eq
 
 void PointMeasurement::show_plan(const Target& target,
                                  std::optional<double> seconds_per_step) const {
-  constexpr double steps_of_preparation = 8000;  // with as many force evaluations
+  constexpr double steps_of_preparation = 8000;  // number of steps with as many force evaluations
+                                                 // as the preparation
   const auto n = static_cast<double>(replicas_.size());
   const auto averages = static_cast<double>(target.averages * steps_of_averages),
              dynamics = static_cast<double>(target.dynamics * steps_of_lags * windows_in_segment);
@@ -349,7 +350,8 @@ MeasuredPoint PointMeasurement::perform() {
   if ((wants(MeasuredIn::averages) || wants(MeasuredIn::dynamics)) && !settings_.only_evaluate) {
     const std::optional<double> seconds = choose_step();
     Target target{first_averages, wants(MeasuredIn::dynamics) ? first_dynamics : 0};
-    constexpr double steps_of_pilot = 15'000;  // with as many force evaluations
+    constexpr double steps_of_pilot = 15'000;  // number of steps with as many force evaluations as
+                                               // the pilot run
     if (system_.common.step > 0)
       show_plan(target, seconds ? std::optional(*seconds / steps_of_pilot) : std::nullopt);
     while (system_.common.step > 0 && !stopped()) {

@@ -15,8 +15,9 @@
 namespace polhode {
 
 /// Units that only properties have.
-inline constexpr double cm3_per_mol = 1e21 / units::avogadro;  ///< of one molecule [nm³]
-inline constexpr double nm2_per_ns = 1e-3;                     ///< 1e-9 m²/s [nm²/ps]
+inline constexpr double cm3_per_mol =
+    1e21 / units::avogadro;                 ///< molar volume of one molecule [nm³]
+inline constexpr double nm2_per_ns = 1e-3;  ///< 1e-9 m²/s [nm²/ps]
 
 /// Quantities of the whole system that are averaged at constant pressure.
 enum AverageOf : std::size_t {

@@ -111,7 +111,7 @@ BarostatSettings barostat(const ReplicaSettings& settings, double compressibilit
 /// A stage of the preparation.
 struct Stage {
   std::size_t steps;
-  double heat = 1;  ///< temperature relative to that of the state point
+  double heat = 1;  ///< temperature relative to the temperature of the state point
   bool has_barostat = false;
 };
 /// The second stage melts the lattice. Near the melting point, a crystal would survive the other
@@ -252,7 +252,7 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings) {
   constexpr std::size_t samples_of_part = steps_of_averages / steps_of_sample / parts_of_averages;
   if (!replica.averages.empty()) segment.response.first = replica.averages.front().response.first;
   const auto sample = [&](std::size_t steps, const State& state, const Energies& now) {
-    if (steps == 0) return;  // the last sample of the segment before it
+    if (steps == 0) return;  // the last sample of the previous segment
     const double U = now.potential(), V = now.volume;
     const std::array<double, averages_count> x{U,     V,     U * U,
                                                V * V, U * V, norm2(total_dipole(state, system))};

@@ -53,7 +53,7 @@ class StudyJob {
   /// Performs the runs that the record does not have yet.
   Report run(Workers& workers) const {
     const OutputLock lock(files_.prefix + "-study.lock", callbacks_);
-    // Results of a resumed study are overwritten. Results of another study are not.
+    // Results of a resumed study are overwritten, but results of another study are not.
     if (!std::filesystem::exists(files_.runs)) check_outputs(files_.all(), existing_);
     remove_drafts(files_.all());
     typename Study::Record record(files_.runs, made_, existing_ == ExistingFiles::replace);
