@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Memory for packs, on large pages where there is much of it: the addresses of many small pages do
-// not fit into the processor's tables.
+// Memory for packs. Large blocks lie on large pages, because the processor's address tables hold
+// only a limited number of pages.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Columns: one number per body, contiguous, aligned for the widest pack and padded to a whole
-// number of packs, so that loops over packs need no remainder. The padding holds a harmless value.
+// Columns hold one number per body, contiguous and aligned for the widest pack. They are padded to
+// a whole number of packs, so that loops over packs need no remainder. The padding holds a harmless
+// value.
 #pragma once
 
 #include <algorithm>
@@ -62,8 +63,8 @@ class Component {
   std::size_t size_ = 0;
 };
 
-/// Owns the memory of `n` columns of equal size, at equal distances. Other languages can share it
-/// as one array with strides. Assigning the same number of values does not move it.
+/// Owns the memory of `n` columns of equal size, at equal distances. Other languages can share this
+/// memory as one array with strides. Assigning the same number of values does not move the memory.
 template <std::size_t n>
 class Components {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names of the values of enumerations, one table for each: for run files, options and messages.
+// Names of enumeration values for run files, options and messages, with one table per enumeration.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The two kinds of errors that a user may see. The text says: what is wrong (value, unit), what it
-// must be (bound), briefly why, and what to do; the place is added where it is known.
+// The two kinds of errors that a user may see. The text gives the invalid value with its unit, the
+// bound, a brief reason, and a remedy; the place is added where it is known.
 #pragma once
 
 #include <stdexcept>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What physics may require of a number type beyond + - * /, for plain double and float. Packs and
-// dual numbers overload the same names, so that a law is written once for all of them.
+// dual numbers overload the same names, so that each potential is written once for all number
+// types.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +26,8 @@ constexpr Real select(bool condition, Real if_true, Real if_false) {
 /// Whether a comparison holds in any lane; a plain number has one lane.
 constexpr bool any(bool mask) { return mask; }
 
-/// The type of constant factors of a Real. It is the Real itself, except for a dual number: there
-/// it is the plain number, because constants have no derivative.
+/// The type of constant factors of a Real. For a dual number it is the plain number type, because
+/// constants have no derivative. For all other Reals it is the Real type.
 template <class Real>
 struct ConstantOf {
   using type = Real;
@@ -34,7 +35,7 @@ struct ConstantOf {
 template <class Real>
 using Constant = typename ConstantOf<Real>::type;
 
-/// A literal or a parameter of a law, converted to a Constant for Reals of any precision.
+/// A literal or a parameter of a potential, converted to a Constant for Reals of any precision.
 template <class Real, class T>
 constexpr Constant<Real> constant(T x) {
   using C = Constant<Real>;
@@ -56,7 +57,7 @@ constexpr void subtract_product(Real& sum, const Real& a, const Real& b) {
 }
 
 /// The value of a function at x, with its known derivative. For a dual number this derivative gives
-/// the slope, which is cheaper than differentiating the value.
+/// the slope. This is cheaper than differentiating the value.
 template <class Real>
 constexpr Real with_derivative(const Real& value, const Real&, const Real&) {
   return value;

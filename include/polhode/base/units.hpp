@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The one unit system: nm, ps, u, e, K, kJ/mol. It is consistent (1 kJ/mol = 1 u nm²/ps²), so no
-// conversion factor appears in any formula; values with other units are converted once, in io.
+// The unit system of the program: nm, ps, u, e, K, kJ/mol. It is consistent (1 kJ/mol = 1 u
+// nm²/ps²), so no conversion factor appears in any formula; values with other units are converted
+// once, in io.
 #pragma once
 
 namespace polhode::units {

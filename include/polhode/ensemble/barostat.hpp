@@ -25,9 +25,9 @@ struct BarostatMemory {
 };
 
 /// The largest ratio of the factors by which edges in different groups have changed since the first
-/// move. A fluid does not resist a change of shape, so without a bound the box would drift until an
-/// edge is too short for the cutoff. Moves beyond the bound are rejected, so the distribution
-/// within it is unchanged.
+/// move. A fluid does not resist a change of shape. Without a bound, the box shape would drift
+/// until an edge is too short for the cutoff. Moves beyond the bound are rejected, so the
+/// distribution within it is unchanged.
 inline constexpr double max_shape_change = 1.2;
 
 /// Scales box edges, and with them the centres of mass.
@@ -39,10 +39,10 @@ void scale_box(State& state, const CoupledEdges& edges, double factor, bool mome
 /// dV.
 ///
 /// Stochastic cell rescaling [bernetti2020], with λ = √V: dλ = −(β λ/2τ) [P₀ − P − kT/(2V)] dt +
-/// √(kT β/2τ) dW, where P is the molecular pressure along the edges of the group. Momenta are
-/// scaled by the inverse factors. A move is accepted with probability min(1, exp(−Δ/kT)), where Δ
-/// is its violation of detailed balance [roberts1996]. If `metropolis` is false, every move is
-/// accepted, Δ is its error, and the work is the change of H minus Δ.
+/// √(kT β/2τ) dW. P is the molecular pressure along the edges of the group. Momenta are scaled by
+/// the inverse factors. A move is accepted with probability min(1, exp(−Δ/kT)), where Δ is the
+/// violation of detailed balance by the move [roberts1996]. If `metropolis` is false, every move is
+/// accepted, Δ is the error of the move, and the work is the change of H minus Δ.
 ///
 /// Monte Carlo: ΔV is uniform between ±δ with δ = 2 √(kT β V₀), where V₀ is the volume at the first
 /// move. Momenta do not change. A move of N molecules is accepted with probability min(1, exp(−(ΔU

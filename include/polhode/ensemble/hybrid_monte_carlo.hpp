@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Hybrid Monte Carlo [duane1987]: trajectories of a scheme as proposals, accepted or rejected by
-// their energy error, so that the canonical distribution is sampled exactly with any step.
+// Hybrid Monte Carlo [duane1987]: trajectories of a scheme are proposals, which are accepted or
+// rejected by their energy errors. The canonical distribution is then sampled exactly with any
+// step.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +21,10 @@ namespace polhode {
 struct HybridMonteCarloMemory {
   double work = 0;  ///< energy given to the bodies by new momenta and rejections [kJ/mol]
   std::uint64_t trajectories = 0, accepted = 0;
-  /// Blocks of three quantities. The first is the weight w = exp(−ΔH/kT), whose mean must be 1. The
+  /// Blocks of three quantities. The first is the weight w = exp(−ΔH/kT). Its mean must be 1. The
   /// second is 1 for accepted trajectories and 0 for rejected ones. The third is (w − 1)
-  /// exp(−|ΔH|/kT), whose mean must be 0 (docs/theory.md, Eq. (40)). It lies between −1 and 1, so
-  /// its error is known even if rare large weights make the error of w unknown.
+  /// exp(−|ΔH|/kT). Its mean must be 0 (docs/theory.md, Eq. (40)). The third quantity lies between
+  /// −1 and 1, so its error is known even if rare large weights make the error of w unknown.
   TimeBlocks weights;
 
   /// Adds the decision on one trajectory.
@@ -33,13 +34,14 @@ struct HybridMonteCarloMemory {
 
 /// @throws Error  unless the scheme is a palindrome without a bath, so that it is reversible. All
 ///   drifts and kicks conserve phase-space volume. This includes gradient kicks by finite
-///   difference, because they change momenta by a function of positions and orientations.
+///   difference, because such kicks change momenta by a function of positions and orientations.
 void check_hybrid(const Scheme& scheme);
 
 /// Accepts or rejects trajectories of a scheme. A trajectory begins with momenta √(1 − φ) p + √φ ξ,
-/// where ξ has the Maxwell distribution with total momentum 0, and φ is the fraction to refresh.
-/// Its end is accepted with probability min(1, exp(−ΔH/kT)). Otherwise the bodies return to its
-/// beginning, with reversed momenta [horowitz1991].
+/// where φ is the fraction to refresh. The momenta ξ have the Maxwell distribution with total
+/// momentum 0. The end of the trajectory is accepted with probability min(1, exp(−ΔH/kT)).
+/// Otherwise the bodies return to the beginning of the trajectory, with reversed momenta
+/// [horowitz1991].
 class HybridMonteCarlo {
  public:
   /// @param bodies, workers  kept by reference

@@ -18,9 +18,9 @@ struct LangevinSettings {
   double rotational_friction = 0;  ///< friction γ of rotation [1/ps]
   std::uint64_t seed = 0;
   TotalMomentum total_momentum = TotalMomentum::held;
-  /// The number of each body, padded as a Column. It selects the random numbers of the body, which
-  /// therefore do not depend on its place in the column. If null, the numbers are the indices of
-  /// the bodies.
+  /// The number of each body, padded as a Column. The number of a body selects its random numbers,
+  /// so they do not depend on its place in the column. If null, the numbers are the indices of the
+  /// bodies.
   const std::uint64_t* numbers = nullptr;
 };
 

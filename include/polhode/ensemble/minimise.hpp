@@ -17,8 +17,9 @@ struct MinimisationSettings {
   double force = 10;              ///< bound on the largest force on a body [kJ/mol/nm]
   double torque = 1;              ///< bound on the largest torque on a body [kJ/mol]
   std::size_t max_steps = 20000;  ///< maximum number of steps, each with one force evaluation
-  /// Largest displacement in a step, of the centre of a body and (by rotation, to first order) of
-  /// its outermost site [nm]. The default is 1/60 of the diameter of an atom.
+  /// Bound [nm] on the displacement of a body's centre in a step. It also bounds the displacement
+  /// of the outermost site by rotation, to first order. The default is 1/60 of the diameter of an
+  /// atom.
   double max_move = 0.005;
 };
 
@@ -38,7 +39,7 @@ enum class MinimisationEnd {
 struct Minimisation {
   Steepness before, after;
   std::size_t steps = 0;
-  /// Number of force evaluations: one for each step, and one before the first step.
+  /// Number of force evaluations: one before the first step, and one per step.
   std::size_t evaluations() const { return steps + 1; }
   MinimisationEnd end = MinimisationEnd::converged;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which random numbers each use has. Numbers are functions of seed, use, step, stage and body, so
-// they are the same for any number of threads and wherever a run was suspended.
+// The streams of random numbers, and the purpose of each. Numbers are functions of seed, use, step,
+// stage and body. They do not depend on the number of threads or on the step at which a run was
+// suspended.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The forces on the bodies of one domain of a larger system, for engines that divide space among
-// processes and have the periodic images themselves.
+// processes and supply the periodic images.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,17 @@ struct AnyPairEngine;
 /// Computes the forces on the bodies of a domain, exerted by each other and by ghosts. Ghosts are
 /// copies of bodies of other domains, or periodic images, at explicit positions. The caller may
 /// make space periodic in directions in which the domain extends over the whole box. Pairs of two
-/// ghosts and the forces on ghosts are not computed. Own bodies are the bodies of this domain. A
-/// pair of an own body and a ghost contributes half of its energy and virial, because the other
+/// ghosts and the forces on ghosts are not computed. Local bodies are the bodies of this domain. A
+/// pair of a local body and a ghost contributes half of its energy and virial, because the other
 /// domain adds the other half.
 ///
-/// All ghosts that interact with an own body must be present. Without a cutoff between centres, the
-/// centres of such ghosts are within the cutoff plus the extents of both molecules. Constant
-/// energies of own bodies are included. The self-energy of charges is omitted if another program
-/// adds it with its mesh, see ForceSettings::ewald_alpha.
+/// All ghosts that interact with a local body must be present. Without a cutoff between centres,
+/// the centres of such ghosts are within the cutoff plus the extents of both molecules. Constant
+/// energies of local bodies are included. The self-energy of charges is omitted if another program
+/// adds the self-energy with its mesh, see ForceSettings::ewald_alpha.
 class DomainForces {
  public:
-  /// @param own, ghosts  kinds and numbers of bodies; some numbers may be 0
+  /// @param own, ghosts  kinds and numbers of local bodies and of ghosts; some numbers may be 0
   /// @param settings     force settings without a mesh
   /// @param period       box edges [nm] in periodic directions, 0 in other directions
   /// @throws Error       if a setting is out of its domain, or a period is too short: see
@@ -43,12 +43,12 @@ class DomainForces {
   /// and with no image of itself.
   static bool is_long_enough(double edge, const Topology& topology, const ForceSettings& settings);
 
-  /// State of all bodies: own bodies first, then ghosts, each in the order of their topology. The
+  /// State of all bodies: local bodies first, then ghosts, each in the order of their topology. The
   /// caller sets q and orientation before each evaluation; the other members are not used.
   State& state() { return state_; }
   std::size_t own_bodies() const { return own_bodies_; }
 
-  /// Computes forces and torques of the own bodies, which are the first elements of the Load. If
+  /// Computes forces and torques of the local bodies, which are the first elements of the Load. If
   /// `energies` is true, energies and virial are computed as well; otherwise they are 0. Does not
   /// allocate memory, except when the list grows.
   void operator()(Load& load, bool energies);
@@ -57,11 +57,11 @@ class DomainForces {
   void enclose();
 
   std::size_t own_bodies_;
-  Topology topology_;  // parts of the own bodies, followed by the parts of the ghosts
+  Topology topology_;  // parts of the local bodies, followed by the parts of the ghosts
   ForceSettings settings_;
   double reach_;         // cutoff of the list: bodies farther apart do not interact [nm]
   Vec3<double> period_;  // box edges in periodic directions, otherwise 0 [nm]
-  double constant_ = 0;  // constant energy of the own bodies [kJ/mol]
+  double constant_ = 0;  // constant energy of the local bodies [kJ/mol]
   State state_;
   std::unique_ptr<AnyPairEngine> engine_;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Forces from outside of the force field: a field, a potential of the user, another program.
+// Forces that are not part of the force field: an external field, a user-defined potential, or
+// forces from another program.
 #pragma once
 
 #include <functional>
@@ -10,8 +11,8 @@
 
 namespace polhode {
 
-/// Forces that are added to a force field. They must depend only on positions, orientations and
-/// box, because an evaluation is reused until one of these changes.
+/// Forces that are added to a force field. The forces must depend only on positions, orientations
+/// and box, because an evaluation is reused until one of these three changes.
 struct ExternalForces {
   std::string name;  ///< name in messages and checkpoints; a checkpoint fits only runs with this
                      ///< name

@@ -28,8 +28,8 @@ struct ConstantTerms {
   double coulomb() const { return self + intramolecular + background; }
 };
 
-/// State of the neighbour list. The summation order of the forces, and so their last bits, depend
-/// on the list, which the positions at its last rebuild determine.
+/// State of the neighbour list. The positions at the last rebuild determine the list. The list
+/// determines the summation order of the forces, and therefore their last bits.
 struct ListMemory {
   Vec3Column built_at;       ///< centre of each body at the last rebuild [nm]; empty if there is no
                              ///< list for the box of the state
@@ -64,12 +64,12 @@ class ForceField {
   /// Computes only forces and torques, which is faster; energies and virial are set to 0.
   void forces_alone(const State& state, Load& load) { evaluate(state, load, false); }
 
-  /// Computes the exact derivative of forces and torques along a displacement of all bodies:
-  /// centres move by dq [nm], orientations rotate by the body-frame vectors dtheta [rad]. f and tau
-  /// of the result are derivatives per unit displacement, in the lab frame; its energies and virial
-  /// are 0. The function uses the same list and loops as the forces. It is cheapest at the state of
-  /// the last evaluation, whose mesh potential is reused. It does not allocate memory after the
-  /// first call.
+  /// Computes the exact derivative of forces and torques along a displacement of all bodies.
+  /// Centres move by dq [nm], and orientations rotate by the body-frame vectors dtheta [rad]. f and
+  /// tau of the result are derivatives per unit displacement, in the lab frame; its energies and
+  /// virial are 0. The function uses the same list and loops as the forces. The derivative is
+  /// cheapest at the state of the last evaluation, because the mesh potential is then reused. It
+  /// does not allocate memory after the first call.
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
                               Load& slope);
 

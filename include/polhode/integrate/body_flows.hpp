@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The reference integrator: what drifts, kicks and gradient kicks do to rigid bodies, one by one,
-// as the paper has it. With step() it is a whole integrator, for an engine of your own, too, with
-// nothing to write but the forces. Header-only.
+// The reference integrator: drifts, kicks and gradient kicks of rigid bodies, computed for one body
+// at a time as in the paper. Together with step() it is a complete integrator for another engine,
+// which supplies only the forces. Header-only.
 #pragma once
 
 #include <span>
@@ -15,10 +15,9 @@ namespace polhode {
 
 /// A single rigid body. Any consistent set of units works; polhode uses nm, ps and u.
 struct RigidBody {
-  double m = 1;                      ///< mass [u]
-  Vec3<double> J{1, 1, 1};           ///< principal moments of inertia [u nm²]; at most one of them
-                                     ///< is 0
-  Vec3<double> q{}, p{};             ///< centre of mass [nm] and momentum [u nm/ps], lab frame
+  double m = 1;             ///< mass [u]
+  Vec3<double> J{1, 1, 1};  ///< principal moments of inertia [u nm²]; at most one moment is 0
+  Vec3<double> q{}, p{};    ///< centre of mass [nm] and momentum [u nm/ps], lab frame
   Quaternion<double> orientation{};  ///< rotation from the body frame to the lab frame
   Vec3<double> ell{};                ///< angular momentum about the centre of mass [u nm²/ps], lab
                                      ///< frame
@@ -41,8 +40,8 @@ struct BodyLoad {
   Vec3<double> f{}, tau{};
 };
 
-/// Drifts and kicks for a few rigid bodies. Forces are reused from one kick to the next unless the
-/// positions have changed in between.
+/// Drifts and kicks for a few rigid bodies. Forces are reused in the next kick unless the positions
+/// have changed in between.
 /// @tparam Forces  callable as forces(std::span<const RigidBody>, std::span<BodyLoad>), which sets
 ///                 the force and torque of every body
 template <class Forces>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Drift and kick of all bodies, the flows that every scheme is composed of [vanzon2008, Eqs. 2 and
-// 3], and the displacement of gradient kicks. Bodies are advanced independently, so the results are
-// bitwise identical for any number of threads.
+// Drift and kick of all bodies, which every scheme is composed of [vanzon2008, Eqs. 2 and 3], and
+// the displacement of gradient kicks. Bodies are advanced independently, so the results are bitwise
+// identical for any number of threads.
 #pragma once
 
 #include "polhode/base/workers.hpp"
@@ -27,7 +27,7 @@ void kick(State& state, const Bodies& bodies, const Load& load, double t,
 void gradient_direction(const State& state, const Bodies& bodies, const Load& load, Vec3Column& dq,
                         Vec3Column& dtheta, Workers& workers = Workers::serial());
 
-/// Displaces every body along its own force and torque: q̃ = q + c f/m, S̃ = R(c J⁻¹ S τ) S
+/// Displaces every body along the force and torque on it: q̃ = q + c f/m, S̃ = R(c J⁻¹ S τ) S
 /// [vanzon2008, Eq. 7 with c = 2 ξ λ h²].
 void displace(State& state, const Bodies& bodies, const Load& load, double c,
               Workers& workers = Workers::serial());

@@ -7,8 +7,8 @@
 
 namespace polhode {
 
-/// A type that computes the Load at a State. Its optional member forces_alone(state, load) skips
-/// the energies when they are not needed.
+/// A type that computes the Load at a State. The optional member forces_alone(state, load) computes
+/// no energies.
 template <class F>
 concept ForceModel = requires(F& forces, const State& state, Load& load) {
   {forces(state, load)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scheme as a program of force evaluations, for engines that compute the forces when they choose
-// and call the integrator before and after.
+// A scheme as a sequence of force evaluations, for engines that determine when forces are computed.
+// Such engines call the integrator before and after each evaluation.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace polhode {
 
-/// One force evaluation of a step, and the stages of the scheme around it, by their indices.
+/// One force evaluation of a step, with the indices of the scheme's stages before and after it.
 struct ForceEvaluation {
   std::size_t first = 0;  ///< Stages first ≤ k < use lead to the positions of this evaluation.
                           ///< Kicks among these stages use the forces of the preceding plain
@@ -23,10 +23,10 @@ struct ForceEvaluation {
                   ///< restored afterwards. 0 for a plain evaluation.
 };
 
-/// Lists the force evaluations of one step in their order. A step begins with the forces at its
-/// first positions, which the previous step has computed in its last evaluation. A scheme that
+/// Lists the force evaluations of one step in order. A step begins with the forces at its first
+/// positions. The last evaluation of the previous step has computed these forces. A scheme that
 /// begins with a kick has as many evaluations as Scheme::force_evaluations() counts. Any other
-/// scheme has one evaluation more.
+/// scheme has one more evaluation.
 /// @throws Error  if the scheme has exact gradients, because other engines do not compute
 ///   derivatives of forces
 inline std::vector<ForceEvaluation> force_program(const Scheme& scheme) {

@@ -50,8 +50,8 @@ struct IntegratorMemory {
 };
 
 /// Applies step() to a state. It joins adjacent stages, reuses forces while positions do not
-/// change, computes energies only on demand, and counts steps and evaluations. It works in place
-/// and owns its scratch space and the last Load, so a step does not allocate memory.
+/// change, computes energies only on demand, and counts steps and evaluations. The integrator works
+/// in place and owns the scratch space and the last Load, so a step does not allocate memory.
 /// @tparam Drift  drift to use instead of free motion, such as steps of an inner scheme
 /// @tparam Bath   bath, for schemes that have one
 template <ForceModel Forces, StateDrift Drift = FreeDrift, StateBath Bath = NoBath>
@@ -61,8 +61,8 @@ class Integrator {
   /// @param lambda  displacement factor of gradient kicks by finite difference [vanzon2008, Eq. 6]
   /// @param workers  threads for drifts and kicks, kept by reference; the forces have their own
   ///   threads
-  /// @throws Error  if the scheme has exact gradients and the forces offer no derivative, or if it
-  ///   has a bath and no bath is given
+  /// @throws Error  if the scheme has exact gradients and the forces offer no derivative, or if the
+  ///   scheme has a bath and no bath is given
   Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, double lambda = 1e-4,
              Workers& workers = Workers::serial()) requires std::same_as<Drift, FreeDrift> &&
       std::same_as<Bath, NoBath>
@@ -94,9 +94,10 @@ class Integrator {
     if (exact || difference) gradient_load_ = Load(bodies.size());
   }
 
-  /// Advances by `steps` steps e^{Lh} [vanzon2008, Eq. 1]. Adjacent stages of one flow, such as the
-  /// last stage of a step and the first stage of the next, are applied as one. At the end the state
-  /// is synchronized: positions and momenta belong to the same time.
+  /// Advances by `steps` steps e^{Lh} [vanzon2008, Eq. 1]. Adjacent stages of the same flow are
+  /// joined and applied together. An example is the last stage of a step and the first stage of the
+  /// next step. At the end the state is synchronized: positions and momenta belong to the same
+  /// time.
   /// @param energies  whether load() will need energies at the end; if not, load() computes them on
   ///   demand
   void advance(State& state, double h, std::size_t steps = 1, bool energies = true) {
@@ -171,7 +172,7 @@ class Integrator {
      ///< steps
   std::uint64_t measurements() const {
     return measurements_;
-  }  ///< number of evaluations by load() only
+  }  ///< number of evaluations by load(), without the evaluations of steps
 
  private:
   /// Implements the flows of a scheme for one state.

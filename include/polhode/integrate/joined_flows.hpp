@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Flows that apply adjacent stages of one flow as one, within a step and from step to step.
+// Flows that join adjacent stages of the same flow, within a step and across the boundary of two
+// steps.
 #pragma once
 
 #include <optional>
@@ -9,8 +10,8 @@
 namespace polhode {
 
 /// Delays each drift or kick until a different flow follows. The last kick of a step and the first
-/// kick of the next step are then applied as one: e^{Bs} e^{Bt} = e^{B(s + t)}. Only flush()
-/// synchronizes the state.
+/// kick of the next step are then joined: e^{Bs} e^{Bt} = e^{B(s + t)}. Only flush() synchronizes
+/// the state.
 template <Flows F>
 class JoinedFlows {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Multiple time steps (r-RESPA) [tuckerman1992]: an outer scheme with the slow forces, whose drifts
-// are steps of an inner scheme with the near forces.
+// Multiple time steps (r-RESPA) [tuckerman1992]: an outer scheme applies the slow forces. Each of
+// its drifts consists of steps of an inner scheme, which applies the near forces.
 #pragma once
 
 #include "polhode/integrate/integrator.hpp"
@@ -85,8 +85,8 @@ class SlowForces {
   std::uint64_t near_evaluations_ = 0, near_derivatives_ = 0;
 };
 
-/// Integrates a scheme with an inner scheme. It is an Integrator of the slow forces, whose drift is
-/// an Integrator of the near forces.
+/// Integrates a scheme with an inner scheme. This class is an Integrator of the slow forces, and an
+/// Integrator of the near forces performs its drifts.
 template <ForceModel Full, ForceModel Near, StateBath Bath = NoBath>
 class NestedIntegrator {
  public:

@@ -18,8 +18,8 @@ struct InnerScheme {
   double cutoff = 0;       ///< distance beyond which the near forces are zero [nm]
 };
 
-/// A scheme with an optional inner scheme nested within it. If there is one, the kicks of the outer
-/// scheme use only the slow forces.
+/// A scheme with an optional inner scheme nested within it. With an inner scheme, the kicks of the
+/// outer scheme use only the slow forces.
 struct NestedScheme {
   Scheme outer;
   std::optional<InnerScheme> inner;
@@ -27,7 +27,7 @@ struct NestedScheme {
   NestedScheme(const Scheme& scheme, std::optional<InnerScheme> within = {})
       : outer(scheme), inner(within) {}
 
-  /// The order of the nested scheme: the lower of the outer and inner orders, or 0 if one of them
+  /// The order of the nested scheme: the lower of the outer and inner orders, or 0 if either order
   /// is unknown.
   int order() const {
     return inner ? std::min(outer.order(), inner->scheme.order()) : outer.order();
@@ -38,9 +38,9 @@ struct NestedScheme {
     return outer.has(gradient) || (inner && inner->scheme.has(gradient));
   }
 
-  /// Evaluations of the near forces per step of the outer scheme, in addition to its
-  /// force_evaluations() of the total forces. Outer and inner kicks at the same positions share one
-  /// evaluation. The displaced positions of a finite difference need another.
+  /// Near-force evaluations per outer step, in addition to the force_evaluations() of the total
+  /// forces. Outer and inner kicks at the same positions share one evaluation. The displaced
+  /// positions of a finite difference need another evaluation.
   int near_evaluations() const {
     if (!inner) return 0;
     const bool shared = inner->scheme.starts_with_kick() || inner->scheme.ends_with_kick();
@@ -48,8 +48,8 @@ struct NestedScheme {
     return inner_steps() * inner->scheme.force_evaluations() +
            (shared ? displaced : outer.force_evaluations());
   }
-  /// Evaluations of the derivative of the near forces per step of the outer scheme: one for each
-  /// exact gradient kick, outer or inner.
+  /// Evaluations of the near-force derivative per outer step: one for each exact gradient kick,
+  /// outer or inner.
   int near_derivatives() const {
     return inner ? inner_steps() * inner->scheme.derivatives() + outer.derivatives() : 0;
   }

@@ -12,8 +12,8 @@
 
 namespace polhode {
 
-/// The flow that a stage applies. Code that depends on the flow uses a `switch` without `default`,
-/// so that the compiler reports every switch in which a new flow is missing.
+/// The flow that a stage applies. Code that depends on the flow uses a `switch` without `default`.
+/// The compiler then reports every switch in which a new flow is missing.
 enum class Flow {
   drift,  ///< free flight and free rotation: changes positions and orientations
   kick,   ///< forces and torques act: changes momenta
@@ -60,8 +60,8 @@ struct Stage {
   double xi = 0;        ///< ξ of a gradient kick [vanzon2008, Eqs. 4 to 7]; 0 for a plain kick
   Gradient gradient = Gradient::exact;
   constexpr bool has(Gradient which) const { return xi != 0 && gradient == which; }
-  /// Whether this stage and the following stage `next` can be joined into one. Baths cannot be
-  /// joined, because each has separate random numbers.
+  /// Whether this stage and the following stage `next` can be joined. Baths cannot be joined,
+  /// because each has separate random numbers.
   constexpr bool joins(const Stage& next) const {
     switch (flow) {
       case Flow::drift:
@@ -89,8 +89,9 @@ inline constexpr double derivative_cost = 2.0;
 /// Placeholder for the fraction that makes the fractions of a flow sum to one step.
 inline constexpr double rest = std::numeric_limits<double>::quiet_NaN();
 
-/// A scheme. User-defined lines of the table are checked at compile time: the constructor is
-/// consteval and rejects schemes whose drifts, kicks or baths do not sum to one step.
+/// A scheme. User-defined lines of the table are checked at compile time. The constructor is
+/// consteval. It rejects a scheme if the fractions of its drifts, kicks or baths do not sum to one
+/// step.
 class Scheme {
  public:
   static constexpr std::size_t max_stages = 64, max_name = 32;
@@ -115,7 +116,7 @@ class Scheme {
     for (const char c : name) own_name_[own_name_size_++] = c;
   }
 
-  /// The name of the scheme in the table, or its user-given name, which this object stores;
+  /// The name of the scheme in the table, or the user-given name, which this object stores;
   /// "custom" if it has no name.
   constexpr std::string_view name() const {
     return has_own_name() ? std::string_view(own_name_.data(), own_name_size_) : name_;
@@ -128,7 +129,7 @@ class Scheme {
 
   /// Number of force evaluations per step in a sequence of steps. A bath costs none, nor does a
   /// kick at the positions of the previous kick. A gradient kick by finite difference costs one
-  /// more.
+  /// additional evaluation.
   constexpr int force_evaluations() const { return evaluations().forces; }
   /// Number of derivative evaluations per step: one for each exact gradient kick.
   constexpr int derivatives() const { return evaluations().derivatives; }
@@ -199,8 +200,8 @@ class Scheme {
     return sum;
   }
 
-  /// Whether the fractions of drifts, of kicks and of baths (if there are any) each sum to one
-  /// step, within the round-off of decimal coefficients.
+  /// Whether the fractions of each flow in the scheme sum to one step, within the round-off of
+  /// decimal coefficients.
   constexpr bool consistent() const {
     const auto one = [](double x) { return x - 1 < 1e-14 && 1 - x < 1e-14; };
     return one(total(Flow::drift)) && one(total(Flow::kick)) &&
@@ -230,7 +231,7 @@ class Scheme {
     return n;
   }
 
-  /// Whether a stage and its successor, which may belong to the next step, are applied as one.
+  /// Whether a stage is joined with its successor, which may belong to the next step.
   constexpr bool joins_next(std::size_t i) const {
     return count_ > 1 && stages_[i].joins(stages_[(i + 1) % count_]);
   }

@@ -11,7 +11,7 @@
 namespace polhode {
 
 /// Identifies a stage of a step in a trajectory. The random numbers of a bath are a function of
-/// this number, so they do not depend on threads or on where a run was suspended.
+/// this number. They do not depend on threads or on the step at which a run was suspended.
 struct StageNumber {
   std::uint64_t step = 0;
   std::size_t stage = 0;

@@ -16,11 +16,11 @@ enum class BathPlace {
   middle  ///< bath within the middle stage: velocity Verlet becomes BAOAB [leimkuhler2013]
 };
 
-/// Adds a bath O, which acts for one step in total, to a scheme. The result is e^{Oh/2} e^{Lh}
+/// Adds bath stages O to a scheme. Their fractions sum to one step. The result is e^{Oh/2} e^{Lh}
 /// e^{Oh/2}, or has O between two halves of the middle stage.
 /// @param name  name of the result, at most Scheme::max_name characters
-/// @throws Error  if the scheme already has a bath, if it is not a palindrome and so has no middle
-///   stage, or if it would have too many stages
+/// @throws Error  if the scheme already has a bath, is not a palindrome (and so has no middle
+///   stage), or would have too many stages
 inline Scheme with_bath(const Scheme& scheme, BathPlace place, std::string_view name = "") {
   if (scheme.has(Flow::bath)) throw Error("the scheme has a bath O already; leave its place out");
   std::vector<Stage> stages(scheme.stages().begin(), scheme.stages().end());

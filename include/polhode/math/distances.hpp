@@ -31,8 +31,8 @@ struct PlacedPoints {
 };
 
 /// Computes positions of points from their distances, unique up to rigid motions and reflection. A
-/// point is placed as soon as its distances to points already placed determine its position. Every
-/// point is tried as the first one.
+/// point is placed as soon as its distances to placed points determine its position. Every point is
+/// tried as the first point.
 /// @throws Error  if the distances do not determine all points, contradict each other, or violate
 ///   the triangle inequality
 PlacedPoints place_points(std::size_t count, std::span<const Distance> distances);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Jacobi's elliptic functions and integrals of the first and third kind. The modulus k and its
-// complement k' are both given, because near k = 1 the complement cannot be recovered from k, nor
-// near k' = 1 the modulus from k'. k' may be as small as 1e-170, where k'² underflows.
+// complement k' are both given. Near k = 1 the complement cannot be computed accurately from k, and
+// near k' = 1 the modulus cannot be computed accurately from k'. k' may be as small as 1e-170,
+// where k'² underflows.
 #pragma once
 
 #include <algorithm>
@@ -67,8 +68,8 @@ inline JacobiFunctions ascending(double u, const Modulus& modulus) {
 }  // namespace elliptic
 
 /// The functions sn(u), cn(u) and dn(u) for |u| ≤ K, where `K` is the quarter period. Relative
-/// errors are a few ε. Beyond K/2 the functions are computed from the functions of K − |u|, so cn
-/// and dn near their minima are as accurate as K − |u|.
+/// errors are a few ε. Beyond K/2 the functions are computed from K − |u|. Near their minima, cn
+/// and dn are therefore as accurate as K − |u|.
 inline JacobiFunctions jacobi_functions(double u, const Modulus& modulus, double K) {
   const auto near_zero =
       modulus.k > modulus.complement ? &elliptic::ascending : &elliptic::descending;
@@ -78,7 +79,7 @@ inline JacobiFunctions jacobi_functions(double u, const Modulus& modulus, double
   return {std::copysign(c / d, u), modulus.complement * (s / d), modulus.complement / d};
 }
 
-/// Carlson's R_F(x, y, z) = ½ ∫₀^∞ ds/√((s+x)(s+y)(s+z)), for arguments ≥ 0, at most one of which
+/// Carlson's R_F(x, y, z) = ½ ∫₀^∞ ds/√((s+x)(s+y)(s+z)), for arguments ≥ 0. At most one argument
 /// is 0. The relative error is a few ε.
 /// @source DLMF 19.36(i)
 inline double first_kind_integral(double x, double y, double z) {

@@ -18,8 +18,8 @@ Estimate mean(std::span<const double> values);
 /// of the independent parts in turn.
 double jackknife_error(std::span<const double> without);
 
-/// The slope of the least-squares line through (x, y), with its standard error from the residuals,
-/// which are assumed to be independent.
+/// The slope of the least-squares line through (x, y). The standard error is computed from the
+/// residuals, which are assumed to be independent.
 Estimate slope(std::span<const double> x, std::span<const double> y);
 
 /// A straight line a + b x.
@@ -33,14 +33,14 @@ struct Line {
 /// errors of its parameters follow from the errors of y.
 Line weighted_line(std::span<const double> x, std::span<const Estimate> y);
 
-/// The p-value of the deviations of points from their line, by Fisher's F test. It is the
-/// probability that chance causes deviations at least this large, and 1 for two points. The errors
-/// of y have the line's degrees of freedom.
+/// The p-value of the deviations of points from their line, by Fisher's F test. This is the
+/// probability that chance causes deviations at least this large. It is 1 for two points. The
+/// errors of y have the line's degrees of freedom.
 double misfit_p_value(const Line& line, std::span<const double> x, std::span<const Estimate> y);
 
-/// The p-value of an estimate, by a two-sided Student t test with the given degrees of freedom. It
-/// is the probability that chance alone puts an estimate at least this far from zero, and 1 if
-/// value and error are 0.
+/// The p-value of an estimate, by a two-sided Student t test with the given degrees of freedom.
+/// This is the probability that chance puts the estimate of a zero quantity at least this far from
+/// zero. It is 1 if value and error are 0.
 double p_value(const Estimate& estimate, double degrees_of_freedom);
 
 /// The multiple of a standard error that corresponds to three standard deviations of a normal

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counter-based random numbers (Philox 4x32-10, salmon2011): the n-th number of a stream is a
+// Counter-based random numbers (Philox 4x32-10, salmon2011). The n-th number of a stream is a
 // function of seed, stream and n, so streams never overlap and every result is reproducible.
 #pragma once
 
@@ -34,7 +34,7 @@ constexpr std::array<Word, 4> philox(std::array<Word, 4> counter,
 
 /// Derives the seed of the `index`-th item of a series from a common seed, for example for initial
 /// configurations of a study. The derived seed is half of a Philox block with a counter that no
-/// Random uses, so two derived seeds are equal with probability 2⁻⁶⁴. With a simple sum, index 1 of
+/// Random uses. Two derived seeds are equal with probability 2⁻⁶⁴. With a simple sum, index 1 of
 /// seed 1 would equal index 0 of seed 2.
 constexpr std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t index) {
   const auto word = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };

@@ -10,7 +10,7 @@
 namespace polhode {
 
 /// The active rotation by the angle |v| about v, as a unit quaternion; v = 0 gives the identity.
-/// Components of v must be below 1e150 and, where they matter, above 1e-150.
+/// Components of v must be below 1e150. Components below 1e-150 are negligible and may underflow.
 inline Quaternion<double> rotation_quaternion(const Vec3<double>& v) {
   const double angle = std::hypot(v.x, v.y, v.z);
   if (angle == 0) return {};

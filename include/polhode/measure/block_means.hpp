@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-/// Sums of several quantities in each of a number of blocks.
+/// Sums of several quantities over each of several blocks.
 class BlockMeans {
  public:
   struct Block {
@@ -41,8 +41,8 @@ struct TimeBlocks {
   /// Adds a sample.
   /// @param weight  number of samples that are already summed in it, or any other measure of size
   void add(std::span<const double> sample, double weight = 1);
-  /// The blocks as means. If the last block is less than half full, it is merged into the block
-  /// before it.
+  /// The blocks as means. If the last block is less than half full, it is merged into the previous
+  /// block.
   BlockMeans means() const;
 };
 

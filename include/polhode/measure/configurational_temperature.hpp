@@ -22,9 +22,9 @@ struct ConfigurationalSample {
                                  ///< [1/ps²]
 };
 
-/// Takes a sample for the configurational temperature. It costs one directional derivative of the
-/// forces, along a displacement of all bodies with random signs [hutchinson1990]. The random signs
-/// make cross terms average to zero.
+/// Takes a sample for the configurational temperature. The cost is one directional derivative of
+/// the forces, along a displacement of all bodies with random signs [hutchinson1990]. The random
+/// signs make cross terms average to zero.
 /// @param load    load at the positions of the state
 /// @param random  random numbers, independent for each sample and each run
 ConfigurationalSample configurational_sample(const State& state, const Bodies& bodies,

@@ -39,20 +39,20 @@ struct SeriesEstimate {
 /// Multiplies an estimate and its error by a factor, for example to change the unit.
 SeriesEstimate scaled(SeriesEstimate estimate, double factor);
 
-/// The smallest number of blocks from which an error is estimated. Runs with few samples have one
-/// block per sample.
+/// The smallest number of blocks from which an error is estimated. In runs with few samples, each
+/// sample is a block.
 inline constexpr std::size_t min_samples = 12;
 
-/// The deviation from the true value that a statistic exceeds in only 0.27 % of runs, which
-/// corresponds to three standard deviations of a normal distribution. It is computed from Student's
-/// t distribution, because the error is estimated from a few modes. If the number of modes is not
+/// The deviation from the true value that a statistic exceeds in 0.27 % of runs. It corresponds to
+/// three standard deviations of a normal distribution. It is computed from Student's t
+/// distribution, because the error is estimated from a few modes. If the number of modes is not
 /// known, it is three standard errors.
 double three_sigma(const SeriesEstimate& estimate);
 
 /// Computes a statistic from the means of all quantities, with its standard error. The jackknife
 /// influences of the blocks form a series, and its slowest modes give the variance of the mean. A
 /// statistic that is constant to round-off has the error 0. The error is not known if the statistic
-/// is undefined without one of the blocks.
+/// is undefined after one block is left out.
 SeriesEstimate series_estimate(const BlockMeans& blocks,
                                const std::function<double(std::span<const double>)>& statistic);
 
@@ -62,13 +62,14 @@ SeriesEstimate series_estimate(const BlockMeans& blocks,
 SeriesEstimate pooled_estimate(std::span<const BlockMeans> runs,
                                const std::function<double(std::span<const double>)>& statistic);
 
-/// The multiple of the standard error within which the true value lies with a given probability,
-/// from Student's t distribution with `modes` degrees of freedom.
+/// The multiple of the standard error that bounds the deviation from the true value with a given
+/// probability. Student's t distribution with `modes` degrees of freedom is used.
 double interval_factor(const SeriesEstimate& estimate, double probability);
 
-/// The integrated autocorrelation time τ = n ε²/2σ² of a stationary quantity [samples], from the
-/// error ε of its mean and the variance σ² of its samples. n samples have the information of n/2τ
-/// independent samples. The relative standard error of τ is √(2/modes) (docs/statistics.md).
+/// The integrated autocorrelation time τ = n ε²/2σ² of a stationary quantity [samples]. It is
+/// computed from the error ε of the mean and the variance σ² of the n samples. n samples have the
+/// information of n/2τ independent samples. The relative standard error of τ is √(2/modes)
+/// (docs/statistics.md).
 /// @param mean      mean with its error
 /// @param variance  variance of the samples about their mean
 SeriesEstimate correlation_time(const SeriesEstimate& mean, double variance, double samples);

@@ -16,15 +16,15 @@ namespace polhode {
 
 struct Energies {
   double time = 0;                 ///< time of the sample [ps]
-  double van_der_waals = 0;        ///< energy of the short-range laws [kJ/mol]
+  double van_der_waals = 0;        ///< energy of the short-range potentials [kJ/mol]
   double coulomb = 0;              ///< electrostatic energy [kJ/mol]
   double translation = 0;          ///< kinetic energy of translation, Σ p²/2m [kJ/mol]
   std::array<double, 3> rotation;  ///< kinetic energy of rotation about each principal axis, Σ
                                    ///< L_k²/2J_k [kJ/mol]
   double pressure = 0;             ///< a third of the trace of the pressure tensor [kJ/mol/nm³]
   double volume = 0;               ///< volume of the box [nm³]
-  /// Heat and work that the bodies have received since the start from a thermostat, a barostat, or
-  /// hybrid Monte Carlo [kJ/mol].
+  /// Heat and work since the start [kJ/mol], received by the bodies from a thermostat, a barostat,
+  /// or hybrid Monte Carlo.
   double exchanged = 0;
   /// The difference H̃ − H of shadow energy and energy [kJ/mol]; NaN at samples without a shadow
   /// energy.

@@ -45,8 +45,8 @@ struct EnergyStatistics {
   Temperatures temperatures(
       const DegreesOfFreedom& degrees_of_freedom) const;  ///< mean temperatures [K]
 
-  /// The ratio R with its standard error, which includes the scatter of slow modes of the conserved
-  /// energy.
+  /// The ratio R with its standard error. The error includes the scatter of slow modes of the
+  /// conserved energy.
   SeriesEstimate ratio_with_error() const;
   SeriesEstimate total_with_error() const;              ///< mean of the total energy [kJ/mol]
   SeriesEstimate potential_with_error() const;          ///< mean of the potential energy [kJ/mol]
@@ -74,7 +74,7 @@ struct EnergyStatistics {
   Drift potential_drift() const;
 };
 
-/// Statistics of R over consecutive parts of a trajectory, all of equal length.
+/// Statistics of R over consecutive parts of a trajectory. All parts have the same length.
 struct StretchStatistics {
   std::uint64_t samples = 0;     ///< number of samples in the current part
   std::array<double, 4> sums{};  ///< sums of the total and potential energies and of their squares

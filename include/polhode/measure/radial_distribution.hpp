@@ -62,16 +62,16 @@ class RadialDistribution {
   /// The function g(r) of the k-th pair in each bin.
   std::vector<SeriesEstimate> g(std::size_t pair) const;
 
-  /// The mean number of sites of the second selection around a site of the first selection, up to
-  /// the end of each bin.
+  /// The running coordination number: the mean number of second-selection sites around a
+  /// first-selection site, up to the end of each bin.
   std::vector<double> coordination(std::size_t pair) const;
 
   struct Shell {
     SeriesEstimate end;           ///< position of the first minimum of g beyond the peak [nm]
-    SeriesEstimate coordination;  ///< number of sites of the second selection around a site of the
-                                  ///< first, within the shell
-    SeriesEstimate of_second;     ///< number of sites of the first selection around a site of the
-                                  ///< second, within the shell
+    SeriesEstimate coordination;  ///< number of second-selection sites around a first-selection
+                                  ///< site, within the shell
+    SeriesEstimate of_second;  ///< number of first-selection sites around a second-selection site,
+                               ///< within the shell
   };
   struct Peak {
     SeriesEstimate position;     ///< position of the maximum [nm]

@@ -22,7 +22,7 @@ struct ErrorBrackets {
   double W = 0;                  ///< W = {V,{V,T}}
 };
 
-/// Computes both brackets of a state, given the Load at its positions. It costs one directional
+/// Computes both brackets of a state, given the Load at its positions. The cost is one directional
 /// derivative of the forces, along the velocities.
 ErrorBrackets error_brackets(const State& state, const Bodies& bodies, const Load& load,
                              ForceField& forces);
@@ -48,8 +48,8 @@ struct ShadowStatistics {
   void add(double time, double shadow);
   SeriesEstimate fluctuation() const;  ///< rms deviation of the shadow energy from its mean
                                        ///< [kJ/mol]
-  /// The drift of the shadow energy [kJ/mol/ps]. It is tested against a random walk of unknown
-  /// strength, which round-off and the remaining discontinuities of the forces cause
+  /// The drift of the shadow energy [kJ/mol/ps]. The drift is tested against a random walk of
+  /// unknown strength. Round-off and the remaining discontinuities of the forces cause this walk
   /// (docs/statistics.md).
   Drift drift() const;
   /// The possible strengths of the random walk of the shadow energy, which the energy also performs
@@ -64,7 +64,7 @@ struct ShadowSummary {
   Drift drift;                 ///< drift of the shadow energy [kJ/mol/ps]
   /// The factor by which an energy drift becomes significant sooner in the shadow energy than in
   /// the energy. Standard errors fall with the length of a run as t^{−3/2}, so the times are
-  /// proportional to the errors to the power 2/3. Empty if one of the errors is not known.
+  /// proportional to the errors to the power 2/3. Empty if any of the errors is not known.
   std::optional<double> time_gain;
 };
 

@@ -13,7 +13,7 @@ namespace polhode {
 
 /// The energy drift of one run, or of a series of runs.
 struct Drift {
-  Estimate rate;  ///< drift rate; its error is 0 unless it is known
+  Estimate rate;  ///< drift rate; error 0 if not known
   double p_value =
       1;  ///< probability of a slope this large if there is no energy drift; 1 unless it is known
   Known known = Known::too_few_samples;
@@ -36,15 +36,15 @@ struct WalkStrength {
   double rate = 0;  ///< variance per time
 };
 
-/// The posterior probability of the strength of a random walk under stationary noise, such as the
-/// random walk of the shadow energy (docs/statistics.md). Empty with fewer than `min_samples`
+/// The posterior probability of the random-walk strength of a series that also has stationary
+/// noise. An example is the shadow energy (docs/statistics.md). Empty with fewer than `min_samples`
 /// blocks.
 std::vector<WalkStrength> walk_strengths(const BlockMeans& blocks, std::size_t time,
                                          std::size_t quantity);
 
-/// The slope of the least-squares line through block means of a quantity against block means of
-/// time. The significance is averaged over spectra of stationary noise, which have a white and a
-/// correlated part. If the correlation time is too long, the significance is not known.
+/// The slope of the least-squares line through the block means of a quantity, as a function of the
+/// block means of time. The significance is averaged over spectra of stationary noise, which have a
+/// white and a correlated part. If the correlation time is too long, the significance is not known.
 /// @param time, quantity  indices of the two sums
 /// @param walks  possible variances per time of an independently known random walk in the quantity;
 ///   the significance is averaged over them

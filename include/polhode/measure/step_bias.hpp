@@ -11,8 +11,8 @@
 namespace polhode {
 
 /// The time-step bias of averages: the average at the time step minus the average for a vanishing
-/// step, to leading order (h² for schemes of second order). The bias of a temperature is 0 without
-/// degrees of freedom.
+/// step. Only the leading order is computed (h² for second-order schemes). The bias of a
+/// temperature is 0 without degrees of freedom.
 struct StepBias {
   SeriesEstimate translation;          ///< temperature of translation [K]
   SeriesEstimate rotation;             ///< temperature of rotation about all axes [K]

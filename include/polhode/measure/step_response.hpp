@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the error of the step changes in averages, and in functions of averages, from the trajectory
-// itself (docs/theory.md, Eqs. (47) to (53)).
+// The changes that the time-step error causes in averages and functions of averages, computed from
+// one trajectory (docs/theory.md, Eqs. (47) to (53)).
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,8 @@ enum class FixedMeans {
 /// The means that an ensemble fixes. The result is empty if the shadow energy does not determine
 /// the distribution. This is so with a Langevin thermostat, with separate rescaling of translation
 /// and rotation, or with a bath within the steps. It is also empty if a barostat scales edges
-/// separately, because it then controls several pressures. It is empty with hybrid Monte Carlo,
-/// which has no bias.
+/// separately, because the barostat then controls several pressures. It is empty with hybrid Monte
+/// Carlo, because hybrid Monte Carlo has no bias.
 std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings, const Scheme& scheme);
 /// The means that an ensemble fixes for any scheme without a bath within its steps.
 std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings);
@@ -52,8 +52,8 @@ struct StepError {
 /// @param ideal  ideal-gas term N kT of N bodies at the temperature of the thermostat [kJ/mol]
 StepError step_error(const Energies& now, FixedMeans fixed, double ideal);
 
-/// Sums over samples of quantities and of their products with the time-step error, in blocks of
-/// time, relative to the first sample.
+/// Sums over samples, in blocks of time: quantities relative to the first sample, and the products
+/// of these quantities with the time-step error.
 struct StepResponse {
   /// A function of the averages of all quantities, in their order.
   using Function = std::function<double(std::span<const double>)>;
@@ -72,7 +72,8 @@ struct StepResponse {
   StepResponse relative_to(const std::vector<double>& other) const;
 };
 
-/// The time-step bias from independent runs, whose sums are all relative to the same first sample.
+/// The time-step bias from independent runs. The sums of all runs are relative to the same first
+/// sample.
 SeriesEstimate step_bias(std::span<const StepResponse> runs, double degrees_of_freedom,
                          FixedMeans fixed, const StepResponse::Function& f);
 

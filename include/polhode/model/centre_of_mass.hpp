@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The motion of the centre of mass. It does not contribute to temperature or diffusion, so the
-// program keeps the centre of mass at rest: the total momentum of an initial configuration and the
-// net force of a mesh are removed, and kinetic energies, temperatures, pressures and displacements
-// are relative to the centre of mass (docs/theory.md, Eq. (32)).
+// The motion of the centre of mass. The motion of the centre of mass does not contribute to
+// temperature or diffusion, so the program keeps the centre of mass at rest. The total momentum of
+// an initial configuration and the net force of a mesh are removed. Kinetic energies, temperatures,
+// pressures and displacements are relative to the centre of mass (docs/theory.md, Eq. (32)).
 #pragma once
 
 #include "polhode/base/workers.hpp"

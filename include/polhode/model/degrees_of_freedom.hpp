@@ -11,11 +11,11 @@ namespace polhode {
 /// Whether the total momentum of a system is held at 0, or is free, as it is in an external field.
 enum class TotalMomentum { held, free };
 
-/// Numbers of degrees of freedom, each of which has a mean kinetic energy of kT/2. Translation has
-/// 3 N − 3 degrees of freedom if the centre of mass of all bodies is at rest
-/// (model/centre_of_mass.hpp), as in all runs, and otherwise 3 N. Rotation has one for each
-/// principal axis with a nonzero moment of inertia. A single body at rest has no translational
-/// degrees of freedom, and a single atom has none at all.
+/// Numbers of degrees of freedom. The mean kinetic energy per degree of freedom is kT/2.
+/// Translation has 3 N degrees of freedom, or 3 N − 3 if the centre of mass of all bodies is at
+/// rest (model/centre_of_mass.hpp). It is at rest in all runs. Rotation has one degree of freedom
+/// for each principal axis with a nonzero moment of inertia. A single body at rest has no
+/// translational degrees of freedom, and a single atom has none at all.
 struct DegreesOfFreedom {
   double translation = 0;
   std::array<double, 3> rotation{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What controls temperature and pressure of a run: settings only, for run files and for the
-// thermostats and barostats of polhode/ensemble.
+// Settings of temperature and pressure control, for run files and for the thermostats and barostats
+// of polhode/ensemble.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ struct SeparateRescaling {
 
 using ThermostatSettings = std::variant<Langevin, Rescaling, SeparateRescaling>;
 
-/// Box edges that are scaled by one common factor: true for the edges along x, y, z.
+/// Box edges that are scaled by a common factor: true for the edges along x, y, z.
 using CoupledEdges = std::array<bool, 3>;
 
 /// Barostat by stochastic cell rescaling [bernetti2020].
@@ -64,7 +64,7 @@ struct BarostatSettings {
 
 struct HybridMonteCarloSettings {
   std::size_t steps = 10;  ///< steps of a trajectory between two decisions
-  double refresh = 1;      ///< fraction of the momenta that is replaced by new ones; 1: all
+  double refresh = 1;      ///< fraction of the momenta that is replaced by new momenta; 1: all
   friend bool operator==(const HybridMonteCarloSettings&,
                          const HybridMonteCarloSettings&) = default;
 };

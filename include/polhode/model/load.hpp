@@ -10,13 +10,14 @@ namespace polhode {
 struct Load {
   Vec3Column f;              ///< force on each body [kJ/mol/nm], lab frame
   Vec3Column tau;            ///< torque on each body about its centre of mass [kJ/mol], lab frame
-  double van_der_waals = 0;  ///< energy of the short-range laws [kJ/mol]
+  double van_der_waals = 0;  ///< energy of the short-range potentials [kJ/mol]
   double coulomb = 0;        ///< electrostatic energy [kJ/mol]
   double mesh = 0;           ///< reciprocal-space (mesh) part of `coulomb` [kJ/mol]
   double external = 0;       ///< energy of ExternalForces [kJ/mol]
   /// The molecular virial [kJ/mol]. It is −dU/dε for a strain ε that moves the centres and keeps
-  /// the orientations. For pair forces it is Σ R ⊗ f over pairs of bodies, with R between their
-  /// centres and f the force on the second body. The pressure tensor is (Σ p ⊗ p/m + virial)/V.
+  /// the orientations. For pair forces it is Σ R ⊗ f over pairs of bodies, where R is the vector
+  /// between the centres and f is the force on the second body. The pressure tensor is (Σ p ⊗ p/m +
+  /// virial)/V.
   Mat3<double> virial{};
 
   Load() = default;

@@ -17,8 +17,8 @@ struct Site {
   Vec3<double> r;       ///< position in the body frame [nm]
   double mass = 0;      ///< mass [u]
   double charge = 0;    ///< charge [e]
-  double sigma = 0;     ///< diameter of Lennard-Jones and Mie laws [nm]
-  double epsilon = 0;   ///< well depth of Lennard-Jones and Mie laws [kJ/mol]
+  double sigma = 0;     ///< diameter of Lennard-Jones and Mie potentials [nm]
+  double epsilon = 0;   ///< well depth of Lennard-Jones and Mie potentials [kJ/mol]
   ShortRangeLaw law{};
 
   bool has_short_range() const { return !is_zero(epsilon, law); }

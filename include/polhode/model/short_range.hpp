@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The short-range laws that a site can have, with their parameters as molecule files give them. The
-// formulas are in forces/laws.
+// The short-range potentials ("laws" in files) that a site can have, with parameters as in molecule
+// files. The formulas are in forces/laws.
 #pragma once
 
 #include <memory>
@@ -10,18 +10,18 @@
 
 namespace polhode {
 
-/// The Lennard-Jones law u = 4 ε ((σ/r)¹² − (σ/r)⁶), with σ and ε of the site.
+/// The Lennard-Jones potential u = 4 ε ((σ/r)¹² − (σ/r)⁶), with σ and ε of the site.
 struct LennardJonesLaw {
   bool operator==(const LennardJonesLaw&) const = default;
 };
 
-/// The Mie law u = C ε ((σ/r)ⁿ − (σ/r)ᵐ), with σ and ε of the site.
+/// The Mie potential u = C ε ((σ/r)ⁿ − (σ/r)ᵐ), with σ and ε of the site.
 struct MieLaw {
   double n = 12, m = 6;  ///< repulsive and attractive exponent
   bool operator==(const MieLaw&) const = default;
 };
 
-/// The Buckingham law u = A exp(−B r) − C/r⁶.
+/// The Buckingham potential u = A exp(−B r) − C/r⁶.
 struct BuckinghamLaw {
   double A = 0;  ///< [kJ/mol]
   double B = 0;  ///< [1/nm]
@@ -29,7 +29,7 @@ struct BuckinghamLaw {
   bool operator==(const BuckinghamLaw&) const = default;
 };
 
-/// A law given by its energies at equally spaced r, interpolated by a cubic spline. Its first two
+/// A potential given by energies at equally spaced r, interpolated by a cubic spline. Its first two
 /// derivatives are continuous. The third derivative is bounded, but jumps at each tabulated
 /// distance.
 class PotentialTable {
@@ -65,7 +65,7 @@ class PotentialTable {
   std::vector<float> rounded_;
 };
 
-/// A law that is given by a table. Two such laws are equal if they refer to equal tables.
+/// A potential that is given by a table. Two such potentials are equal if their tables are equal.
 struct TabulatedLaw {
   std::shared_ptr<const PotentialTable> table;
   bool operator==(const TabulatedLaw& other) const { return *table == *other.table; }
@@ -73,20 +73,20 @@ struct TabulatedLaw {
 
 using ShortRangeLaw = std::variant<LennardJonesLaw, MieLaw, BuckinghamLaw, TabulatedLaw>;
 
-/// Whether the short-range law of a site or pair is zero everywhere.
+/// Whether the short-range potential of a site or pair is zero everywhere.
 inline bool is_zero(double epsilon, const ShortRangeLaw& law) {
   return epsilon == 0 &&
          (std::holds_alternative<LennardJonesLaw>(law) || std::holds_alternative<MieLaw>(law));
 }
 
-/// The name of a law: "lennard-jones", "mie", "buckingham" or "tabulated".
+/// The name of a potential: "lennard-jones", "mie", "buckingham" or "tabulated".
 const char* name(const ShortRangeLaw& law);
-/// The parameters of a law as text, such as "sigma 0.33 nm, epsilon 0.8 kJ/mol".
+/// The parameters of a potential as text, such as "sigma 0.33 nm, epsilon 0.8 kJ/mol".
 std::string parameters(double sigma, double epsilon, const ShortRangeLaw& law);
 
-/// Checks the parameters of a short-range law.
-/// @throws Error  if a parameter is not finite or out of its domain, or the law has no repulsion at
-///   short range
+/// Checks the parameters of a short-range potential.
+/// @throws Error  if a parameter is not finite or out of its domain, or if the potential has no
+///   repulsion at short range
 void check(double sigma, double epsilon, const ShortRangeLaw& law);
 
 }  // namespace polhode

@@ -10,7 +10,8 @@
 
 namespace polhode {
 
-/// Molecule types with their counts. Bodies of one type are contiguous, and types keep this order.
+/// Molecule types with their counts. Bodies of the same type are contiguous, and types keep this
+/// order.
 struct Topology {
   struct Part {
     Molecule molecule;

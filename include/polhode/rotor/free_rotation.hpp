@@ -28,10 +28,10 @@ template <>
 inline constexpr std::array<std::string_view, 6> enum_names<RotorMethod> = {
     "series", "closed", "theta", "recursive", "no-squish", "symmetric-product"};
 
-/// Computes the free rotation by the series within its radius, and by the closed form beyond it.
-/// The closed form is also used for moments that no mass distribution has (J_z > J_x + J_y),
-/// because they violate the error bound of the series. Sub-steps are not used, because they gain
-/// nothing for a single body.
+/// Computes the free rotation by the series within its range, and by the closed
+/// form at larger angles. The closed form is also used for moments that no mass distribution has
+/// (J_z > J_x + J_y), because the error bound of the series does not hold for such moments.
+/// Sub-steps are not used, because they gain nothing for a single body.
 /// @param J, L, t  as for closed_rotation()
 inline FreeRotation series_or_closed_rotation(const Vec3<double>& J, const Vec3<double>& L,
                                               double t) {

@@ -37,13 +37,13 @@ class PrecessionAngle {
     kappa_ = std::copysign(std::sqrt(n_ * (1 + n_) * (n_ + m)), about_z ? Jx - Jz : Jz - Jx);
   }
 
-  /// The angle φ(t), not reduced to one turn.
+  /// The angle φ(t), without reduction to a single turn.
   /// @param v  result of Orbit::elapsed(t)
   /// @param u  result of Orbit::at(v)
   double operator()(double t, const Orbit::Elapsed& v, const JacobiFunctions& u) const {
     // This is the addition theorem of the third kind [byrd1971, 116.03]. The remainder between u₀
-    // and u₀ + v depends on u₀ only through an angle. This angle never crosses ±π, because its
-    // cosine is positive where its sine vanishes.
+    // and u₀ + v depends on u₀ only through an angle. This angle never crosses ±π, because the
+    // cosine is positive wherever the sine vanishes.
     const double sign = std::fmod(v.half_periods, 2.0) == 0 ? 1 : -1;
     const double s0 = orbit_.start().sn, sv = sign * v.reduced.sn;
     const double addition = std::atan2(std::abs(kappa_) * s0 * sv * u.sn,
@@ -84,14 +84,14 @@ class PrecessionAngle {
 
 /// Computes the free rotation of a top over a time t in closed form.
 ///
-/// @param J    principal moments [u nm²] in any order, at most one of them zero (a linear body)
+/// @param J    principal moments [u nm²] in any order; at most one moment may be zero (linear body)
 /// @param L    body-frame angular momentum [u nm²/ps], zero along a vanishing moment
 /// @param t    time [ps], any sign and magnitude
 /// @param way  method by which the integral of the third kind is computed
 /// @return   rotation with |q| = 1 to within 2 ε, and L(t). Errors are a few ε (1 + k), where k is
-///   the change of the result, in ε, if each input changes by one ε. k is about 4.6 |ω t|
-///           for a well-behaved top, and exponential in p t near the separatrix. The digits do not
-///           depend on the scale of the units.
+///           the condition number: the change of the result, in ε, when each input changes by 1 ε.
+///           k is about 4.6 |ω t| for a well-behaved top, and exponential in p t near the
+///           separatrix. The digits do not depend on the scale of the units.
 /// @source   jacobi1849; vanzon2007a; tests/unit/rotor_truth_test.cpp
 inline FreeRotation closed_rotation(const Vec3<double>& J, const Vec3<double>& L, double t,
                                     ThirdKind way = ThirdKind::carlson) {

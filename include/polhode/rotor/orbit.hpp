@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The trajectory of the angular momentum in the body frame: one of the two loops where the energy
-// ellipsoid intersects the sphere |L| = const, in Jacobi's elliptic functions of time.
+// The trajectory of the angular momentum in the body frame, in Jacobi's elliptic functions of time.
+// The energy ellipsoid and the sphere |L| = const intersect in two loops, and the trajectory is one
+// of these loops.
 #pragma once
 
 #include <cmath>

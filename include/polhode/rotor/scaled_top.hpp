@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Common to all scalar forms of the free rotation: the result, and units in which a top of any size
-// can be rotated without overflow.
+// Code shared by all scalar forms of the free rotation: the result type, and units in which a top
+// of any size can be rotated without overflow.
 #pragma once
 
 #include <algorithm>

@@ -143,16 +143,16 @@ POLHODE_INLINE inline Real angle_sum(const AngleEquation<Real>& of) {
 
 }  // namespace series
 
-/// The number of terms of the series, and the largest |omega t| for which they suffice.
+/// The number of series terms, and the largest |omega t| for which this number suffices.
 ///
 /// Let b = |omega t|/2. Mass distributions (J_z <= J_x + J_y, cyclic) have |lambda_k| <= omega_k^2,
 /// hence |P|, |Q| <= omega^2, and S is majorised by tan(b) term by term. The truncation error of
 /// S/tau after term n is below 2 (2b/pi)^(2n+2), which is 9e-19 for the short and 1e-17 for the
-/// long series. The terms d_n of the angle are polynomials of the body's shape and of the direction
-/// of L, which form a compact set. Their truncation errors, 1.7e-17 and 2.8e-17, are from a scan
-/// over 10^6 bodies down to J_min/J_max = 1e-6. The scan compared them with a Taylor series in
-/// extended precision. Flat needles that rotate about the middle axis have the largest error.
-/// tests/unit/rotor_series_test.cpp repeats part of the scan.
+/// long series. The terms d_n of the angle are polynomials in the body's shape and the direction of
+/// L. Shapes and directions form a compact set. The truncation errors of the series, 1.7e-17 and
+/// 2.8e-17, are from a scan over 10^6 bodies down to J_min/J_max = 1e-6. The scan compared them
+/// with a Taylor series in extended precision. Flat needles that rotate about the middle axis have
+/// the largest error. tests/unit/rotor_series_test.cpp repeats part of the scan.
 struct SeriesOrder {
   std::size_t sine, angle;  ///< index of the highest term of S, and number of terms of the angle
   double radius;            ///< largest |omega t| [1]
@@ -161,7 +161,8 @@ inline constexpr SeriesOrder short_series{6, 6, 0.15};  ///< truncation error be
 inline constexpr SeriesOrder long_series{8, 9, 0.3};    ///< truncation error below 3e-17
 inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< truncation error below 3e-8, for float
 
-/// The rotation of a free body over one step, multiplied by an arbitrary positive number near 1.
+/// The quaternion of the free rotation over a step, multiplied by an arbitrary positive number near
+/// 1.
 ///
 /// Let tau = t/2, M the angular momentum at tau, and C^2 = 1 - Q S^2, D^2 = 1 - P S^2, E = C D =
 /// S'. The addition theorem gives L(t) - L(0) = T s x J^-1 s with s = L(0) + L(t) and a scalar T. A
@@ -183,7 +184,8 @@ inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< truncation error be
 ///                   body. The moments obey the triangle inequality.
 /// @param L          body-frame angular momentum [u nm^2/ps]
 /// @param t          time [ps], |omega t| <= order.radius; any sign
-/// @return           (w, x, y, z) with w > 0; normalize it, or the product that contains it
+/// @return           (w, x, y, z) with w > 0; normalize the result, or the product that contains
+///   the result
 /// @cost             long_series about 330 flops and a division; short_series about 230
 /// @accuracy         lane types: float, double; largest error 1 ULP of w in every component
 ///                   (tests/unit/rotor_series_test.cpp)
@@ -247,8 +249,9 @@ Vec3<Real> momentum_after(const Quaternion<Real>& r, const Vec3<Real>& L) {
   return L + Real(2) * (cross(n, c) - r.w * c);
 }
 
-/// Computes the free rotation over a step of any size, for numbers and packs. Within its radius,
-/// one series is used. Beyond it, all lanes take as many equal sub-steps as the fastest lane needs.
+/// Computes the free rotation over a step of any size, for numbers and packs. Within its range, a
+/// single series is used. Beyond this range, all lanes take as many equal sub-steps as the fastest
+/// lane needs.
 ///
 /// @param inverse_J, L, t  as for the single series, with |omega t| up to about 20 (beyond that,
 ///   the closed form is cheaper)

@@ -20,8 +20,8 @@ struct Progress {
   std::string detail{};          ///< current item, such as the name of a scheme; may be empty
 };
 
-/// All callbacks are optional. An exception that one of them throws ends the job and reaches its
-/// caller.
+/// All callbacks are optional. An exception that a callback throws ends the job and is passed to
+/// the caller of the job.
 struct Callbacks {
   /// Called often and from any thread, but never by two threads at once.
   std::function<void(const Progress&)> progress{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The output files of a job: whether existing ones are refused, replaced or resumed, and the lock
+// The output files of a job: whether existing files are rejected, replaced or resumed, and the lock
 // against other processes.
 #pragma once
 

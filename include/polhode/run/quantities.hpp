@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The results of a job as a list of quantities: its text, JSON, CSV file and table in the manual
-// are loops over the list.
+// The results of a job as a list of quantities. Loops over this list produce the text, the JSON,
+// the CSV file and the table in the manual.
 #pragma once
 
 #include <array>
@@ -63,7 +63,7 @@ struct Value : AnyValue {
   ~Value();
 };
 
-/// One result with all that is needed to show it.
+/// A result, with everything that its output in text and JSON needs.
 struct Quantity {
   std::string key;  ///< key in JSON, before the unit: "potential"; empty: only a row of the text
   /// "kJ/mol"; "" without one; "[kJ/mol]": not part of the key; "%": a fraction, in percent in the
@@ -91,11 +91,11 @@ Quantity row(std::string label, std::string text);
 /// The names of files that were written, as a row; no row without any.
 Quantity row_of_files(const std::vector<std::string>& files);
 
-/// Quantities that are not in the text, for lists whose numbers it shows elsewhere.
+/// Quantities that are omitted from the text, because it shows their numbers elsewhere.
 Quantities without_labels(Quantities list);
 
-/// An estimate of independent runs as one with value and error in an object of JSON; not known if
-/// it is not finite.
+/// An estimate from independent runs, as an estimate with value and error in a JSON object; not
+/// known if it is not finite.
 SeriesEstimate nested(const Estimate& estimate);
 
 /// Adds quantities to a list.
@@ -122,7 +122,7 @@ struct TextRow {
   std::vector<bool> left{};                       ///< whether columns of the table are texts
 };
 
-/// The quantities with labels, and the lines without one: details first.
+/// The quantities with labels, and the lines without labels. Details are first.
 std::vector<TextRow> text_rows(const Quantities& list);
 
 /// Rows of a list as lines of text, with a blank line after the details.
@@ -138,8 +138,8 @@ std::string json_text(const Quantities& list);
 /// Several lists as a JSON array.
 std::string json_text(const std::vector<Quantities>& lists);
 
-/// JSON of a list, with rows of the text as its key "rows": objects with "label", "text",
-/// "meaning", "level" and "table", whose first row is the head.
+/// JSON of a list. The key "rows" holds the rows of the text as objects with "label", "text",
+/// "meaning", "level" and "table". The first row of "table" is the table head.
 std::string json_text(const Quantities& list, const std::vector<TextRow>& rows);
 
 /// A table of Markdown with the keys, their units and meanings.

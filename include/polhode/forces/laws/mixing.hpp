@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The short-range law of two sites: mixed from their own by a rule, or given explicitly.
+// The short-range potential of two sites: mixed by a rule from the potentials of both sites, or
+// given explicitly.
 #pragma once
 
 #include <string>
@@ -20,8 +21,8 @@ enum class MixingRule {
 struct PairOverride {
   std::string first, second;  ///< The two sites in either order, each as molecule and site name:
                               ///< "tip4p.OW" means all sites of that name.
-  double sigma = 0;           ///< diameter of Lennard-Jones and Mie laws [nm]
-  double epsilon = 0;         ///< well depth of Lennard-Jones and Mie laws [kJ/mol]; 0 for no
+  double sigma = 0;           ///< diameter of Lennard-Jones and Mie potentials [nm]
+  double epsilon = 0;         ///< well depth of Lennard-Jones and Mie potentials [kJ/mol]; 0 for no
                               ///< interaction
   ShortRangeLaw law{};
 };
@@ -31,8 +32,8 @@ struct Mixing {
   std::vector<PairOverride> pairs;
 };
 
-/// @throws Error  if an override names an unknown site or a site without a short-range law, occurs
-///   twice, or has a number out of its domain
+/// @throws Error  if an override occurs twice, has a number out of its domain, or names an unknown
+///   site or a site without a short-range potential
 void check(const Mixing& mixing, const Topology& topology);
 
 /// The mixing rule and overrides as text, such as "geometric mixing; tip4p.OW with argon.Ar: sigma

@@ -26,11 +26,11 @@ enum class Truncation {
 
 /// Methods for the electrostatic interactions.
 enum class Electrostatics {
-  coulomb,               ///< plain Coulomb law
-  reaction_field,        ///< Coulomb's law with a dielectric continuum beyond the cutoff
+  coulomb,               ///< plain Coulomb potential
+  reaction_field,        ///< Coulomb potential with a dielectric continuum beyond the cutoff
   pme,                   ///< smooth particle mesh: pairs within the cutoff, the long-range
                          ///< remainder on a mesh
-  damped_shifted_force,  ///< Coulomb law, damped and shifted to 0 at the cutoff
+  damped_shifted_force,  ///< Coulomb potential, damped and shifted to 0 at the cutoff
 };
 
 /// Precision of the pair forces. Positions, orientations, momenta and all sums of forces, torques
@@ -54,7 +54,7 @@ struct ForceSettings {
   /// Requested rms error of the electrostatic forces of PME, relative to their rms.
   double pme_accuracy = 1e-4;
   /// Distance up to which PME sums pairs of charges [nm]. If not set, this cutoff and the mesh are
-  /// chosen together. `cutoff` applies to the short-range laws only.
+  /// chosen together. `cutoff` applies only to the short-range potentials.
   std::optional<double> coulomb_cutoff{};
   double damping = 2;  ///< α of the damped shifted force [1/nm]
   /// α of Ewald's Gaussian split [1/nm], for PME with the mesh of another program. The force field

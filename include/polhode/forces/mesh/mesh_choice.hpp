@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cheapest particle mesh for a given accuracy, with the cutoff of the charges: the error
-// expected from theory, the time expected from measurements, and a search.
+// The cheapest particle mesh and charge cutoff for a given accuracy. The error is predicted by
+// theory, the time by measurements, and a search finds the optimum.
 #pragma once
 
 #include <map>
@@ -15,20 +15,20 @@
 namespace polhode {
 
 /// Expected rms error of the force on a charge due to the mesh [kJ/mol/nm], for bodies with random
-/// positions and orientations. It is the error estimate of ballenegger2012 for independent charges,
-/// with the form factor of each body in place of the sum of its squared charges. This matters
-/// because the charges of a neutral body largely cancel at long range.
+/// positions and orientations. The estimate of ballenegger2012 for independent charges is used. The
+/// form factor of each body replaces the sum of squared charges, because the charges of a neutral
+/// body largely cancel at long range.
 double expected_mesh_error(const Topology& topology, const Box& box, const MeshSettings& settings);
 
-/// A rough estimate of the rms electrostatic force on a charge in a dense liquid [kJ/mol/nm]: the
-/// force between two rms charges at the mean distance between charges.
+/// A rough estimate of the rms electrostatic force on a charge in a dense liquid [kJ/mol/nm]. It is
+/// the force between two rms charges at the mean distance between charges.
 double typical_force(const Topology& topology, const Box& box);
 
 /// Chooses the fastest mesh whose rms force error is at most a given fraction of the rms
-/// electrostatic force on a charge. It chooses the grid, order and exponent, and also the cutoff of
-/// the charges unless the settings fix it. A shorter cutoff means fewer pairs and a finer mesh. The
-/// choice depends only on the settings and the current box. The energy is therefore a function of
-/// the state, as constant pressure requires.
+/// electrostatic force on a charge. The choice includes the grid, order and exponent. It also
+/// includes the cutoff of the charges, unless the settings fix this cutoff. A shorter cutoff means
+/// fewer pairs and a finer mesh. The choice depends only on the settings and the current box. The
+/// energy is therefore a function of the state, as constant pressure requires.
 class MeshChoice {
  public:
   /// @param settings  force settings with the accuracy and the cutoffs

@@ -40,9 +40,9 @@ struct Frame {
   const AtomKind& kind(const Atom& atom) const { return kinds[atom.kind]; }
 };
 
-/// Assigns elements to kinds without one, from the names that GROMACS and PDB files use: "OW" is
-/// oxygen, and "NA" in a residue of the same name is sodium. Kinds whose names do not begin with an
-/// element ("MW") get none.
+/// Assigns missing elements to kinds, from the names that GROMACS and PDB files use. "OW" is
+/// oxygen, and "NA" in a residue of the same name is sodium. A kind whose name does not begin with
+/// an element ("MW") gets no element.
 void complete_elements(Frame& frame);
 
 enum class MasslessSites { keep, omit };
@@ -66,16 +66,16 @@ struct FittedState {
   State state;                  ///< state at time 0
   bool has_velocities = false;  ///< if false, all momenta are zero
   double deviation = 0;         ///< largest distance of an atom with mass from its model site [nm]
-  /// Largest distance of a massless site in the file from its model position [nm]. It may have any
-  /// value, because file positions of massless sites are ignored.
+  /// Largest distance of a massless site from its model position [nm]. It may have any value,
+  /// because file positions of massless sites are ignored.
   double massless_deviation = 0;
 };
 
 /// Fits rigid bodies to atoms. Atoms are assigned to the topology's bodies in order; massless sites
 /// may be missing. Molecules broken across the boundary are made whole. Orientations minimize Σ m
 /// |Δr|² [horn1987]. Momenta are sums over atoms: p = Σ m v, ℓ = Σ m (r − q) × v.
-/// @throws Error  if atoms do not match sites, are too few or too many, or if atoms with mass are
-///                farther than `fit_tolerance` from the model
+/// @throws Error  if atoms do not match sites, are too few or too many, or if an atom with mass is
+///   farther than `fit_tolerance` from the model
 FittedState fit_state(const Frame& frame, const Topology& topology);
 
 /// Largest allowed distance of atoms from the sites of a rigid model [nm]. The geometries of water

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files of frames, read and written one frame at a time: a coordinate file holds one, a trajectory
-// any number. No file is ever in memory as a whole.
+// Files of frames, read and written one frame at a time. A coordinate file holds one frame, and a
+// trajectory any number of frames. No file is ever in memory as a whole.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ namespace polhode {
 class FrameReader {
  public:
   virtual ~FrameReader() = default;
-  /// Reads the next frame into `frame`, replacing its contents and reusing its memory.
+  /// Reads the next frame into `frame`. Old contents are replaced, and the memory is reused.
   /// @return  false at the end of the file
   /// @throws Error  with file, line or offset, the text found and the text expected
   virtual bool next(Frame& frame) = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Figures, drawn by gnuplot from a script that is left next to the data, so that it can be edited
-// and run again.
+// Figures, drawn by gnuplot. The gnuplot script is kept next to the data, so that users can edit it
+// and run it again.
 #pragma once
 
 #include <array>
@@ -144,7 +144,7 @@ struct PolhodeFigure {
                       ///< units
 };
 
-/// Plots the polhode on the inertia ellipsoid and, next to it, the path of L on its energy
+/// Plots the polhode on the inertia ellipsoid and, next to this figure, the path of L on the energy
 /// ellipsoid. Script and images, SVG and PNG, are written next to the data.
 bool polhode_plot(const PolhodeFigure& figure, std::ostream& warnings);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Locks that reserve files for one process: those of a run or a study by a file of its own, and
-// growing files themselves.
+// Locks that reserve files for one process. The files of a run or study are reserved by a separate
+// lock file. A growing file is locked directly.
 #pragma once
 
 #include <string>
@@ -14,7 +14,8 @@ namespace polhode {
 class FileLock {
  public:
   /// @throws Error  if another process holds the lock, if the file contains anything but the text
-  ///   of a lock, or if it cannot be written. The message gives process, host and time of the lock
+  ///   of a lock, or if the file cannot be written. The message gives process, host and time of the
+  ///   lock
   explicit FileLock(std::string path);
   ~FileLock();
   FileLock(const FileLock&) = delete;

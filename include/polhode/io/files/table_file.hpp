@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tables of results: CSV files with comments that tell how they were made, written
-// atomically, or row by row.
+// Tables of results: CSV files, written atomically or row by row. Comments in the files give their
+// provenance.
 #pragma once
 
 #include <cstdint>
@@ -47,9 +47,9 @@ struct Table {
   std::vector<std::vector<Cell>> rows;
 };
 
-/// Writes a table as CSV: a line of column names such as "time [ps],potential [kJ/mol]", "# " lines
-/// of provenance, then the rows. NaN is written as an empty field. The names are on the first line,
-/// because numpy reads them from there, even if it is a comment.
+/// Writes a table as CSV. A line of column names such as "time [ps],potential [kJ/mol]" is first,
+/// followed by "# " lines of provenance and by the rows. NaN is written as an empty field. The
+/// names are on the first line, because numpy reads column names only from the first line.
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance);
 
 /// Position at the end of a growing table, used to resume it.
@@ -90,7 +90,7 @@ class GrowingTable {
 /// were written.
 class TableReader {
  public:
-  /// @param columns  expected columns; the last one may be missing in the file
+  /// @param columns  expected columns; the last column may be missing in the file
   /// @throws Error  if the file cannot be read, or has different columns
   TableReader(const std::string& path, const std::vector<Table::Column>& columns);
   /// Reads the next row. Returns false at the end of the file.

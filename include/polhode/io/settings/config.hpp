@@ -55,7 +55,7 @@ Molecule molecule_of(const SystemSettings::Component& component);
 
 struct IntegratorSettings {
   NamedScheme scheme = "hoa2";
-  /// Accuracy for which the adviser chooses the step, and the scheme unless one is given. May be
+  /// Accuracy for which the adviser chooses the step, and also the scheme if none is given. May be
   /// empty.
   std::optional<Requirement> accuracy;
   /// Schemes from which the adviser chooses.
@@ -102,7 +102,7 @@ struct OutputSettings {
   }
 };
 
-/// The ensemble whose averages a study measures.
+/// The ensemble for the averages that a study measures.
 enum class StudyEnsemble : std::uint8_t {
   nve,  ///< constant energy: the accuracy is R, the measure of energy conservation
   nvt   ///< constant temperature: the accuracy is the bias of canonical averages
@@ -159,8 +159,8 @@ struct Config {
   }
 };
 
-/// Replaces names of user-defined schemes in a text by the texts of these schemes. Names may be
-/// alone or on either side of a slash.
+/// Replaces names of user-defined schemes in a text by the texts of these schemes. A name may stand
+/// without a slash, or on either side of a slash.
 std::string with_own_schemes(const std::string& text, const OwnSchemes& own);
 
 /// The reason why the temperature of a run is invalid; empty if it is valid. A temperature of 0 K
@@ -170,8 +170,8 @@ std::string wrong_temperature(const Config& config);
 /// Default value of lambda in mixed precision, and its smallest accepted value.
 inline constexpr double lambda_in_mixed = 1, min_lambda_in_mixed = 0.1;
 
-/// Sets the precision of a run, which overrides the run file, and a suitable lambda if the run file
-/// does not set it.
+/// Sets the precision of a run, overriding the run file. If the run file sets no lambda, a suitable
+/// lambda is also set.
 /// @throws Error  if the run file's lambda is too small for mixed precision
 void set_precision(Config& config, Precision precision);
 

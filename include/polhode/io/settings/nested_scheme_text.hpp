@@ -9,17 +9,17 @@
 
 namespace polhode {
 
-/// Default distance at which the switch of the near forces begins, relative to their cutoff.
+/// Default switching distance of the near forces, relative to the cutoff of the near forces.
 inline constexpr double default_near_switch = 0.7;
 
 /// Parses a scheme from a name or text. A single scheme is written as for scheme_of(). A nested
-/// scheme is written as "OUTER / INNER x STEPS within [FROM to] CUTOFF", where FROM and CUTOFF
-/// share one unit.
-/// @throws Error  as scheme_of(), or if the part after the slash cannot be parsed or is out of its
-///                domain, or if the inner scheme has a bath
+/// scheme is written as "OUTER / INNER x STEPS within [FROM to] CUTOFF". FROM and CUTOFF have the
+/// same unit.
+/// @throws Error  under the conditions of scheme_of(), if the part after the slash cannot be parsed
+///   or is out of its domain, or if the inner scheme has a bath
 NestedScheme nested_scheme_of(std::string_view text);
 
-/// A scheme with the name or text by which the user gave it, parsed once.
+/// A user-given scheme, parsed once, together with its name or text as the user wrote it.
 struct NamedScheme : NestedScheme {
   std::string text;  ///< name, or stages as text
 
@@ -37,13 +37,12 @@ struct NamedScheme : NestedScheme {
 /// @throws Error  if the scheme is nested
 Scheme single_scheme_of(const NamedScheme& scheme);
 
-/// A nested scheme as text, where each of the two schemes is given by its name or, if it has no
-/// name, by its stages.
+/// A nested scheme as text. Each of the two schemes is given by its name, or by its stages if it is
+/// unnamed.
 std::string name_of(const NestedScheme& scheme);
 
-/// The label of a scheme in tables and figures. The label is the name of the scheme, if it has one.
-/// Otherwise it is the text with single spaces between words, or the stages if the text defines
-/// names.
+/// The label of a scheme in tables and figures. For a named scheme it is the name. For an unnamed
+/// scheme it is the text with single spaces between words, or the stages if the text defines names.
 std::string label_of(const NamedScheme& scheme);
 
 /// A scheme as text that nested_scheme_of() reads back to the same bits. Schemes of the table are

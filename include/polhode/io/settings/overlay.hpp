@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Settings from a command line or from keywords, which override those of a run file.
+// Settings from a command line or from keywords. They override the settings of a run file.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct Override {
 };
 
 struct Overlay {
-  std::vector<Override> settings;  ///< overrides; the last one for a key has precedence
+  std::vector<Override> settings;  ///< overrides; the last setting of a key has precedence
   /// Whether setting a pressure selects a thermostat, if the run file has neither a thermostat nor
   /// hybrid Monte Carlo.
   bool pressure_selects_thermostat = true;

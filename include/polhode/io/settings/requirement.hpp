@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a run file or a command line requires of the accuracy of a run, as text: "0.5 %" of R, "0.1
-// K" and others of the bias of averages.
+// The accuracy that a run file or a command line requires of a run, as text. Examples are "0.5 %"
+// for R and "0.1 K" for the bias of averages.
 #pragma once
 
 #include <string>

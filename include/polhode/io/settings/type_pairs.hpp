@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Short-range laws that a file gives for pairs of atom types, translated to the sites of
+// Short-range potentials that a file gives for pairs of atom types, translated to the sites of
 // molecules.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// GROMACS topologies: .top and .itp files with their preprocessor, as far as rigid bodies need
-// them.
+// Reads GROMACS topologies (.top and .itp files with preprocessor directives) as far as rigid
+// bodies require.
 #pragma once
 
 #include <array>
@@ -43,8 +43,8 @@ struct GromacsAtomType {
   double sigma = 0;       ///< [nm]
   double epsilon = 0;     ///< [kJ/mol]
   ShortRangeLaw law{};
-  bool one_sided = false;  ///< Whether exactly one of C6 and C12 is 0, which sigma and epsilon
-                           ///< cannot express.
+  bool one_sided = false;  ///< Whether exactly one of C6 and C12 is 0. No sigma and epsilon can
+                           ///< express such a potential.
   TextPlace place;
 
   bool same_parameters(const GromacsAtomType& other) const {
@@ -66,10 +66,10 @@ struct GromacsRelation {
   enum class Kind : std::uint8_t { settle, constraint, bond, angle, virtual2, virtual3 };
   Kind kind;
   std::uint8_t function = 1;
-  std::uint8_t given = 0;                ///< how many of the numbers are given
-  std::array<std::uint32_t, 4> atoms{};  ///< indices of the atoms; for a virtual site, its own
-                                         ///< index is the first
-  std::array<double, 3> numbers{};       ///< lengths [nm], angles [degrees], weights
+  std::uint8_t given = 0;  ///< how many of the numbers are given
+  std::array<std::uint32_t, 4>
+      atoms{};  ///< indices of the atoms; for a virtual site, the index of the site itself is first
+  std::array<double, 3> numbers{};  ///< lengths [nm], angles [degrees], weights
   TextPlace place;
 };
 
@@ -111,17 +111,18 @@ GromacsTopology parse_gromacs(std::string_view text, const std::string& file,
                               const IncludeLoader& loader,
                               const std::vector<std::string>& defines = {});
 
-/// Finds included files as GROMACS does: next to the including file, in `folders`, in the folders
-/// of the environment variables GMXLIB and GMXDATA, and in the installed GROMACS data folder.
+/// Finds included files as GROMACS does. The search covers the folder of the including file,
+/// `folders`, the folders in GMXLIB and GMXDATA, and the installed GROMACS data folder.
 IncludeLoader file_loader(std::vector<std::string> folders);
 
-/// Selects the distances between real atoms that determine a rigid shape: distances fixed by
-/// settles and constraints, or (`by_bonds`) also the equilibrium values of bonds and angles.
+/// Selects the distances between real atoms that determine a rigid shape. These are distances fixed
+/// by settles and constraints. With `by_bonds`, they include the equilibrium values of bonds and
+/// angles.
 enum class Rigidity { by_constraints, by_bonds };
 std::vector<Distance> constrained_distances(const GromacsTopology& topology,
                                             const GromacsMolecule& molecule, Rigidity rigidity);
 
-/// The rigid molecule whose real atoms have a given shape, with its virtual sites.
+/// The rigid molecule with a given shape of the real atoms, and with its virtual sites.
 /// @param shape  positions of the real atoms in their order [nm]
 Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& molecule,
                         const Shape& shape);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NO_SQUISH, the rotation step of most molecular dynamics programs: second order, for comparison
-// only.
+// NO_SQUISH, the second-order rotation step of most molecular dynamics programs, included only for
+// comparison.
 #pragma once
 
 #include <cmath>
@@ -18,9 +18,9 @@ SineCosine<Real> small_sine_cosine(Real x) {
   return {x * f.sine, f.cosine};
 }
 
-/// Approximates the free rotation of a quaternion q and its conjugate momentum p = 2 q (0, L) over
-/// a step t by e^{zt/2} e^{yt/2} e^{xt} e^{yt/2} e^{zt/2}. Each factor rotates q and p by an angle
-/// about axis k [miller2002, Eq. 2.19 and Sec. II C].
+/// Approximates the free rotation over a step t by e^{zt/2} e^{yt/2} e^{xt} e^{yt/2} e^{zt/2}, for
+/// a quaternion q and its conjugate momentum p = 2 q (0, L). Each factor rotates q and p by an
+/// angle about axis k [miller2002, Eq. 2.19 and Sec. II C].
 ///
 /// @param sine_cosine  function that returns sin and cos of half the angle ω_k t
 template <class Real, class Function>

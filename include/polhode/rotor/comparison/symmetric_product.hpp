@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The free rotation as a symmetric product of rotations about the principal axes: second order, for
-// comparison only.
+// The free rotation as a symmetric product of rotations about the principal axes. The method has
+// second order and is included only for comparison.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// The symmetric product e^{z t/2} e^{y t/2} e^{x t} e^{y t/2} e^{z t/2}, where each factor is the
-/// exact flow of L_k²/(2 J_k), a rotation about body axis k. The orientation error is O(t³) per
+/// The symmetric product e^{z t/2} e^{y t/2} e^{x t} e^{y t/2} e^{z t/2}. Each factor is the exact
+/// flow of L_k²/(2 J_k), which is a rotation about body axis k. The orientation error is O(t³) per
 /// step.
 ///
 /// @param J, L, t  as for closed_rotation()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which scheme and step meet the user's requirement at the minimum cost: short runs of the user's
-// system show which steps are candidates, the clock shows what they cost, and independent runs
+// The adviser finds the scheme and step that meet the user's requirement at the minimum cost. Short
+// runs of the user's system determine candidate steps, timings give the costs, and independent runs
 // confirm the answer.
 #pragma once
 
@@ -24,7 +24,7 @@ struct AdviserSettings {
   double seconds = 60;               ///< approximate wall-clock time of the whole search
 };
 
-/// Results of the search for one candidate scheme.
+/// Results of the search with a single candidate scheme.
 struct Candidate {
   std::string name;  ///< name of the scheme, or its text
   Scheme scheme;
@@ -46,7 +46,8 @@ struct Advice {
   AdviserPoint confirmation;             ///< independent runs of the best candidate
   std::vector<std::pair<std::size_t, AdviserPoint>> refused;  ///< candidates and runs that did not
                                                               ///< confirm a step
-  /// Candidates and runs that met the requirement with such a margin that a longer step was tried.
+  /// Candidates and runs that met the requirement by a large margin, so that a longer step was
+  /// tried.
   std::vector<std::pair<std::size_t, AdviserPoint>> surpassed;
   bool stopped = false;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a user asks of a run, as a number with a bound: the energy's fluctuation R, the energy
-// drift, or the bias of an average.
+// The requirement of a user on a run, as a number with a bound: the energy fluctuation ratio R, the
+// energy drift, or the bias of an average.
 #pragma once
 
 #include <array>
@@ -33,8 +33,8 @@ struct Outcome {
   double energy_bias = 0;             ///< time-step bias of the potential energy per molecule
                                       ///< [kJ/mol]
   double pressure_bias = 0;           ///< time-step bias of the pressure [kJ/mol/nm³]
-  /// Standard errors common to all runs, which come from converting the biases of energy and
-  /// pressure to the ensemble of the run file.
+  /// Standard errors common to all runs. They arise when the biases of energy and pressure are
+  /// converted to the ensemble of the run file.
   double energy_bias_error = 0, pressure_bias_error = 0;
   double rounding = 0;  ///< R due to round-off only, estimated; 0 in double precision
 };
@@ -60,8 +60,8 @@ struct Criterion {
   double bound = 0;
 };
 
-/// @throws Error  if a density is bounded and there is no compressibility of a barostat, or a bias
-///                in an ensemble in which it is not known
+/// @throws Error  if a density is bounded and the barostat has no compressibility, or if a bias is
+///   bounded in an ensemble in which the bias is not known
 Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& ensemble);
 
 /// Probability with which the adviser's answer is to meet the requirement: 95 of 100 new runs must
@@ -75,13 +75,13 @@ inline constexpr double guarantee_probability = 0.975;
 /// error. Infinite if a run blew up.
 double upper_bound(Quality quality, const std::vector<Outcome>& runs);
 
-/// The smallest upper_bound() of R that runs can still have at their full length, from a part of
-/// it. R grows with the length. Its scatter decreases at most as the square root of the length, as
+/// The smallest upper_bound() of R that runs can still have at full length, from the part already
+/// run. R grows with the length. Its scatter decreases at most as the square root of the length, as
 /// for independent parts.
 /// @param part  of the length, above 0 and at most 1
 double optimistic_bound(const std::vector<Outcome>& runs, double part);
 
-/// Whether runs can still meet the bound at their full length, from a part of it. True for an
+/// Whether runs can still meet the bound at full length, from the part already run. True for an
 /// energy drift or a bias, which parts of runs do not determine.
 bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, double part);
 
@@ -90,7 +90,7 @@ bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, doub
 bool drifts(const std::vector<Outcome>& runs, double significance_level = significance);
 bool blew_up(const std::vector<Outcome>& runs);
 
-/// Runs of one scheme with one step, one from each initial configuration.
+/// Runs of the same scheme and step, one run for each initial configuration.
 struct AdviserPoint {
   double step = 0;    ///< [ps]
   double length = 0;  ///< length of each run [ps]
@@ -103,7 +103,7 @@ struct AdviserPoint {
   /// T_k/T − 1 of translation (0) or of rotation about an axis (1 to 3), mean over the runs; error
   /// 0 without such motion.
   Estimate bias(std::size_t kind) const;
-  double max_rounding() const;  ///< largest R of rounding alone, estimated
+  double max_rounding() const;  ///< largest round-off limit of R, estimated
 };
 
 /// One number of each run.

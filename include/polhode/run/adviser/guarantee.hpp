@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The accuracy guarantee of [integrator] accuracy: the adviser chooses a step that keeps R, or the
-// bias of an average, below the bound, and at the end of the run it is reported whether it was.
+// The accuracy guarantee of [integrator] accuracy. The adviser chooses a step that keeps R, or the
+// bias of an average, below the bound. The summary of the run reports whether the bound was met.
 #pragma once
 
 #include <cmath>
@@ -20,8 +20,8 @@ struct Guarantee {
   Estimate expected;  ///< mean R of the confirming runs
 };
 
-/// Chooses the step that meets the accuracy of a run file, and also the scheme unless the run file
-/// has one. Sets both in `config`. The result is empty if the search was interrupted.
+/// Chooses the step that meets the accuracy of a run file, and also the scheme if the run file has
+/// none. Sets both in `config`. The result is empty if the search was interrupted.
 /// @param config  settings that include integrator.accuracy
 /// @throws RunError  if no scheme meets the bound
 std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks& callbacks,
@@ -38,9 +38,9 @@ Guarantee read_guarantee(const std::string& file, Config& config);
 
 struct GuaranteeCheck {
   Guarantee guarantee;
-  /// Measured value of the bounded quantity. If R is bounded, it is the mean R of parts of the
-  /// guaranteed length, or R of the whole run if the run is shorter than two parts. Otherwise it is
-  /// the predicted bias. The error is 0 if it is not known.
+  /// Measured value of the bounded quantity. If R is bounded, this is the mean R over parts of the
+  /// guaranteed length, or R of the whole run if the run is shorter than two parts. If an average
+  /// is bounded, this is the predicted bias. The error is 0 if it is not known.
   Estimate value;
   bool met() const { return std::abs(value.value) <= guarantee.accuracy.bound; }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// R of one scheme as a function of the step, from runs with a few steps from the same initial
-// configurations.
+// The R of a scheme as a function of the step, from runs at a few steps. All steps use the same
+// initial configurations.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,17 @@
 
 namespace polhode {
 
-/// Values of R at one step, from one run for each initial configuration.
+/// Values of R at a given step, one for each initial configuration.
 struct StepPoint {
   double step = 0;             ///< time step [ps]
   std::vector<double> ratios;  ///< R for each initial configuration
 };
 
 /// A model of R as a function of the step h: R(h) = a hᵖ exp(c h²), where p is the order of the
-/// scheme. It is the power law of small steps with its first correction, a hᵖ (1 + c h²), in a form
-/// that is always positive. In this form log R − p log h is linear in h². Two steps that differ by
-/// a third suffice to fit the model near these steps. The model is not meant for extrapolation.
+/// scheme. For small steps the model is the power law a hᵖ with the first correction, a hᵖ (1 + c
+/// h²). The exponential form is always positive. In this form log R − p log h is linear in h². Two
+/// steps that differ by a third suffice to fit the model near these steps. The model is not meant
+/// for extrapolation.
 ///
 /// Runs with two steps from the same initial configuration are not independent: they sample the
 /// same part of the trajectory. Therefore a separate line is fitted for each initial configuration,
@@ -34,8 +35,8 @@ class StepModel {
   Estimate log_ratio(double step) const;
 
   /// The prediction bound: the value below which R of a new run at the step lies with a given
-  /// probability. It is computed from Student's t distribution, with one degree of freedom less
-  /// than there are initial configurations.
+  /// probability. It is computed from Student's t distribution with n − 1 degrees of freedom, for n
+  /// initial configurations.
   double bound(double step, double probability) const;
 
   /// The local exponent d log R/d log h = p + 2 c h².

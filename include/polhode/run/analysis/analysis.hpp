@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Analysis of a trajectory: its frames are read once, in batches, and passed to the requested
+// Analysis of a trajectory. The frames are read once, in batches, and passed to the requested
 // observables.
 #pragma once
 
@@ -59,7 +59,7 @@ struct Analysis {
   std::size_t frames_with_step_error = 0;
   std::optional<FixedMeans> fixed;
 
-  /// The time between frames, or its mean if it varies [ps]; 0 if frames have no times.
+  /// The time between frames, or the mean if this time varies [ps]; 0 if frames have no times.
   double mean_interval() const;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an analysis measures along a trajectory: each observable is one source file, and one word in
-// the list of src/run/analysis/observables.cpp.
+// Observables that an analysis measures along a trajectory. A new observable is a source file and
+// an entry in the list of src/run/analysis/observables.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The error of the step at the frames of a trajectory, from the energies file of its run.
+// The time-step error at the frames of a trajectory, from the energies file of the run.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace polhode {
 
-/// The energies file from which time-step errors are read, with the settings needed to use it.
+/// The energies file from which time-step errors are read, with the settings that this requires.
 struct StepErrorSettings {
   std::string energies;  ///< path of the energies file
   FixedMeans fixed = FixedMeans::energy;

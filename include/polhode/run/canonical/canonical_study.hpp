@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which scheme samples the canonical ensemble best: the bias of averages against cost for schemes
-// with a bath, and for hybrid Monte Carlo, which has none.
+// Compares how well schemes sample the canonical ensemble: the bias of averages against cost, for
+// schemes with a bath and for hybrid Monte Carlo. Hybrid Monte Carlo has no bias.
 #pragma once
 
 #include <array>
@@ -53,10 +53,10 @@ using ByQuantity = std::array<T, canonical_quantities.size()>;
 
 /// A method of a canonical study: a scheme with a time step.
 struct CanonicalMethod {
-  std::string name;     ///< name in tables and figures
-  std::string text;     ///< name or stages of the scheme in records
-  Scheme scheme;        ///< scheme, which has a bath unless it makes proposals of hybrid Monte
-                        ///< Carlo
+  std::string name;  ///< name in tables and figures
+  std::string text;  ///< name or stages of the scheme in records
+  Scheme scheme;  ///< scheme with a bath, or a scheme without a bath for proposals of hybrid Monte
+                  ///< Carlo
   bool hybrid = false;  ///< whether the scheme makes proposals of hybrid Monte Carlo
   double step = 0;      ///< time step [ps]
   double cost() const { return scheme.cost() / step; }  ///< force evaluations per ps
@@ -128,9 +128,9 @@ void perform_canonical_runs(const Config& config, const std::vector<CanonicalRun
                             const Callbacks& callbacks, Workers& workers = Workers::serial());
 
 /// Computes the points of a study from its runs. The reference of all temperatures is the given
-/// temperature. The reference of other quantities is the mean of all runs of hybrid Monte Carlo,
-/// which is exact at any step. A point of hybrid Monte Carlo is compared with the runs at other
-/// steps.
+/// temperature. The reference of other quantities is the mean over all hybrid Monte Carlo runs,
+/// because hybrid Monte Carlo is exact at any step. A point of hybrid Monte Carlo is compared with
+/// the runs at other steps.
 /// @param temperature  temperature of the ensemble [K]
 std::vector<CanonicalPoint> canonical_points(const std::vector<CanonicalMethod>& methods,
                                              const std::vector<CanonicalRun>& runs,

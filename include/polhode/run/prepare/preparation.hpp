@@ -42,9 +42,10 @@ struct PreparationReport {
                                                  ///< empty if not written
 };
 
-/// A rough estimate of the liquid density of these molecules [u/nm³]. It assumes that spheres of
-/// diameter σ about the sites fill 45 % of the volume, where overlap within a molecule is
-/// subtracted. For liquids near their triple point this fraction is 43 % (argon) to 55 % (water).
+/// A rough estimate of the liquid density of these molecules [u/nm³]. The estimate assumes that
+/// spheres of diameter σ about the sites fill 45 % of the volume, after subtraction of the overlap
+/// within each molecule. For liquids near their triple point this fraction is 43 % (argon) to 55 %
+/// (water).
 /// @throws Error  if no site has a diameter
 double estimated_density(const Topology& topology);
 
@@ -72,7 +73,7 @@ PreparationReport prepare(const Config& config, const OutputOptions& options = {
                           const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 
 /// The compressibility as text, such as "310 ± 40 1e-6/bar, from the fluctuations of the volume",
-/// or a text that says that it is not known yet.
+/// or a text which says that the compressibility is not known yet.
 /// @param in_use  compressibility that sets the size of the moves [nm³ mol/kJ]
 std::string compressibility_text(const SeriesEstimate& measured, double in_use);
 

@@ -37,7 +37,8 @@ struct RequestedProperty {
                          ///< unit of the property
 };
 
-/// The share of one process: it computes the replicas whose number is `index` modulo `count`.
+/// The share of a process in the work: the process computes the replicas with numbers equal to
+/// `index` modulo `count`.
 struct Shard {
   std::uint64_t index = 0, count = 1;
 };
@@ -133,10 +134,10 @@ using ReplicaExecutor =
     std::function<std::vector<std::string>(const std::vector<ReplicaTask>& tasks)>;
 
 /// Measures properties with independent replicas. Each replica is prepared, equilibrated, and
-/// simulated at constant temperature and pressure. Its dynamics are then measured at its mean
-/// volume. Lengths grow by half until all requested errors are reached. Results are stored in
-/// PREFIX-POINT-rN.replica. The same command resumes from these files, also if other properties,
-/// errors or state points are requested.
+/// simulated at constant temperature and pressure. Dynamic properties are then measured at the mean
+/// volume of the replica. Lengths grow by half until all requested errors are reached. Results are
+/// stored in PREFIX-POINT-rN.replica. The same command resumes from these files, also if other
+/// properties, errors or state points are requested.
 /// @throws Error     if a requested property is not defined for the system, or records belong to
 ///   another system
 /// @throws RunError  if a replica blows up or evaporates

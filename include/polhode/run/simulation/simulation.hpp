@@ -38,9 +38,9 @@ struct RunResult {
                                     ///< start
 };
 
-/// The simulation that a run file describes: its system, an equilibration if there is one, and a
-/// trajectory. The trajectory has the same bits whether it is computed by step(), by run(), or
-/// resumed, and for any number of threads.
+/// The simulation that a run file describes: a system, an optional equilibration, and a trajectory.
+/// The trajectory has the same bits whether it is computed by step(), by run(), or resumed, and for
+/// any number of threads.
 class Simulation {
  public:
   /// Builds the system. Nothing is computed, and no file is written.
@@ -74,16 +74,16 @@ class Simulation {
   /// TrajectorySettings.
   std::size_t steps_left() const;
   std::size_t steps_in(double time) const;
-  /// The energies of the current state, with the heat and work received so far. They are computed
-  /// by a separate force evaluation, which does not affect the trajectory.
+  /// The energies of the current state, with the heat and work received so far. A separate force
+  /// evaluation computes these values, without an effect on the trajectory.
   Energies energies() const;
   /// Statistics of the present segment of the trajectory.
   RunSummary summary();
   /// The report of a trajectory in memory, with warnings, as run() returns it.
   RunReport report();
 
-  /// Lets the adviser choose the step if the run file requires an accuracy, and also the scheme
-  /// unless the run file has one. run() calls this function.
+  /// Lets the adviser choose the step if the run file requires an accuracy. The adviser also
+  /// chooses the scheme if the run file has none. run() calls this function.
   /// @return  false if the search was interrupted
   /// @throws RunError  if no scheme meets the accuracy
   bool choose_step(const Callbacks& callbacks = {});
@@ -108,9 +108,9 @@ class Simulation {
   ///   set
   void resume(const std::string& path);
 
-  /// Continues to the length that the run file requires, and writes all outputs: energies,
-  /// trajectories, checkpoints, the final state and a figure. [output] selects files and names. A
-  /// lock keeps other processes from using the files.
+  /// Continues to the length that the run file requires. Energies, trajectories, checkpoints, the
+  /// final state and a figure are written. [output] selects files and names. A lock keeps other
+  /// processes from using the files.
   /// @throws Error     before anything is computed, if outputs exist or cannot be resumed
   /// @throws RunError  if the trajectory blows up, or a file cannot be written
   RunResult run(const OutputOptions& options = {}, const Callbacks& callbacks = {});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Schemes with free parameters, and the parameters that minimize the fluctuation of the energy,
-// from the covariances of the brackets in the O(h²) error (docs/theory.md, "Tuning").
+// Schemes with free parameters. The covariances of the brackets in the O(h²) error determine the
+// parameters with the smallest energy fluctuation (docs/theory.md, "Tuning").
 #pragma once
 
 #include <span>
@@ -43,8 +43,8 @@ class SchemeFamily {
 SchemeFamily hoa2_family();
 SchemeFamily gier4_family();
 
-/// Covariances of the energy E of a run and its error brackets: means of products of the deviations
-/// of E, a = h² V̈ and b = h² W [kJ²/mol²].
+/// Covariances of the energy E and the error brackets a = h² V̈ and b = h² W in a run: means of
+/// products of their deviations [kJ²/mol²].
 struct ErrorCovariance {
   double EE = 0, Ea = 0, Eb = 0, aa = 0, ab = 0, bb = 0;
   double VV = 0;  ///< variance of the potential energy, the denominator of R²

@@ -52,7 +52,7 @@ struct StudyRun {
 /// fluctuation of the potential energy, the bound is R.
 inline constexpr double drift_bound = 1;
 
-/// A point of the efficiency figure: all runs of a scheme with one step.
+/// A point of the efficiency figure: all runs with the same scheme and step.
 struct EfficiencyPoint {
   std::string scheme;
   int order = 0;      ///< order of the scheme; 0 if unknown
@@ -92,8 +92,8 @@ struct StudyPoint {
   std::string name;  ///< name of the scheme in tables and figures; see label_of()
   NestedScheme scheme;
   double step;  ///< time step [ps]
-  /// The name of the scheme in records of runs. It includes the stages if the name is user-given,
-  /// so that runs of another scheme with the same name are not mistaken for runs of this scheme.
+  /// The name of the scheme in records of runs. A user-given name is followed by the stages. Runs
+  /// of another scheme with the same name are then not mistaken for runs of this scheme.
   std::string record_name() const;
   /// Force evaluations per ps.
   /// @param near_weight  cost of a near-force evaluation relative to a full one

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Optimal parameters of schemes for one system and step: η of the hoa2 family and η and ξ of the
-// gier4 family, or the free parameters of any palindrome (docs/theory.md, Eq. (43)).
+// Optimal parameters of schemes for a given system and step (docs/theory.md, Eq. (43)). The
+// parameters are η of the hoa2 family, η and ξ of the gier4 family, or the free parameters of any
+// palindrome.
 #pragma once
 
 #include <optional>
@@ -15,8 +16,9 @@
 namespace polhode {
 
 struct TuneSettings {
-  /// Text of a scheme with free parameters. If empty, it is the scheme of the run file if this has
-  /// free parameters, and otherwise the families of hoa2 and gier4 are tuned.
+  /// Text of a scheme with free parameters. If the text is empty, the scheme of the run file is
+  /// tuned, provided that this scheme has free parameters. Otherwise the families of hoa2 and gier4
+  /// are tuned.
   std::string scheme{};
   double step = 0;         ///< time step [ps]; 0: the step of the run file
   int runs = 4;            ///< number of runs to measure, and of confirming runs from other initial
@@ -32,7 +34,7 @@ struct TunedParameter {
                                 ///< runs
 };
 
-/// The result of tuning one family, compared with its reference.
+/// The result of tuning a family, compared with the reference of the family.
 struct Tuned {
   std::string reference;
   Scheme scheme;
@@ -59,12 +61,11 @@ double correlation(const ErrorCovariance& covariance);
 /// The rms of an error bracket, from the sum of its mean squares over the runs [kJ/mol].
 double rms_bracket(double squares, const TuneSettings& settings);
 
-/// Tunes the free parameters of schemes. It uses the step of the run file unless the settings give
-/// one.
+/// Tunes the free parameters of schemes. The step is the step of the run file unless the settings
+/// give a step.
 /// @throws RunError  if a run blows up
 /// @throws Error     if the forces have no directional derivative, the run file has multiple time
-///                   steps, the runs hold fewer than 20 brackets, or under the same conditions as
-///                   SchemeFamily()
+///   steps, or the runs hold fewer than 20 brackets; also under the conditions of SchemeFamily()
 TuneResult tune(const Config& config, const TuneSettings& settings, const Callbacks& callbacks,
                 Workers& workers = Workers::serial());
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One free top: its exact rotation, and both integrators step by step.
+// A free top: the exact rotation, and the trajectories of two integrators for comparison.
 #pragma once
 
 #include <functional>

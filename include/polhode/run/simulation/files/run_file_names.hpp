@@ -9,7 +9,7 @@
 
 namespace polhode {
 
-/// Paths of the checkpoints of a run: the newest, and the one before it.
+/// Paths of the checkpoints of a run: the newest checkpoint, and the previous checkpoint.
 struct CheckpointFiles {
   std::string newest, previous;
 };

@@ -31,7 +31,7 @@ struct HybridMonteCarloSummary {
   double work = 0;  ///< energy given to the bodies by new momenta and rejections [kJ/mol]
   SeriesEstimate accepted_share;  ///< acceptance rate with its standard error
   /// Integrated autocorrelation time of the potential energy [ps], and the effective number of
-  /// independent samples of the potential energy.
+  /// independent samples.
   SeriesEstimate correlation_time, effective_samples;
   SeriesEstimate bounded_weight;  ///< mean of (w − 1) exp(−|ΔH|/kT), which is 0 in the canonical
                                   ///< distribution

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The contribution of mixed-precision rounding to R: the noise of the forces, measured on the
-// system itself, and the random walk of the total energy that it drives.
+// The contribution of mixed-precision rounding to R. The noise of the forces is measured for the
+// simulated system, and drives a random walk of the total energy.
 #pragma once
 
 #include "polhode/base/workers.hpp"
@@ -33,18 +33,18 @@ inline constexpr std::size_t max_bodies_estimated = 20000;
 /// T of the system.
 ForceNoise force_noise(const System& system, Workers& workers = Workers::serial());
 
-/// The sum Σ w² over the force evaluations of one step, where w is the weight with which the noise
-/// δf of an evaluation enters the momenta: w h δf. Kicks at the same positions share one
-/// evaluation, and their weights add up, also across the boundary of two steps. A gradient kick of
-/// weight b, b {f + [f(q̃) − f]/λ}, has the weight b (1 − 1/λ) for one evaluation and b/λ for
-/// another. The sum is 1 for velocity Verlet, (2η)² + (1 − 2η)² for HOA2, and 5/9 for GIER4 with λ
-/// = 1.
+/// The sum Σ w² over the force evaluations of a step. The noise δf of an evaluation changes the
+/// momenta by w h δf, which defines the weight w of the evaluation. Kicks at the same positions
+/// share an evaluation, and their weights are added. This includes kicks on both sides of a step
+/// boundary. A gradient kick b {f + [f(q̃) − f]/λ} of weight b has the weight b (1 − 1/λ) for the
+/// evaluation at q and b/λ for the evaluation at q̃. The sum is 1 for velocity Verlet, (2η)² + (1 −
+/// 2η)² for HOA2, and 5/9 for GIER4 with λ = 1.
 double kick_weights(const Scheme& scheme, double lambda);
 
-/// The sum of squared kick weights of a nested scheme. The n inner steps in a drift of a h have
-/// weights of a/n, so the result is the outer sum plus Σ a²/n times the inner sum. Near and slow
-/// forces are both assumed to be as noisy as the total forces. This overestimates the noise,
-/// because they share the noise of near pairs.
+/// The sum of squared kick weights of a nested scheme. The n inner steps in a drift of length a h
+/// have weights a/n. The result is therefore the outer sum plus Σ a²/n times the inner sum. Near
+/// and slow forces are both assumed to be as noisy as the total forces. This overestimates the
+/// total noise, because both kinds of forces share the noise of near pairs.
 double kick_weights(const NestedScheme& scheme, double lambda);
 
 /// Variance per time of the random walk of the total energy that the force noise causes
@@ -53,22 +53,22 @@ double kick_weights(const NestedScheme& scheme, double lambda);
 double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                      double step);
 
-/// Variance per time of the random walk of the energy by round-off in double precision. It is an
-/// upper estimate, which assumes that every energy is rounded 16 times per step, each time by 2⁻⁵³
-/// of its size.
+/// Variance per time of the random walk of the energy by round-off in double precision. This upper
+/// estimate assumes that every energy is rounded 16 times per step, with a relative error of 2⁻⁵³
+/// each time.
 double double_walk(const Energies& energies, double step);
 
 /// The largest possible energy drift by round-off in double precision [kJ/mol/ps], which occurs if
 /// all round-off errors have the same sign.
 double double_drift(const Energies& energies, double step);
 
-/// The slope of the total energy [kJ/mol/ps]. It is 0 if it does not exceed double_drift(), for
-/// example for molecules without interactions.
+/// The slope of the total energy [kJ/mol/ps]. The result is set to 0 unless it exceeds
+/// double_drift(), for example for molecules without interactions.
 double drift_rate(const EnergyStatistics& energies, double step);
 
-/// The rms deviation of a random walk from its mean over a run, given its variance per time. The
-/// mean square about the first value is rate t/2, and the variance of the mean is rate t/3. The
-/// difference gives √(rate t/6).
+/// The rms deviation of a random walk from its mean over a run, from the variance per time of the
+/// walk. The mean square about the first value is rate t/2, and the variance of the mean is rate
+/// t/3. The difference gives √(rate t/6).
 double walk_fluctuation(double rate, double length);
 
 /// The rms deviation of the total energy from its mean that round-off causes in a run [kJ/mol].

@@ -37,8 +37,8 @@ struct RunSummary {
   bool walk_known = true;  ///< false if a system in mixed precision is too large for its noise to
                            ///< be estimated
   Drift drift;             ///< drift of the conserved energy [kJ/mol/ps]
-  /// Variance per time of the random walk of the conserved energy, without the round-off of mixed
-  /// precision [(kJ/mol)²/ps]. It is 0 unless there is clear evidence for a random walk.
+  /// Random walk of the conserved energy, as a variance per time [(kJ/mol)²/ps], without
+  /// mixed-precision round-off. It is 0 unless there is clear evidence for a random walk.
   double walk = 0;
   std::optional<ShadowSummary> shadow;  ///< results from the shadow energy, if
                                         ///< requested

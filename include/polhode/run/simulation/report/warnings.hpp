@@ -28,8 +28,8 @@ std::string line_of(const Warning& warning);
 /// electrostatics are plain Coulomb or a reaction field. The value is the largest net charge [e].
 std::optional<Warning> cutoff_of_ions(const System& system);
 
-/// A warning about a molecule with a site that is too far from all others for a bond, since its
-/// positions in ångström were probably given in nm.
+/// A warning about a molecule with a site that is too far from all other sites for a bond. The
+/// positions were probably given in ångström instead of nm.
 std::optional<Warning> distant_sites(const System& system);
 
 /// Warns if velocities of the initial configuration do not have the temperature of the run file,
@@ -60,13 +60,12 @@ struct TargetTemperature {
   bool kept = false;     ///< whether a thermostat or hybrid Monte Carlo holds it
 };
 
-/// The warnings from results only.
+/// The warnings that follow from results.
 /// @param target  nothing if any temperature is right
 std::vector<Warning> warnings_of_results(const RunSummary& summary,
                                          const std::optional<TargetTemperature>& target);
 
-/// Whether the energy drift alone would account for more than half of R and for more than 0.1 % of
-/// the fluctuation of the potential energy.
+/// Whether the contribution of the energy drift to R exceeds half of R, and also exceeds 0.1 %.
 bool drift_matters(const RunSummary& summary);
 
 /// The standard deviation of the mean temperature of runs at constant energy, with momenta drawn or

@@ -21,16 +21,16 @@ struct System {
   Bodies bodies;
   State state;
   ForceSettings forces;
-  double temperature;             ///< target temperature [K]
-  double fit_deviation = 0;       ///< deviation of the initial configuration from the rigid models
-                                  ///< [nm]
-  double massless_deviation = 0;  ///< deviation of massless sites, whose positions are recomputed
-                                  ///< [nm]
+  double temperature;        ///< target temperature [K]
+  double fit_deviation = 0;  ///< deviation of the initial configuration from the rigid models
+                             ///< [nm]
+  double massless_deviation =
+      0;  ///< deviation of massless sites [nm]; their positions are recomputed
   /// Whether momenta were drawn, because the initial configuration has no velocities or the run
-  /// file requests new ones.
+  /// file requests new velocities.
   bool new_velocities = true;
   double file_temperature = 0;  ///< temperature of the velocities in the initial configuration [K]
-  /// Velocity of the centre of mass that was removed from an initial configuration [nm/ps], and its
+  /// Centre-of-mass velocity that was removed from an initial configuration [nm/ps], and its
   /// contribution to the temperature [K].
   double removed_velocity = 0, removed_temperature = 0;
   /// For each part of a topology file, how the shape was determined.

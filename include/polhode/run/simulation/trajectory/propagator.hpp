@@ -22,12 +22,12 @@ class Propagator {
 
   /// Resumes from a stored state, bit for bit as if the run had never been suspended.
   void resume_from(const RunState& state);
-  /// The state on which the rest of the trajectory depends. It does not contain the last sample of
-  /// run(), which a longer trajectory would not have.
+  /// The state on which the rest of the trajectory depends. The last sample of run() is not part of
+  /// it, because a longer trajectory would not have this sample.
   RunState run_state();
 
-  /// Takes steps, and takes samples at their intervals, the first one at the start. It calls only
-  /// `sample` and `stop` of the watch.
+  /// Takes steps, and takes samples at the sampling intervals. The first sample is taken at the
+  /// start. It calls only `sample` and `stop` of the watch.
   /// @throws RunError  if the trajectory blows up
   void advance(std::size_t steps, const Watch& watch = {});
   /// Continues to the length of the settings, or until the watch stops it, and takes a last sample

@@ -47,7 +47,7 @@ struct Segment {
                         ///< now 1 fs"
 };
 
-/// The state of a run between two steps, on which its continuation depends to the last bit.
+/// The state of a run between two steps. It determines the continuation of the run to the last bit.
 struct RunState {
   State state;
   std::optional<double> equilibrated;  ///< equilibration time so far [ps]; empty after the start of
@@ -105,10 +105,10 @@ struct Trajectory {
 };
 
 /// Advances the state of a system along a trajectory. Total energy is sampled at synchronized
-/// steps. The trajectory is the same for any number of threads. It ends early if it blows up, and
-/// `failure` then reports the step and remedies. It has blown up if an energy is not finite, or if
-/// the total energy has changed by more than the initial kinetic energy. The final sample may lie
-/// between two intervals, in which case a longer trajectory does not contain it.
+/// steps. The trajectory is the same for any number of threads. A trajectory that blows up ends
+/// early, and `failure` then reports the step and remedies. It has blown up if an energy is not
+/// finite, or if the total energy has changed by more than the initial kinetic energy. The final
+/// sample may lie between two intervals, in which case a longer trajectory does not contain it.
 /// @param from  state to resume from, bit for bit as if the trajectory had never been suspended
 Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                           const Watch& watch = {}, Workers& workers = Workers::serial(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What determines a trajectory, besides the system: scheme, step, length, and what is sampled how
-// often.
+// Settings that determine a trajectory together with the system: scheme, step, length, and sampling
+// intervals.
 #pragma once
 
 #include <cstddef>
@@ -41,21 +41,21 @@ struct TrajectorySettings {
   std::size_t samples_per(double interval) const;
 
   /// Whether a shadow energy can be measured. The shadow energy differs from the energy by brackets
-  /// of order h². At constant energy it is conserved, and in other ensembles it gives the time-step
-  /// bias.
+  /// of order h². At constant energy the shadow energy is conserved, and in other ensembles it
+  /// gives the time-step bias.
   bool has_shadow() const;
   /// The means that the ensemble fixes when the time-step bias is predicted; empty if the bias is
   /// not known.
   std::optional<FixedMeans> fixed_means() const;
   /// Checks the settings of the shadow energy.
-  /// @throws Error  if a shadow energy is requested for a scheme or ensemble without one
+  /// @throws Error  if a shadow energy is requested for a scheme or ensemble that has none
   void check_shadow() const;
 };
 
 /// The trajectory of a run file.
 /// @param stretch  length of the parts for which R is computed as well [ps]; 0: none
-/// @throws Error  if the length is shorter than a step or has too many steps. Also if a shadow
-///   energy is requested for a scheme without one
+/// @throws Error  if the length is shorter than a step or has too many steps, or if a shadow energy
+///   is requested for a scheme that has none
 TrajectorySettings trajectory_settings(const Config& config, double stretch = 0);
 
 }  // namespace polhode
