@@ -70,7 +70,7 @@ RUN_FILE = [
     ("fractional count", [("count = 27", "count = 2.5")], ["2.5", "whole number", "run.toml:2"]),
     ("zero density", [('box = "2.5 nm"', 'density = "0 g/cm3"')], ["above 0 g/cm3", "run.toml:3"]),
     ("no extent", [('box = "2.5 nm"\n', "")], ["density", "run.toml"]),
-    ("density beside a box", [('"2.5 nm"\n', '"2.5 nm"\ndensity = "1 g/cm3"\n')], ["leave one out", "run.toml:4"]),
+    ("density beside a box", [('"2.5 nm"\n', '"2.5 nm"\ndensity = "1 g/cm3"\n')], ["leave one of the two out", "run.toml:4"]),
     ("switch beyond the cutoff", [('"1.0 nm"\n', '"1.0 nm"\nswitch = "1.1 nm"\n')], ["1.1 nm", "1 nm", "run.toml:8"]),
     ("unknown precision", [('"1.0 nm"\n', '"1.0 nm"\nprecision = "mixd"\n')], ['"mixd"', "'mixed'", "double", "run.toml:8"]),
     ("small lambda in mixed precision", [('"1.0 nm"\n', '"1.0 nm"\nprecision = "mixed"\n'), ('"2 fs"\n\n', '"2 fs"\nlambda = 0.01\n\n')],

@@ -184,7 +184,7 @@ class Checkpoints(Sandbox):
         # Outputs that are missing, shorter, or from another run.
         for name in GROWING:
             path = self.folder / f"out-{name}"
-            for spoil, words in ((path.unlink, ["cannot be opened to append to it"]),
+            for spoil, words in ((path.unlink, ["cannot be opened for appending"]),
                                  (lambda: path.write_bytes(path.read_bytes()[:100]), ["100 bytes"])):
                 restored()
                 spoil()
@@ -257,12 +257,12 @@ class Checkpoints(Sandbox):
             path = self.folder / name
             mine = path.read_bytes()
             path.write_bytes(others[name] if name.endswith("h5md") else others[name][:len(mine)])
-            self.refused(f"'{name}'", "was changed: its checksum is not", "--force")
+            self.refused(f"'{name}'", "was changed: its checksum differs", "--force")
             if not name.endswith("h5md"):
                 # One bit before the checkpoint; the first 92 bytes of a DCD file change with each frame.
                 at = random.randrange(92, len(mine) // 2)
                 path.write_bytes(mine[:at] + bytes([mine[at] ^ 1 << random.randrange(8)]) + mine[at + 1:])
-                self.refused(f"'{name}'", "was changed: its checksum is not", "--force")
+                self.refused(f"'{name}'", "was changed: its checksum differs", "--force")
             path.write_bytes(mine)
         self.summary("--resume")
 

@@ -150,8 +150,8 @@ class FirstSteps(Sandbox):
         self.refused(("new", "gromacs", "--mdp", "md.mdp", "--npt"), ["tcoupl"])
         self.refused(("new", "gromacs", "--mdp", "gone.mdp"), ["gone.mdp"])
         made = self.polhode("new", "gromacs", "own.toml", "--mdp", "md.mdp")
-        self.assertIn("note: freezegrps = A: not offered", made.err)
-        self.assertIn("#   freezegrps = A: not offered", (self.folder / "own.toml").read_text())
+        self.assertIn("note: freezegrps = A: not available", made.err)
+        self.assertIn("#   freezegrps = A: not available", (self.folder / "own.toml").read_text())
         self.assertEqual(json.loads(self.text("energy", "own.toml", "--json"))["molecules"], 2)
 
     def test_dielectric_constant_of_a_run_to_start_from(self):

@@ -169,12 +169,12 @@ class Formats(Sandbox):
         self.done("run", WATER)
         for arguments, parts in [
             (["out-trajectory.xtc", "a.gro"], ["has no atom names", "conf.gro"]),
-            (["out-trajectory.xtc", "a.grp"], ["'a.grp' has no known extension", "'gro'"]),
+            (["out-trajectory.xtc", "a.grp"], ["the extension of 'a.grp' is unknown", "'gro'"]),
             (["out-trajectory.gro", "out-trajectory.pdb"], ["exists and would be overwritten", "--force"]),
             (["out-trajectory.gro", "a.pdb", "--from", "1 ps"], ["no frame", "first and the last time"]),
             (["out-trajectory.gro", "a.pdb", "--every", "0"], ["from 1 to", "whole number"]),
             (["out-trajectory.gro", "a.pdb", "--from", "2 ps", "--to", "1 ps"], ["2 ps", "1 ps", "swap"]),
-            (["run.toml", "a.pdb"], ["'run.toml' has no known extension"]),
+            (["run.toml", "a.pdb"], ["the extension of 'run.toml' is unknown"]),
         ]:
             before = self.contents()
             process = self.polhode("convert", *arguments)

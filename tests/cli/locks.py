@@ -176,7 +176,7 @@ class Locks(Sandbox):
                     link(self.folder / f"out-{name}", self.folder / f"again-{name}")
             process = self.polhode("run", "again.toml", "--resume")
             self.assertIn(process.returncode, (1, 2))
-            self.assertIn("is being written by another process", process.err)
+            self.assertIn("another process is writing to", process.err)
             self.assertIsNone(holder.poll())
             for path in self.folder.glob("again-[et]*"):
                 path.unlink()

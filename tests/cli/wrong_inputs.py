@@ -72,7 +72,7 @@ CASES = [
      'electrostatics = "pme"\ncutoff = "0.6 nm"\n[integrator]\nscheme = "velocity-verlet"\nstep = "2 fs"\n[run]\nlength = "2 fs"\n',
      ("export", "lammps", "run.toml", "--pair-style", "polhode-particles"), ["run.toml", "no charges within particles", "--pair-style polhode"]),
     ("particles of a file that is no dump", SMALL, ("convert", "run.xtc", "run.gro", "--particles", "run.toml"),
-     ["run.xtc", "no dump file of LAMMPS", ".lammpstrj"]),
+     ["run.xtc", "not a LAMMPS dump file", ".lammpstrj"]),
     ("an analysis without a trajectory", "", ("analyze",), ["TRAJECTORY", "required", "polhode help analyze"]),
     ("an option that does not exist", SMALL, (*RUN, "--steps", "2"), ["--steps", "--length", "polhode help run"]),
     ("a run file that does not exist", "", ("run", "nowhere.toml"), ["nowhere.toml"]),
@@ -90,8 +90,8 @@ CASES = [
     ("a variable of the shell that is not set", SMALL, (*RUN, "--output", ""), ["--output is an empty text", "polhode help run"]),
     ("a run file whose name is not set", "", ("run", ""), ["FILE is an empty text", "default"]),
     ("no threads", SMALL, (*RUN, "--threads", "0"), ["threads = '0'", "from 1 to", "wait for each other"]),
-    ("a coordinate file as run file", "", ("run", "start.gro"), ["not a run file", "polhode new gromacs", "start.gro"]),
-    ("a LAMMPS data file as run file", "", ("energy", "w.data"), ["not a run file", "polhode new lammps", "w.data"]),
+    ("a coordinate file as run file", "", ("run", "start.gro"), ["input file of another program", "polhode new gromacs", "start.gro"]),
+    ("a LAMMPS data file as run file", "", ("energy", "w.data"), ["input file of another program", "polhode new lammps", "w.data"]),
     ("a prefix that is a folder", SMALL, (*RUN, "--output", "results/"), ["'results/'", "without a name", "'results/run'"]),
     ("a prefix of a run file that is a folder", system(('"out"', '"results/"')), RUN, ["'results/'", "'results/run'"]),
     ("a prefix of a study that is a folder", SMALL, ("study", "run.toml", "--output", "results/"), ["'results/run'"]),
@@ -138,7 +138,7 @@ CASES = [
     # physics
     ("a cutoff above half the box", system(('"1.0 nm"', '"1.4 nm"')), RUN, ["1.400 nm", "1.250 nm", "forces.cutoff"]),
     ("more molecules than the box holds", system(("count = 27", "count = 40000")), RUN, ["overlap", "minimise = true", "polhode minimise", "lower density"]),
-    ("a density beside a box", system(('"2.5 nm"\n', '"2.5 nm"\ndensity = "1 g/cm3"\n')), RUN, ["leave one out", "system.density"]),
+    ("a density beside a box", system(('"2.5 nm"\n', '"2.5 nm"\ndensity = "1 g/cm3"\n')), RUN, ["leave one of the two out", "system.density"]),
     # files
     ("a triclinic box", system(('box = "2.5 nm"', 'initial_configuration = "start.gro"'), ("count = 27", "count = 2")), RUN,
      ["triclinic", "orthorhombic", "gmx solvate -box", "start.gro:5"]),
@@ -184,7 +184,7 @@ HYBRID = ("[hybrid_monte_carlo]",)
 
 CASES += [
     # temperature and pressure
-    ("a barostat without a pressure", ensemble(*LANGEVIN, "[barostat]"), RUN, ["no pressure to keep", 'pressure = "1 bar"', "barostat"]),
+    ("a barostat without a pressure", ensemble(*LANGEVIN, "[barostat]"), RUN, ["no pressure for the barostat", 'pressure = "1 bar"', "barostat"]),
     ("a barostat without a thermostat", ensemble(*BAROSTAT), RUN, ["a barostat", "needs a thermostat", "[thermostat]", "run.toml"]),
     ("a pressure without a unit", ensemble(*LANGEVIN, "[barostat]", "pressure = 1"), RUN, ["pressure = 1", "no unit", '"1 bar"']),
     ("a time constant below the step", ensemble(*RESCALING, 'time_constant = "1 fs"'), RUN,

@@ -120,7 +120,7 @@ class Verbs(InFolder):
         masses = (15.9994, 1.008, 1.008)
         for k in range(3):
             self.assertAlmostEqual(sum(m * r[k] for m, r in zip(masses, sites)) / sum(masses), 15, delta=1e-4)
-        with self.assertRaisesRegex(polhode.Error, "1 particles, and the run file 2"):
+        with self.assertRaisesRegex(polhode.Error, "1 particles, but the run file has 2"):
             polhode.convert("a.dump", "b.xyz", particles=dict(system={"molecules": [{"model": "spce", "count": 2}],
                                                                      "density": "1e-3 g/cm3"}))
 
@@ -199,7 +199,7 @@ class Verbs(InFolder):
         Path("md.mdp").write_text("nsteps = 10\nfreezegrps = A\n")
         said = []
         polhode.new("gromacs", "d.toml", mdp="md.mdp", messages=said.append)
-        self.assertIn("note: freezegrps = A: not offered", said)
+        self.assertIn("note: freezegrps = A: not available", said)
         program("new", "gromacs", "e.toml", "--mdp", "md.mdp")
         self.assertEqual(Path("d.toml").read_text(), Path("e.toml").read_text().replace('"e"', '"d"').replace("'e'", "'d'"))
         for keywords in ({"ensemble": "npt"}, {}):

@@ -65,8 +65,8 @@ Match take_molecule(std::span<const Atom>& atoms, const Molecule& molecule, cons
     if (!here)
       throw Error(
           fmt::format(
-              "{} is {} where site '{}' of molecule '{}' must be; atoms must be in the order of "
-              "the model's sites, of which only massless ones may be missing",
+              "{} is {} where site '{}' of molecule '{}' must be; atoms must have the order of the "
+              "sites in the model, and only massless sites may be missing",
               place(),
               atoms.empty() ? "reached" : fmt::format("'{}'", frame.kind(atoms.front()).name),
               site.name, molecule.name),
@@ -122,7 +122,7 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
       throw Error(
           fmt::format(
               "atom '{}' of molecule {} ({} {}) is {:.4f} nm from its site in the rigid model "
-              "'{}', and must be within {} nm; check the model and the order of atoms",
+              "'{}'; this distance must be at most {} nm: check the model and the order of atoms",
               frame.kind(*match[k]).name, i + 1, match[k]->residue,
               frame.kind(*match[k]).residue_name, off, molecule.name, fit_tolerance),
           frame.source);
@@ -152,8 +152,8 @@ void check_size(const Molecule& molecule, const Frame& frame) {
 
 FittedState fit_state(const Frame& frame, const Topology& topology) {
   if (topology.size() > frame.atoms.size())
-    throw Error(fmt::format("there are {} atoms, too few for {} molecules; give the count of "
-                            "molecules in the file",
+    throw Error(fmt::format("the file has {} atoms, too few for {} molecules; set the number of "
+                            "molecules to the number in the file",
                             frame.atoms.size(), topology.size()),
                 frame.source);
   FittedState fitted;
@@ -165,16 +165,16 @@ FittedState fit_state(const Frame& frame, const Topology& topology) {
     check_size(molecule, frame);
     for (std::size_t copy = 0; copy < count; ++copy, ++i) {
       if (atoms.empty())
-        throw Error(fmt::format("the {} atoms are only {} of {} molecules; give the count of "
-                                "molecules in the file",
+        throw Error(fmt::format("the {} atoms form only {} of {} molecules; set the number of "
+                                "molecules to the number in the file",
                                 frame.atoms.size(), i, topology.size()),
                     frame.source);
       fit(fitted, i, molecule, take_molecule(atoms, molecule, frame), frame);
     }
   }
   if (!atoms.empty())
-    throw Error(fmt::format("there are {} atoms, but the {} molecules have {}; give the count of "
-                            "molecules in the file",
+    throw Error(fmt::format("the file has {} atoms, but the {} molecules have {}; set the number "
+                            "of molecules to the number in the file",
                             frame.atoms.size(), topology.size(), frame.atoms.size() - atoms.size()),
                 frame.source);
   return fitted;

@@ -61,8 +61,8 @@ const Format& format_named(std::string_view extension, const std::string& file) 
   for (const Format& f : formats) known.emplace_back(f.extension);
   const auto near = nearest_name(extension, known);
   throw Error(fmt::format(
-      "'{}' has no known extension{}; there are: {} (the name of a LAMMPS data file must end in "
-      ".data or .lmp)",
+      "the extension of '{}' is unknown{}; the known extensions are: {} (the name of a LAMMPS data "
+      "file must end in .data or .lmp)",
       file, near ? fmt::format(" (did you mean '{}'?)", *near) : "", join_names(known)));
 }
 
@@ -71,7 +71,8 @@ const Format& writable_format(const std::string& path) {
   if (format.write != nullptr) return format;
   const auto written = writable_formats();
   throw Error(fmt::format(
-      "files with the extension '.{}' are read only; those that can be written have {}",
+      "files with the extension '.{}' can only be read; extensions of files that can be written: "
+      "{}",
       format.extension, join_names(std::vector<std::string>(written.begin(), written.end()))));
 }
 
@@ -117,8 +118,8 @@ class Names {
   }
   void give(Frame& frame) const {
     if (frame.atoms.size() != atoms_.size())
-      throw Error(fmt::format("the frame at {:g} ps has {} atoms and '{}', which names them, has "
-                              "{}; both must have the same number",
+      throw Error(fmt::format("the frame at {:g} ps has {} atoms, but the file with the atom "
+                              "names, '{}', has {}; both numbers must be equal",
                               frame.time, frame.atoms.size(), source_, atoms_.size()),
                   frame.source);
     frame.kinds = kinds_;
@@ -190,7 +191,8 @@ std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* n
   std::error_code unknown;
   if (std::filesystem::is_regular_file(path, unknown) && std::filesystem::is_empty(path, unknown))
     throw Error(
-        "the file is empty; its first frame must be here: give a file that was written completely",
+        "the file is empty; it must contain at least one frame: give a file that was written "
+        "completely",
         path + ":1");
   if (format.open != nullptr) return with_names(format.open(path), format, names);
   return with_names(std::make_unique<FileReader>(path, format.read), format, names);
@@ -199,10 +201,9 @@ std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* n
 std::unique_ptr<FrameReader> open_particle_frames(const std::string& path,
                                                   const Topology& topology) {
   if (format_of(path).read != lammps_dump_reader)
-    throw Error(
-        fmt::format("'{}' is no dump file of LAMMPS, which has particles; its extension "
-                    "must be .dump or .lammpstrj",
-                    path));
+    throw Error(fmt::format(
+        "'{}' is not a LAMMPS dump file of particles; its extension must be .dump or .lammpstrj",
+        path));
   return std::make_unique<FileReader>(path, [&](std::istream& in, const std::string& file) {
     return lammps_particle_reader(in, file, topology);
   });
@@ -256,8 +257,8 @@ Frame read_start(const std::string& name_or_path) {
   open_text_file(name_or_path);  // throws a more precise error if the file cannot be opened
   if (!format_of(name_or_path).has_names)
     throw Error(
-        fmt::format("'{0}' is of a format without atom names, which an initial configuration "
-                    "needs; convert it to GRO with the names of another file",
+        fmt::format("the format of '{0}' has no atom names, but an initial configuration needs "
+                    "them; convert the file to GRO with the names of another file",
                     name_or_path));
   if (is_data_file(name_or_path)) return frame_of(read_lammps_data(name_or_path));
   Frame frame;
@@ -265,8 +266,8 @@ Frame read_start(const std::string& name_or_path) {
     throw Error("the file ends where its first frame must be", name_or_path + ":1");
   if (!frame.atoms.empty() && frame.kind(frame.atoms.front()).name.empty())
     throw Error(
-        "the dump file has no column 'element', which an initial configuration needs; write it "
-        "with 'dump ID group custom N FILE id mol element x y z vx vy vz' and 'dump_modify ID "
+        "the dump file has no column 'element', but an initial configuration needs one; write the "
+        "file with 'dump ID group custom N FILE id mol element x y z vx vy vz' and 'dump_modify ID "
         "element ...'",
         name_or_path);
   return frame;

@@ -89,8 +89,8 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
     : bytes_(std::move(bytes)), path_(path), rest_(bytes_) {
   constexpr std::size_t head = length_at + number;
   if (bytes_.size() < head + number || !rest_.starts_with(magic))
-    throw DamagedCheckpoint(
-        fmt::format("'{}' is not a checkpoint: it does not begin like one", path_));
+    throw DamagedCheckpoint(fmt::format(
+        "'{}' is not a checkpoint: the mark at the beginning of the file is missing", path_));
   if (const std::uint64_t length = number_at(rest_, length_at); length != rest_.size())
     throw DamagedCheckpoint(fmt::format("the checkpoint '{}' is incomplete: it has {} bytes of {}",
                                         path_, rest_.size(), length));
@@ -104,24 +104,24 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
   // checksum is therefore a flipped bit.
   if (const std::uint64_t version = number_at(rest_, magic.size()); version != format_version)
     throw OutputError(
-        fmt::format("the checkpoint '{}' is of format {}, and this program reads {}; resume with "
-                    "the program that wrote it, or start over",
+        fmt::format("the checkpoint '{}' has format {}, but this program reads format {}; resume "
+                    "with the program that wrote the checkpoint, or start over",
                     path_, version, format_version));
   rest_ = rest_.substr(head, sum_at - head);
   ProgramVersion program;
   (*this)(program.version);
   (*this)(program.instruction_set);
   if (program.version != reader.version)
-    throw OutputError(
-        fmt::format("the checkpoint '{}' was written by polhode {} and this is {}: the run would "
-                    "not be resumed bit for bit; use that program, or start over",
-                    path_, program.version, reader.version));
+    throw OutputError(fmt::format(
+        "the checkpoint '{}' was written by polhode {}, but this program is polhode {}, which "
+        "cannot resume the run bit for bit; use the earlier program, or start over",
+        path_, program.version, reader.version));
   if (reader.instruction_set != any_instruction_set &&
       program.instruction_set != reader.instruction_set)
     throw Error(
-        fmt::format("the checkpoint '{0}' was written with the instruction set {1}, and "
-                    "this run uses {2}: its sums differ in the last digits; set the "
-                    "environment variable POLHODE_INSTRUCTION_SET={1}",
+        fmt::format("the checkpoint '{0}' was written with the instruction set {1}, but this run "
+                    "uses {2}, whose sums differ in the last digits; set the environment variable "
+                    "POLHODE_INSTRUCTION_SET={1}",
                     path_, program.instruction_set, reader.instruction_set));
 }
 

@@ -71,8 +71,8 @@ void check_crc64(const std::string& path, std::uint64_t from, std::uint64_t to,
 
 std::string not_the_file(const std::string& path) {
   return fmt::format(
-      "'{}' was changed: its checksum is not the one in the checkpoint, so the run cannot append "
-      "to it; restore the file, or start over",
+      "'{}' was changed: its checksum differs from the checksum in the checkpoint, so the run "
+      "cannot append to the file; restore the file, or start over",
       path);
 }
 

@@ -80,11 +80,11 @@ void check_length(const std::string& path, std::uint64_t bytes) {
   const std::uintmax_t length = fs::file_size(path, error);
   if (error)
     throw OutputError(
-        fmt::format("'{}' cannot be opened to append to it ({}); restore it, or start over", path,
-                    error.message()));
+        fmt::format("'{}' cannot be opened for appending ({}); restore the file, or start over",
+                    path, error.message()));
   if (length < bytes)
     throw OutputError(
-        fmt::format("'{}' has {} bytes and had {} when the checkpoint was written, so data are "
+        fmt::format("'{}' has {} bytes, but had {} when the checkpoint was written, so data are "
                     "missing; restore the file, or start over",
                     path, length, bytes));
 }

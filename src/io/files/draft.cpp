@@ -119,8 +119,8 @@ void check_length_of_name(const std::string& path) {
   const std::size_t max_length = (limit > 0 ? static_cast<std::size_t>(limit) : 255) - longer;
   if (length > max_length)
     throw Error(
-        fmt::format("the name of the output '{}' has {} bytes; it can have {}, since names of "
-                    "unfinished files have {} more",
+        fmt::format("the file name of the output '{}' has {} bytes; the maximum is {} bytes, since "
+                    "the name of an unfinished file is {} bytes longer",
                     path, length, max_length, longer));
 }
 

@@ -74,8 +74,8 @@ void FileLock::take() {
   const std::string text = text_of(file_);
   if (!text.empty() && !text.starts_with(head))
     throw Error(
-        fmt::format("'{}' exists and is not a lock file of polhode, which needs this name; move "
-                    "it, or give another output",
+        fmt::format("'{}' exists but is not a lock file of polhode, and polhode needs this name "
+                    "for its lock file; rename the existing file, or give another output",
                     path_));
   if (others)
     throw Error(
@@ -102,8 +102,8 @@ void HeldFile::hold(const std::string& path) {
       errno != EWOULDBLOCK)
     return;
   throw Error(
-      fmt::format("'{}' is being written by another process, under this or another name; wait "
-                  "until that process has ended, or put a copy in place of the link",
+      fmt::format("another process is writing to '{}', under this or another name; wait until that "
+                  "process has ended, or replace the link by a copy of the file",
                   path));
 }
 

@@ -120,8 +120,9 @@ namespace {
 void check_head(const std::string& path, std::size_t number, const std::string& line,
                 const std::vector<Table::Column>& columns) {
   if (const std::string head = head_of(columns); line != head)
-    refuse_line(path, number,
-                fmt::format("the table has the columns '{}' and must have '{}'", line, head));
+    refuse_line(
+        path, number,
+        fmt::format("the table has the columns '{}'; it must have the columns '{}'", line, head));
 }
 
 /// Reads the numbers of a line.
@@ -138,7 +139,7 @@ void read_row(const std::string& path, std::size_t number, const std::string& li
   }
   if (row.size() != columns)
     refuse_line(path, number,
-                fmt::format("the row has {} numbers and must have {}", row.size(), columns));
+                fmt::format("the row has {} numbers; it must have {}", row.size(), columns));
 }
 
 }  // namespace
@@ -164,8 +165,8 @@ bool TableReader::next(std::vector<double>& row) {
   } while (line.starts_with('#'));
   if (in_.eof())
     refuse_line(path_, line_,
-                "the last row has no end of line, so it may be incomplete; remove it, or let the "
-                "run that writes it end");
+                "the last row has no end of line, so this row may be incomplete; delete the row, "
+                "or wait until the run that writes the file has ended");
   read_row(path_, line_, line, columns_, row);
   return true;
 }
@@ -203,19 +204,21 @@ void refuse_existing(const std::string& path, bool force) {
   check_length_of_name(path);
   std::error_code error;
   if (fs::is_directory(path, error))
-    throw Error(fmt::format("'{}' is a folder; the output must be a file, so give another", path));
+    throw Error(
+        fmt::format("'{}' is a folder, but the output must be a file; give another output", path));
   const fs::file_status found = fs::symlink_status(path, error);
   if (fs::is_other(found))
     throw Error(fmt::format(
-        "'{}' is a device, a pipe or a socket; the output must be a file, so give another", path));
+        "'{}' is a device, a pipe or a socket, but the output must be a file; give another output",
+        path));
   if (force || !fs::exists(found)) return;
   if (fs::is_symlink(found))
     throw OutputError(
-        fmt::format("'{}' is a symbolic link to '{}', which would be replaced, not followed; give "
-                    "an output in the folder of the target, or replace the link",
+        fmt::format("'{}' is a symbolic link to '{}'; the output would replace the link instead of "
+                    "its target: give an output in the folder of the target, or delete the link",
                     path, fs::read_symlink(path, error).string()));
   throw OutputError(fmt::format(
-      "'{}' exists and would be overwritten; give another output, or replace it", path));
+      "'{}' exists and would be overwritten; give another output, or delete the file", path));
 }
 
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,

@@ -26,7 +26,7 @@ Error unreadable(const std::string& path) {
   std::error_code unknown;
   if (std::filesystem::exists(path, unknown))
     return Error(fmt::format("'{}' exists but cannot be read; check its permissions", path));
-  return Error(fmt::format("there is no readable file '{}'; check its path", path));
+  return Error(fmt::format("there is no readable file '{}'; check the path", path));
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ Error unreadable(const std::string& path) {
 std::ifstream open_text_file(const std::string& path) {
   std::error_code unknown;
   if (std::filesystem::is_directory(path, unknown))
-    throw Error(fmt::format("'{}' is a folder; give a file in it", path));
+    throw Error(fmt::format("'{}' is a folder; give a file in this folder", path));
   std::ifstream file(path, std::ios::binary);
   if (!file) throw unreadable(path);
   return file;

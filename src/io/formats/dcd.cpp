@@ -35,13 +35,15 @@ class DcdReader : public FrameReader {
     if (read_ == 0) read_head();
     if (in_.at_end()) return false;
     begin_unnamed(frame, in_.file());
-    if (!has_cell_) in_.refuse("the file has no unit cell, which is needed as the box");
+    if (!has_cell_)
+      in_.refuse("the file has no unit cell; polhode needs the unit cell as the periodic box");
     frame.box = take_cell();
     for (std::size_t k = 0; k < 3; ++k) {
       const auto record = take_record("the positions");
       if (record.size() != sizeof(float) * count_)
-        in_.refuse(fmt::format("a record of positions is {} bytes long; for {} atoms it must be {}",
-                               record.size(), count_, sizeof(float) * count_));
+        in_.refuse(fmt::format(
+            "a record of positions is {} bytes long; for {} atoms its length must be {}",
+            record.size(), count_, sizeof(float) * count_));
       if (k == 0) frame.atoms.assign(count_, {});  // the number of atoms is now known to be correct
       for (std::size_t i = 0; i < count_; ++i) {
         const auto x =
@@ -66,12 +68,15 @@ class DcdReader : public FrameReader {
     if (length != head_length) {
       in_.order = std::endian::big;
       if (length != head_length_swapped)
-        in_.refuse(fmt::format("the first record is {} bytes long; in a DCD file it must be {}",
-                               length, head_length));
+        in_.refuse(fmt::format(
+            "the first record is {} bytes long; the first record of a DCD file must have {}",
+            length, head_length));
     }
     const auto head = in_.block(head_length, "the head");
     if (std::string_view(reinterpret_cast<const char*>(head.data()), 4) != "CORD")
-      in_.refuse("the header does not contain CORD, as a DCD file of positions must");
+      in_.refuse(
+          "the header does not contain CORD; the header of a DCD file of positions must contain "
+          "CORD");
     const auto word = [&](std::size_t k) {
       return decode<std::int32_t>(head.data() + 4 * (k + 1), in_.order);
     };
@@ -88,8 +93,8 @@ class DcdReader : public FrameReader {
     if (!std::isfinite(interval_)) in_.refuse("the time between frames is not a finite number");
     if (fixed != 0)
       in_.refuse(
-          fmt::format("{} atoms are fixed, and only the first frame has their positions; write the "
-                      "file without fixed atoms",
+          fmt::format("{} atoms are fixed, and their positions are only in the first frame; write "
+                      "the file without fixed atoms",
                       fixed));
     end_record(take_record("the titles").size());
     const auto record = take_record("the number of atoms");

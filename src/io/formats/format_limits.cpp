@@ -46,13 +46,13 @@ void FrameFit::check(const FrameExtent& frame) {
   if (!first_) first_ = frame;
   if (limits_.same_atoms && frame.atoms != first_->atoms)
     throw Error(
-        fmt::format("the frame at {:g} ps has {} atoms and the first has {}; all frames of a .{} "
-                    "file must have the same number, so write GRO, PDB or XYZ",
+        fmt::format("the frame at {:g} ps has {} atoms, but the first frame has {}; all frames of "
+                    "a .{} file must have the same number of atoms, so write GRO, PDB or XYZ",
                     frame.time, frame.atoms, first_->atoms, format_));
   if (limits_.same_velocities && frame.has_velocities != first_->has_velocities)
     throw Error(
-        fmt::format("the frame at {:g} ps has {} velocities and the first has {}; of a .{} file "
-                    "all frames must have them or none, so write TRR or GRO",
+        fmt::format("the frame at {:g} ps has {} velocities, but the first frame has {}; in a .{} "
+                    "file either all frames or no frames have velocities, so write TRR or GRO",
                     frame.time, frame.has_velocities ? "its" : "no",
                     first_->has_velocities ? "them" : "none", format_));
   if (before_ == 1) interval_ = frame.time - first_->time;
@@ -63,18 +63,18 @@ void FrameFit::check(const FrameExtent& frame) {
 void FrameFit::check_alone(const FrameExtent& frame) const {
   if (frame.atoms > limits_.atoms)
     throw Error(fmt::format(
-        "a frame has {} atoms; a frame of a .{} file can have at most {}, so write another format",
+        "a frame has {} atoms, but a frame of a .{} file can have at most {}; write another format",
         frame.atoms, format_, limits_.atoms));
   for (const double coordinate : {frame.min, frame.max})
     if (!(limits_.min <= coordinate && coordinate <= limits_.max))
       throw Error(fmt::format(
-          "a coordinate is or can become {:.10g} nm; in a .{} file it must be from {:.10g} to "
-          "{:.10g} nm, so write another format, or wrap molecules into the box",
+          "a coordinate has or can reach {:.10g} nm; in a .{} file coordinates must be from "
+          "{:.10g} to {:.10g} nm: write another format, or wrap molecules into the box",
           coordinate, format_, limits_.min, limits_.max));
   if (!(frame.edge <= limits_.edge))
     throw Error(
-        fmt::format("a box edge is {:.10g} nm; in a .{} file it must be at most {:.10g} nm, so "
-                    "write another format",
+        fmt::format("a box edge is {:.10g} nm; in a .{} file box edges must be at most {:.10g} nm, "
+                    "so write another format",
                     frame.edge, format_, limits_.edge));
 }
 
@@ -86,10 +86,11 @@ void FrameFit::check_time(const FrameExtent& frame) const {
   const double due = first_->time + n * interval_;
   const double rounding = 0x1p-22 * std::abs(frame.time) * (1 + n);
   if (std::abs(frame.time - due) <= 0.01 * std::abs(interval_) + rounding) return;
-  throw Error(fmt::format(
-      "frame {} is at {:g} ps instead of {:g} ps: a first interval of {:g} ps is the interval of "
-      "all frames in a .{} file; choose evenly spaced frames, or write another format",
-      before_ + 1, frame.time, due, interval_, format_));
+  throw Error(
+      fmt::format("frame {} is at {:g} ps instead of {:g} ps: the interval between the first two "
+                  "frames, {:g} ps, must be the interval of all frames in a .{} file; choose "
+                  "evenly spaced frames, or write another format",
+                  before_ + 1, frame.time, due, interval_, format_));
 }
 
 }  // namespace polhode

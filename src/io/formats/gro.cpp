@@ -36,7 +36,7 @@ std::size_t column_width(std::string_view line, const Lines& lines) {
   if (p3 - p2 != p2 - p1)
     lines.refuse(
         fmt::format("the decimal points of x, y and z are {} and {} characters apart; both "
-                    "distances must be equal, since they are the width of the columns",
+                    "distances must be equal, since the distance is the column width",
                     p2 - p1, p3 - p2));
   return p2 - p1;
 }
@@ -55,7 +55,9 @@ std::uint32_t kind_of(std::string_view line, AtomKinds& kinds, const Lines& line
   return kinds.of(line.substr(5, 10), [&] {
     const std::string_view name = trimmed(line.substr(10, 5));
     if (name.empty())
-      lines.refuse("there is no atom name in characters 11 to 15; sites are matched by it");
+      lines.refuse(
+          "there is no atom name in characters 11 to 15; atoms are matched to sites by their "
+          "names");
     return AtomKind{std::string(trimmed(line.substr(5, 5))), std::string(name), {}};
   });
 }
@@ -77,8 +79,8 @@ AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines)
   const std::size_t needed = first_number + (result.has_velocity ? 6 : 3) * width;
   if (written < needed)
     lines.refuse(fmt::format(
-        "the line ends after {} characters; three {} of {} characters each "
-        "after the names need {}",
+        "the line ends after {} characters; with three {} of {} characters each after the names, "
+        "it must have {} characters",
         written, result.has_velocity ? "coordinates and three velocities" : "coordinates", width,
         needed));
   for (std::size_t k = 0; k < 3; ++k)
@@ -213,16 +215,18 @@ class GroReader : public FrameReader {
       if (i == 0) frame.has_velocities = has_velocity;
       if (has_velocity != frame.has_velocities)
         lines_.refuse(
-            fmt::format("this atom has {} velocity and the previous ones have {}; velocities must "
-                        "be given for all atoms or for none",
+            fmt::format("this atom has {} velocity, but the previous atoms have {}; either all "
+                        "atoms or no atoms must have velocities",
                         has_velocity ? "a" : "no", has_velocity ? "none" : "one"));
       frame.atoms.push_back(atom);
     }
     const std::string_view box = lines_.next([] { return "the box"; });
     const auto point = box.find('.');
     if (point != box.npos && point >= first_number)
-      lines_.refuse(fmt::format(
-          "found another atom where the box must be; the second line gives {} atoms", count));
+      lines_.refuse(
+          fmt::format("found another atom where the box must be; according to the second line the "
+                      "frame has {} atoms",
+                      count));
     frame.box = read_box(box, lines_);
   }
 

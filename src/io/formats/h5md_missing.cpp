@@ -6,8 +6,8 @@
 namespace polhode {
 
 const std::string_view h5md_missing =
-    "this build of polhode has no HDF5, which H5MD files need; use the format trr, or a build "
-    "with HDF5";
+    "this build of polhode has no HDF5 library, so it cannot read or write H5MD files; use the "
+    "format trr, or a build with HDF5";
 
 namespace {
 

@@ -126,9 +126,10 @@ class H5mdReader : public FrameReader {
     frames_ = position_.extents[0];
     const hsize_t atoms = position_.extents[1];
     if (atoms > bytes_)
-      refuse(fmt::format(
-          "'position/value' has {} atoms, whose positions do not fit into the {} bytes of the file",
-          atoms, bytes_));
+      refuse(
+          fmt::format("'position/value' has {} atoms, but their positions do not fit into the {} "
+                      "bytes of the file",
+                      atoms, bytes_));
     if (hdf5::has(file_, root_ + "velocity/value")) {
       velocity_ = series("velocity", {Dimension::length, Dimension::time});
       if (velocity_->extents.size() != 3 || velocity_->extents[1] != atoms ||
@@ -157,8 +158,8 @@ class H5mdReader : public FrameReader {
     }
     if (series.extents[0] != frames_)
       refuse(
-          fmt::format("'{}' has {} frames and 'position' {}; both must have 'step' or 'time', so "
-                      "that frames can be matched",
+          fmt::format("'{}' has {} frames, but 'position' has {}; both must have 'step' or 'time', "
+                      "so that their frames can be matched",
                       element, series.extents[0], frames_));
   }
 
@@ -189,7 +190,7 @@ class H5mdReader : public FrameReader {
     const Handle type(H5Dget_type(values), H5Tclose);
     const H5T_class_t kind = H5Tget_class(type);
     if (kind != H5T_FLOAT && kind != H5T_INTEGER)
-      refuse(fmt::format("'{}' has no numbers; it must have some", place));
+      refuse(fmt::format("'{}' contains no numbers; it must contain at least one", place));
     const auto check_size = [&](const char* what, std::span<const hsize_t> extents) {
       double size = static_cast<double>(H5Tget_size(type));
       for (const hsize_t extent : extents) size *= static_cast<double>(extent);
@@ -234,7 +235,7 @@ class H5mdReader : public FrameReader {
                  const std::vector<Dimension>& dimensions) const {
     const auto texts = text_attribute(values, "unit");
     if (texts.empty())
-      refuse(fmt::format("'{}' has no attribute 'unit'; it must be for example \"{}\"", element,
+      refuse(fmt::format("'{}' has no attribute 'unit'; add the unit, for example \"{}\"", element,
                          dimensions.front() == Dimension::time ? "ps" : "nm"));
     const std::string& text = texts.front();
     std::string first = text.substr(0, text.find_first_of(" /"));
@@ -257,7 +258,7 @@ class H5mdReader : public FrameReader {
   void find_box() {
     const Handle box = hdf5::group(file_, root_ + "box");
     if (!box.is_open() || !(hdf5::has(box, "edges")))
-      refuse("the particles have no 'box/edges', which is needed as the box");
+      refuse("the particles have no 'box/edges'; polhode needs these edges as the periodic box");
     if (H5Aexists(box, "boundary") > 0) {
       const auto boundary = text_attribute(box, "boundary");
       if (boundary.empty() || std::any_of(boundary.begin(), boundary.end(),
@@ -330,7 +331,8 @@ class H5mdReader : public FrameReader {
     const Vec3<double> v =
         unit * Vec3<double>{values_[3 * i], values_[3 * i + 1], values_[3 * i + 2]};
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-      refuse(fmt::format("a number of atom {} in frame {} is not finite", i + 1, number_ + 1));
+      refuse(fmt::format("a coordinate or velocity of atom {} in frame {} is not finite", i + 1,
+                         number_ + 1));
     return v;
   }
 

@@ -176,10 +176,11 @@ class H5mdWriter : public FrameWriter {
           "'{}' has no positions to append to; restore the file that the run wrote, or start over",
           path_));
     if (series_.contains("particles/bodies/attitude"))
-      throw Error(fmt::format(
-          "'{}' has 'particles/bodies/attitude', which is called 'orientation' now; resume the run "
-          "with the version of polhode that began it, or start over",
-          path_));
+      throw Error(
+          fmt::format("'{}' was written by an earlier version, which called 'orientation' "
+                      "'particles/bodies/attitude'; resume the run with the earlier version of "
+                      "polhode, or start over",
+                      path_));
     frames_ = frames;
   }
 
@@ -207,8 +208,8 @@ class H5mdWriter : public FrameWriter {
     auto extents = hdf5::extents(series.values);
     if (extents.empty() || extents[0] < frames)
       throw Error(
-          fmt::format("'{}' has {} rows of {} and had {} when the run was interrupted; it must be "
-                      "the same file: restore it or start over",
+          fmt::format("'{}' has {} rows of {}, but had {} when the run was interrupted; restore "
+                      "the original file, or start over",
                       path_, extents.empty() ? 0 : extents[0], name, frames));
     extents[0] = frames;
     check(H5Dset_extent(series.values, extents.data()));

@@ -80,8 +80,8 @@ inline bool has(hid_t where, const std::string& name) {
     H5L_info_t link{};
     if (H5Lget_info(where, part.c_str(), &link, access) >= 0 && link.type >= H5L_TYPE_UD_MIN)
       throw Error(
-          fmt::format("'{}' is a link to another file, which is not followed; copy its data into "
-                      "the file, with h5repack or h5copy",
+          fmt::format("'{}' is a link to another file, and polhode does not follow such links; "
+                      "copy the data into the file with h5repack or h5copy",
                       part));
     if (H5Lexists(where, part.c_str(), access) <= 0) return false;
     if (end == name.npos) return true;
@@ -100,8 +100,8 @@ inline Handle dataset(hid_t where, const std::string& name) {
   const Handle properties(H5Dget_create_plist(set), H5Pclose);
   if (H5Pget_layout(properties) == H5D_VIRTUAL || H5Pget_external_count(properties) > 0)
     throw Error(
-        fmt::format("the numbers of '{}' are in another file, which is not read; copy them into "
-                    "the file, with h5repack",
+        fmt::format("the numbers of '{}' are stored in another file, and polhode does not read "
+                    "external files; copy the numbers into the file with h5repack",
                     name));
   return set;
 }

@@ -90,10 +90,9 @@ class LammpsDumpReader : public FrameReader {
         read_atoms(frame, *count, item.substr(11));
         return true;
       } else {
-        lines_.refuse(
-            fmt::format("found '{}' where a section of a dump file of LAMMPS must begin, "
-                        "such as ITEM: TIMESTEP",
-                        item));
+        lines_.refuse(fmt::format(
+            "found '{}' where a section of a LAMMPS dump file must begin, such as ITEM: TIMESTEP",
+            item));
       }
     }
   }
@@ -102,8 +101,8 @@ class LammpsDumpReader : public FrameReader {
   void begin(Frame& frame) {
     if (++frames_ > 1 && !has_time_)
       lines_.refuse(
-          "a second frame begins, and the first has no time; LAMMPS writes it after 'dump_modify "
-          "ID time yes'");
+          "a second frame begins, but the first frame has no time; LAMMPS writes times after "
+          "'dump_modify ID time yes'");
     frame.source = lines_.file();
     frame.title.clear();
     frame.time = 0;
@@ -120,8 +119,10 @@ class LammpsDumpReader : public FrameReader {
       units_ = *units;
       return;
     }
-    lines_.refuse(fmt::format(
-        "the units are {}; they must be real, metal or nano, whose lengths are known", name));
+    lines_.refuse(
+        fmt::format("the units are {}; they must be real, metal or nano, since other units have no "
+                    "known length",
+                    name));
   }
 
   std::size_t atoms_in(std::string_view text) const {
@@ -155,7 +156,7 @@ class LammpsDumpReader : public FrameReader {
     const auto count = std::count(met.begin(), met.end(), true);
     if (count != 0 && count != 3)
       lines_.refuse(
-          fmt::format("the {} have {} of three components; the columns must be {}, or none of them",
+          fmt::format("the {} have {} of three components; write all of the columns {}, or none",
                       what, count, names));
   }
 
@@ -184,15 +185,14 @@ class LammpsDumpReader : public FrameReader {
     for (std::size_t d = 0; d < 3; ++d)
       if (!position[d])
         lines_.refuse(
-            fmt::format("the atoms have no coordinate {0}; a column must be {0}, {0}u, "
+            fmt::format("the atoms have no coordinate {0}; the file must have a column {0}, {0}u, "
                         "{0}s or {0}su",
                         "xyz"[d]));
     has_velocities_ = velocity[0] && (!topology_ || angular_momentum[0]);
     if (topology_ && !(orientation[0] && orientation[1] && orientation[2] && orientation[3]))
       lines_.refuse(
-          "particles have orientations, in the columns d2_orientation[1] to d2_orientation[4] of "
-          "'dump "
-          "custom'");
+          "particles need orientations; write the columns d2_orientation[1] to d2_orientation[4] "
+          "with 'dump custom'");
   }
 
   void read_atoms(Frame& frame, std::size_t count, std::string_view names) {
@@ -248,7 +248,7 @@ class LammpsDumpReader : public FrameReader {
     const double length2 = norm2(particle.orientation);
     if (!(std::abs(length2 - 1) < 1e-3))
       lines_.refuse(
-          fmt::format("the orientation has the length {:g}; it must be a quaternion of length 1",
+          fmt::format("the orientation is a quaternion of length {:g}; its length must be 1",
                       std::sqrt(length2)));
     return {normalized(particle.orientation), particle.ell};
   }
@@ -256,9 +256,10 @@ class LammpsDumpReader : public FrameReader {
   // Replaces the particles by the sites of their molecules.
   void place_sites(Frame& frame) const {
     if (frame.atoms.size() != topology_->size())
-      lines_.refuse(fmt::format(
-          "the frame has {} particles, and the run file {} molecules; both must be the same system",
-          frame.atoms.size(), topology_->size()));
+      lines_.refuse(
+          fmt::format("the frame has {} particles, but the run file has {} molecules; both must "
+                      "describe the same system",
+                      frame.atoms.size(), topology_->size()));
     State state(topology_->size(), frame.box);
     state.time = frame.time;
     const Bodies bodies(*topology_);
@@ -288,10 +289,10 @@ class LammpsDumpReader : public FrameReader {
                      [&](std::size_t a, std::size_t b) { return ids_[a] < ids_[b]; });
     for (std::size_t k = 1; k < order_.size(); ++k)
       if (const int id = ids_[order_[k]]; id == ids_[order_[k - 1]])
-        lines_.refuse(fmt::format(
-            "the frame that ends here has two atoms with the id {}; ids must differ, since atoms "
-            "are sorted by them",
-            id));
+        lines_.refuse(
+            fmt::format("the frame that ends here has two atoms with the id {}; ids must differ, "
+                        "since atoms are sorted by id",
+                        id));
     const auto sort = [&](auto& items) {
       auto sorted = items;
       for (std::size_t k = 0; k < order_.size(); ++k) sorted[k] = items[order_[k]];

@@ -64,8 +64,9 @@ class PdbReader : public FrameReader {
     if (!line.starts_with("ATOM")) return false;
     const std::string_view rest = columns(line, 5, 6);
     if (rest.empty() || rest.find_first_not_of(" 0123456789") == rest.npos) return true;
-    lines_.refuse(fmt::format("a record has the name '{}'; records of atoms are ATOM and HETATM",
-                              columns(line, 1, 6)));
+    lines_.refuse(fmt::format(
+        "the record name '{}' is not supported; atoms must be in records ATOM or HETATM",
+        columns(line, 1, 6)));
   }
 
   // A serial that is too long may have shifted all other columns to the right.
@@ -101,7 +102,7 @@ class PdbReader : public FrameReader {
     Atom atom;
     if (columns(line, 47, 54).empty())
       lines_.refuse(fmt::format(
-          "the atom line ends after {} characters; x, y and z are in characters 31 to 54",
+          "the atom line ends after {} characters; x, y and z must be in characters 31 to 54",
           line.size()));
     check_columns(line);
     for (std::size_t k = 0; k < 3; ++k)
@@ -113,7 +114,9 @@ class PdbReader : public FrameReader {
     atom.kind = kinds.of(key, [&] {
       const std::string_view name = trimmed(named.substr(0, 4));
       if (name.empty())
-        lines_.refuse("there is no atom name in characters 13 to 16; sites are matched by it");
+        lines_.refuse(
+            "there is no atom name in characters 13 to 16; atoms are matched to sites by their "
+            "names");
       std::string element(trimmed(columns(line, 77, 78)));
       for (std::size_t k = 1; k < element.size(); ++k)
         element[k] = static_cast<char>(std::tolower(static_cast<unsigned char>(element[k])));
@@ -153,8 +156,8 @@ class PdbReader : public FrameReader {
     }
     if (edges_and_angles[0] == 1 && edges_and_angles[1] == 1 && edges_and_angles[2] == 1)
       lines_.refuse(
-          "the box is 1 x 1 x 1 Å, which means that there is none; write the edges of the periodic "
-          "box, in Å");
+          "the box is 1 x 1 x 1 Å, the PDB convention for a missing box; write the edges of the "
+          "periodic box in Å");
     return {angstrom_ *
             Vec3<double>{edges_and_angles[0], edges_and_angles[1], edges_and_angles[2]}};
   }

@@ -46,8 +46,9 @@ class TrrReader : public FrameReader {
  private:
   void read_head() {
     if (const auto found = in_.take<std::int32_t>("a frame's head"); found != magic)
-      in_.refuse(fmt::format("a frame begins with the number {}; in a TRR file it begins with {}",
-                             found, magic));
+      in_.refuse(
+          fmt::format("a frame begins with the number {}; frames of a TRR file must begin with {}",
+                      found, magic));
     in_.take<std::int32_t>("the length of the version");
     const auto letters = in_.take<std::int32_t>("the length of the version");
     if (letters != static_cast<std::int32_t>(version.size()))
@@ -73,7 +74,7 @@ class TrrReader : public FrameReader {
                         part + 1, count_, length_[part], all));
     }
     if (length_[box] == 0 && length_[positions] > 0)
-      in_.refuse("the frame has no box, which is needed");
+      in_.refuse("the frame has no box; each frame must have a periodic box");
   }
 
   template <class Real>

@@ -26,9 +26,9 @@ class XtcReader : public FrameReader {
     if (in_.at_end()) return false;
     const auto found = in_.take<std::int32_t>("a frame's head");
     if (found != magic && found != magic_of_large)
-      in_.refuse(
-          fmt::format("a frame begins with the number {}; in an XTC file it begins with {} or {}",
-                      found, magic, magic_of_large));
+      in_.refuse(fmt::format(
+          "a frame begins with the number {}; frames of an XTC file must begin with {} or {}",
+          found, magic, magic_of_large));
     begin_unnamed(frame, in_.file());
     const std::size_t count = take_count(in_);
     in_.take<std::int32_t>("the step");

@@ -151,7 +151,7 @@ class XyzReader : public FrameReader {
     for (std::size_t k = 0; k < once.size(); ++k)
       if (same_word(key, once[k]) && std::exchange(met[k], true))
         lines_.refuse(
-            fmt::format("the comment line has {} twice; delete the one that is wrong", once[k]));
+            fmt::format("the comment line has {} twice; delete the wrong entry", once[k]));
   }
 
   bool has(Property::What what) const {
@@ -173,7 +173,9 @@ class XyzReader : public FrameReader {
     std::array<double, 9> m;
     for (double& x : m) x = lines_.number(take_word(text), "Lattice");
     if (!trimmed(text).empty())
-      lines_.refuse("the Lattice has more than nine numbers; it must have three vectors of three");
+      lines_.refuse(
+          "the Lattice has more than nine numbers; it must have three vectors of three numbers "
+          "each");
     for (std::size_t k = 0; k < 9; ++k)
       if (k % 4 != 0 && m[k] != 0)
         lines_.refuse(
@@ -199,7 +201,7 @@ class XyzReader : public FrameReader {
       if (!words || *words == 0)
         lines_.refuse(
             fmt::format("the Properties have '{}' where the number of columns of '{}' must be; "
-                        "they are triples such as species:S:1",
+                        "Properties must be triples such as species:S:1",
                         part[2], part[0]));
       const auto any_of = [&](std::initializer_list<std::string_view> names) {
         return std::any_of(names.begin(), names.end(),

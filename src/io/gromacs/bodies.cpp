@@ -27,10 +27,12 @@ class Copies {
     for (const auto& block : gromacs.blocks) {
       const std::size_t size = gromacs.molecules[block.molecule].atoms.size();
       if (size > 0 && block.count > (start.atoms.size() - first) / size)
-        throw Error(fmt::format("the initial configuration ends after {} atoms, within molecules "
-                                "'{}' of the topology; it must have all atoms of all molecules",
-                                start.atoms.size(), gromacs.molecules[block.molecule].name),
-                    start.source);
+        throw Error(
+            fmt::format(
+                "the initial configuration ends after {} atoms, before the end of molecules '{}' "
+                "of the topology; it must contain all atoms of all molecules",
+                start.atoms.size(), gromacs.molecules[block.molecule].name),
+            start.source);
       if (block.molecule == molecule)
         for (std::size_t k = 0; k < block.count; ++k) firsts_.push_back(first + k * size);
       first += block.count * size;
@@ -74,24 +76,23 @@ class Shapes {
           fmt::format("molecule type '{}' has no atoms; it must have at least one", molecule.name),
           text_of(molecule.place));
     if (!molecule.obstacle.empty())
-      throw Error(
-          fmt::format("molecule type '{}' has [ {} ], which no rigid body can have; delete it, "
-                      "or use another model",
-                      molecule.name, molecule.obstacle),
-          text_of(molecule.obstacle_place));
+      throw Error(fmt::format("molecule type '{}' has a section [ {} ], but rigid bodies cannot "
+                              "have one; delete the section, or use another model",
+                              molecule.name, molecule.obstacle),
+                  text_of(molecule.obstacle_place));
     if (atoms > max_atoms)
       throw Error(
           fmt::format("molecule type '{}' has {} atoms; a rigid molecule may have {} at most",
                       molecule.name, atoms, max_atoms),
           text_of(molecule.place));
     if (const auto given = settings_.shapes.find(molecule.name); given != settings_.shapes.end())
-      return {check(given->second, molecule), "rigid, shape of the run file", false};
+      return {check(given->second, molecule), "rigid, shape from the run file", false};
     if (atoms == 1) return {{Vec3<double>{}}, "one atom"};
     try {
       const auto rigidity = declared ? Rigidity::by_bonds : Rigidity::by_constraints;
       FoundShape found =
           place_atoms(index, constrained_distances(gromacs_, molecule, rigidity), atoms);
-      found.origin = declared ? "declared rigid, shape of bonds and angles" : by_what(molecule);
+      found.origin = declared ? "declared rigid, shape from bonds and angles" : by_what(molecule);
       return found;
     } catch (const Error& e) {
       if (!e.where().empty()) throw;
@@ -113,11 +114,12 @@ class Shapes {
          constrained_distances(gromacs_, molecule, Rigidity::by_constraints))
       if (const double found = norm(shape[a] - shape[b]);
           !(std::abs(found - length) <= distance_tolerance))
-        throw Error(fmt::format("in the shape of molecule type '{}' atoms {} and {} are {:.6g} nm "
-                                "apart, and by its settles or constraints {:.6g} nm; they must "
-                                "agree to {:g} nm",
-                                molecule.name, a + 1, b + 1, found, length, distance_tolerance),
-                    text_of(molecule.place));
+        throw Error(
+            fmt::format(
+                "in the shape of molecule type '{}' atoms {} and {} are {:.6g} nm apart, but its "
+                "settles or constraints give {:.6g} nm; both distances must agree within {:g} nm",
+                molecule.name, a + 1, b + 1, found, length, distance_tolerance),
+            text_of(molecule.place));
     return shape;
   }
 
@@ -139,7 +141,7 @@ class Shapes {
       throw Error(
           fmt::format(
               "molecule type '{}' is declared rigid, but its bonds and angles do not determine a "
-              "shape and there is no initial configuration that has it; give one",
+              "shape; give an initial configuration that contains this molecule type",
               molecule.name),
           text_of(molecule.place));
     const Copies copies(gromacs_, index, *start_);
@@ -147,7 +149,7 @@ class Shapes {
     std::vector<double> mass;
     for (const std::size_t atom : real_atoms(molecule)) mass.push_back(molecule.atoms[atom].mass);
     return {principal_shape(straighten(std::move(shape)), mass),
-            "declared rigid, mean shape in the initial configuration", false};
+            "declared rigid, mean shape from the initial configuration", false};
   }
 
   static std::string by_what(const GromacsMolecule& molecule) {
@@ -164,11 +166,13 @@ class Shapes {
           return r.kind == GromacsRelation::Kind::bond || r.kind == GromacsRelation::Kind::angle;
         });
     const bool elastic = moving != molecule.relations.end();
-    return Error(fmt::format("molecule type '{0}' is not held rigid by settles or constraints: "
-                             "{1}{2}; declare it with rigid = [\"{0}\"] in the run file",
-                             molecule.name, reason.what(),
-                             elastic ? ", and it has bonds or angles from this line on" : ""),
-                 text_of(elastic ? moving->place : molecule.place));
+    return Error(
+        fmt::format(
+            "molecule type '{0}' is not held rigid by settles or constraints: "
+            "{1}{2}; declare it with rigid = [\"{0}\"] in the run file",
+            molecule.name, reason.what(),
+            elastic ? ", and bonds or angles of this molecule type begin at this line" : ""),
+        text_of(elastic ? moving->place : molecule.place));
   }
 
   const GromacsTopology& gromacs_;

@@ -90,9 +90,9 @@ void Translation::list(const char* key, std::string_view option, const char* par
 void Translation::system() {
   text_ += "[system]\n";
   line("topology", toml_text(toml::value(files_.topology)),
-       "molecules, charges, laws, mixing rule");
+       "defines molecules, charges, laws and mixing rule");
   line("initial_configuration", toml_text(toml::value(files_.coordinates)),
-       "positions, box, and velocities if any");
+       "contains positions, box, and velocities if there are any");
   list("include", "-I", "include");
   list("define", "-D", "define");
   const bool draws = mdp_.is("gen-vel", "yes");
@@ -105,12 +105,12 @@ void Translation::system() {
   if (draws && drawn != temperature)
     mdp_.differs("gen-temp", "velocities are drawn at the temperature of the thermostat");
   if (std::any_of(baths.begin(), baths.end(), [&](double T) { return T != baths.front(); }))
-    mdp_.differs("ref-t", "there is one temperature for all molecules, the first of these");
+    mdp_.differs("ref-t", "all molecules have one temperature, the first of these");
   mdp_.text("tc-grps");
   const double seed = mdp_.number("gen-seed", -1);
   const bool whole = seed >= 0 && seed < 1e15 && seed == std::floor(seed);
   line("seed", whole ? fmt::format("{:.0f}", seed) : "1",
-       whole ? "gen-seed" : "of all random numbers: another seed is another run");
+       whole ? "gen-seed" : "seed of all random numbers; another seed gives another run");
   if (!whole && !mdp_.text("gen-seed").empty())
     mdp_.differs("gen-seed", "runs are reproducible: the seed is 1 unless another is given");
 }
@@ -128,12 +128,12 @@ void Translation::truncation() {
                  "the switching distance must be above 0 nm; it is 0.85 of the cutoff", "0");
   } else {
     mdp_.differs("vdw-modifier",
-                 "forces that end with a jump, or are shifted, are not offered: the potential is "
-                 "switched smoothly to 0 from 0.85 of the cutoff on (switch)",
+                 "discontinuous or shifted forces are not available: the potential is switched "
+                 "smoothly to 0 from 0.85 of the cutoff on (switch)",
                  "Potential-shift");
   }
   if (!old && !mdp_.is("vdwtype", "cut-off", "cut-off"))
-    mdp_.differs("vdwtype", "not offered: short-range laws end at the cutoff");
+    mdp_.differs("vdwtype", "not available: short-range laws end at the cutoff");
   const bool energy = mdp_.is("DispCorr", "ener") || mdp_.is("DispCorr", "allener");
   if (energy) mdp_.differs("DispCorr", "the correction applies to energy and pressure");
   if (energy || mdp_.is("DispCorr", "enerpres") || mdp_.is("DispCorr", "allenerpres"))
@@ -151,20 +151,21 @@ void Translation::electrostatics() {
     line("electrostatics", "\"reaction-field\"", "coulombtype");
     line("truncation", "\"site-switch\"", "between sites, as in GROMACS");
     line("dielectric", rf == 0 ? "\"infinite\"" : fmt::format("{:.10g}", rf),
-         plain ? "a plain cut-off is a reaction field of 1" : "epsilon-rf");
+         plain ? "a plain cut-off is a reaction field with a relative permittivity of 1"
+               : "epsilon-rf");
     const double cutoff = mdp_.number("rcoulomb", 1);
     if (cutoff != mdp_.number("rvdw", 1))
-      mdp_.differs("rcoulomb", "a reaction field has the cutoff of the short-range laws", "1");
+      mdp_.differs("rcoulomb", "a reaction field uses the cutoff of the short-range laws", "1");
     if (!plain && !any({"reaction-field"}))
-      mdp_.differs("coulombtype", "not offered: coulombtype = Reaction-Field replaces it");
+      mdp_.differs("coulombtype", "not available: coulombtype = Reaction-Field is used instead");
   } else {
     line("electrostatics", "\"pme\"", "coulombtype");
     if (!any({"pme", "ewald", "p3m-ad"}))
-      mdp_.differs("coulombtype", "not offered: coulombtype = PME replaces it");
+      mdp_.differs("coulombtype", "not available: coulombtype = PME is used instead");
     if (!mdp_.text("rcoulomb").empty())
       mdp_.differs("rcoulomb",
-                   "not needed: it is chosen with the mesh, which does not change the forces "
-                   "beyond pme_accuracy; coulomb_cutoff sets it");
+                   "not needed: this cutoff is chosen with the mesh, and its value changes forces "
+                   "by less than pme_accuracy; coulomb_cutoff sets it");
   }
   mdp_.text("coulomb-modifier");
   if (const double r = mdp_.number("epsilon-r", 1); r != 1)
@@ -191,10 +192,11 @@ void Translation::integrator() {
   line("scheme", "\"velocity-verlet\"", "integrator; \"hoa2\" is as accurate at longer steps");
   quantity("step", mdp_.number("dt", 0.001) * units::fs_per_ps, "fs", "dt");
   if (mdp_.is("integrator", "bd", "md"))
-    mdp_.differs("integrator", "Brownian dynamics is not offered: Langevin dynamics replaces it");
+    mdp_.differs("integrator",
+                 "Brownian dynamics is not available: Langevin dynamics is used instead");
   else if (!minimises() && !stochastic() && !mdp_.is("integrator", "md", "md") &&
            !mdp_.is("integrator", "md-vv", "md") && !mdp_.is("integrator", "md-vv-avek", "md"))
-    mdp_.differs("integrator", "not offered: the run has molecular dynamics");
+    mdp_.differs("integrator", "not available: the run performs molecular dynamics");
   if (!mdp_.is("comm-mode", "linear", "linear"))
     mdp_.differs("comm-mode", "the centre of mass is at rest, rotation of the system is free");
 }
@@ -210,14 +212,16 @@ void Translation::run() {
   const double length = time_of("nsteps", 0);
   if (minimises()) {
     line("minimise", "true", "integrator; polhode minimise only minimises");
-    mdp_.differs("integrator", "'polhode minimise' minimises; a run does so before its dynamics");
+    mdp_.differs(
+        "integrator",
+        "'polhode minimise' minimises the energy; in a run the minimisation precedes the dynamics");
   } else if (length > 0) {
     quantity("length", length, "ps", "nsteps times dt");
   } else {
-    mdp_.differs("nsteps", "a run has a length above 0 ps; the default is 15 ps", "0");
+    mdp_.differs("nsteps", "the length of a run must be above 0 ps; the default is 15 ps", "0");
   }
   if (const double sample = time_of("nstenergy", 0); sample > 0)
-    quantity("sample", sample, "ps", "nstenergy times dt; averages have these samples only");
+    quantity("sample", sample, "ps", "nstenergy times dt; averages use only these samples");
 }
 
 void Translation::thermostat() {
@@ -226,20 +230,20 @@ void Translation::thermostat() {
   const std::vector<double> times = mdp_.numbers("tau-t");
   const double time = times.empty() ? 0 : times.front();
   if (std::any_of(times.begin(), times.end(), [&](double t) { return t != time; }))
-    mdp_.differs("tau-t", "there is one thermostat for all molecules, with the first of these");
+    mdp_.differs("tau-t", "all molecules have one thermostat, with the first of these values");
   if (stochastic() || mdp_.is("tcoupl", "andersen") || mdp_.is("tcoupl", "andersen-massive")) {
     line("type", "\"langevin\"", stochastic() ? "integrator = sd" : "tcoupl");
     if (time > 0) quantity("friction", 1 / time, "1/ps", "1/tau-t");
     if (!stochastic())
-      mdp_.differs("tcoupl", "not offered: Langevin friction of rate 1/tau-t replaces it");
+      mdp_.differs("tcoupl", "not available: Langevin friction of rate 1/tau-t is used instead");
     return;
   }
   line("type", "\"rescaling\"", "tcoupl: stochastic velocity rescaling");
   if (time > 0) quantity("time_constant", time, "ps", "tau-t");
   if (!mdp_.is("tcoupl", "v-rescale"))
     mdp_.differs("tcoupl",
-                 "not offered: stochastic velocity rescaling (v-rescale) with the same "
-                 "time constant replaces it");
+                 "not available: stochastic velocity rescaling (v-rescale) with the same time "
+                 "constant is used instead");
 }
 
 /// Groups of edges that are scaled together, as TOML; empty if all edges are scaled together.
@@ -257,12 +261,13 @@ std::string Translation::edges() {
   const bool each = mdp_.is("pcoupltype", "anisotropic", "isotropic");
   if (!semi && !each) {
     if (!mdp_.is("pcoupltype", "isotropic", "isotropic"))
-      mdp_.differs("pcoupltype", "not offered: the box is scaled as a whole");
+      mdp_.differs("pcoupltype", "not available: all box edges are scaled by one factor");
     return {};
   }
   const std::size_t count = std::min<std::size_t>(P.size(), semi ? 2 : 3);
   for (std::size_t k = 1; k < count; ++k)
-    if (P[k] != P[0]) mdp_.differs("ref-p", "there is one pressure, the first of these");
+    if (P[k] != P[0])
+      mdp_.differs("ref-p", "the barostat has one pressure, the first of these values");
   return semi ? moving({"xy", "z"}) : moving({"x", "y", "z"});
 }
 
@@ -277,7 +282,7 @@ void Translation::barostat() {
   table("barostat");
   line("type", "\"cell-rescaling\"", "pcoupl: stochastic cell rescaling");
   if (!mdp_.is("pcoupl", "c-rescale"))
-    mdp_.differs("pcoupl", "not offered: stochastic cell rescaling (C-rescale) replaces it");
+    mdp_.differs("pcoupl", "not available: stochastic cell rescaling (C-rescale) is used instead");
   quantity("pressure", mdp_.number("ref-p", 1), "bar", "ref-p");
   quantity("time_constant", mdp_.number("tau-p", 1), "ps", "tau-p");
   if (found != soft.end()) quantity("compressibility", *found, "1/bar", "compressibility");
@@ -290,7 +295,7 @@ void Translation::barostat() {
 
 void Translation::output() {
   table("output");
-  line("prefix", toml_text(toml::value(files_.prefix)), "of all output files");
+  line("prefix", toml_text(toml::value(files_.prefix)), "prefix of all output files");
   const double compressed = std::max(time_of("nstxout-compressed", 0), time_of("nstxtcout", 0));
   const double full = time_of("nstxout", 0);
   const bool velocities = mdp_.number("nstvout", 0) > 0;
@@ -305,7 +310,7 @@ void Translation::output() {
   if (compressed > 0 && full > 0 && compressed != full)
     mdp_.differs("nstxout", "all trajectories have one interval, nstxout-compressed");
   if (full > 0 && velocities && mdp_.number("nstvout", 0) != mdp_.number("nstxout", 0))
-    mdp_.differs("nstvout", "all trajectories have one interval, that of nstxout");
+    mdp_.differs("nstvout", "all trajectories have one interval, nstxout");
 }
 
 std::string Translation::run_file() {
@@ -326,7 +331,7 @@ MdpImport import_mdp(std::string_view text, const std::string& file, const MdpFi
   const std::string body = Translation(mdp, files).run_file();
   MdpImport result{{}, mdp.differences()};
   result.run_file =
-      fmt::format("# A system of GROMACS with the parameters of {}.\n", printable(file));
+      fmt::format("# A GROMACS system with the parameters from {}.\n", printable(file));
   if (!result.differences.empty())
     result.run_file += "# These have no counterpart, or another meaning here:\n";
   for (const auto& [parameter, reason] : result.differences)

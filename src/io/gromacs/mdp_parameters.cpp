@@ -35,15 +35,15 @@ struct Reason {
 };
 
 constexpr std::string_view lists =
-    "not needed: the neighbour list is complete by construction, and rebuilt when it has to be";
+    "not needed: the neighbour list always contains all pairs and is rebuilt when necessary";
 constexpr std::string_view mesh =
     "not needed: the mesh is chosen for pme_accuracy in [forces], see the manual";
 constexpr std::string_view rigid =
-    "not needed: molecules are rigid by construction, their rotation is exact";
+    "not needed: molecules are rigid by construction, and their free rotation is exact";
 constexpr std::string_view outputs = "has no counterpart in the outputs";
 constexpr std::string_view groups =
-    "groups of atoms are not offered: settings are for all molecules";
-constexpr std::string_view not_offered = "not offered";
+    "groups of atoms are not available: settings apply to all molecules";
+constexpr std::string_view not_offered = "not available";
 
 constexpr auto reasons = std::to_array<Reason>({
     {"title", "a comment"},
@@ -75,10 +75,10 @@ constexpr auto reasons = std::to_array<Reason>({
     {"nstcomm", "not needed: the centre of mass is at rest in every step"},
     {"commgrps", groups},
     {"nsttcouple", "not needed: the thermostat acts in every step"},
-    {"nhchainlength", "Nosé-Hoover chains are not offered"},
-    {"ldseed", "random numbers follow from the seed in [system]"},
+    {"nhchainlength", "Nosé-Hoover chains are not available"},
+    {"ldseed", "the seed in [system] determines all random numbers"},
     {"refcoord", "there are no position restraints"},
-    {"emtol", "give it to polhode minimise, --max-force"},
+    {"emtol", "use the option --max-force of polhode minimise"},
     {"emstep", "not needed: the minimiser (FIRE) chooses its steps"},
     {"nstcgsteep", "not needed: the minimiser is FIRE"},
     {"nbfgscorr", "not needed: the minimiser is FIRE"},
@@ -112,7 +112,7 @@ MdpParameters::MdpParameters(std::string_view text, const std::string& file) {
     const auto equals = line.find('=');
     const std::string name(trimmed(line.substr(0, equals)));
     if (equals == line.npos || normal(name).empty() || name.size() > max_name_length)
-      throw Error(fmt::format("found '{}', where a parameter must be; write \"name = value\", and "
+      throw Error(fmt::format("found '{}' where a parameter must be; write \"name = value\", and "
                               "comments after a semicolon",
                               line.substr(0, max_name_length)),
                   text_of(place));

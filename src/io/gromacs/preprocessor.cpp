@@ -85,19 +85,22 @@ void Preprocessor::directive(std::string_view line) {
   const bool is_condition = word == "ifdef" || word == "ifndef";
   if (is_condition) {
     const std::string_view name = take_word(line);
-    if (name.empty()) refuse(fmt::format("#{} has no macro name; write one after it", word));
+    if (name.empty())
+      refuse(fmt::format("#{} must be followed by a macro name; add the name", word));
     if (conditions_.size() >= max_condition_depth)
-      refuse(fmt::format("conditions are nested {} deep, the maximum; end some with #endif",
-                         max_condition_depth));
+      refuse(fmt::format(
+          "conditions are nested {} levels deep, the maximum; end some conditions with #endif",
+          max_condition_depth));
     const bool taken = (macros_.find(name) != macros_.end()) == (word == "ifdef");
     conditions_.push_back({taken, !skipped(), false, place()});
     return;
   }
   if (word == "else" || word == "endif") {
     if (conditions_.size() == sources_.back().conditions)
-      refuse(fmt::format(
-          "#{} has no #ifdef or #ifndef before it in this file; delete it or begin the condition",
-          word));
+      refuse(
+          fmt::format("there is no #ifdef or #ifndef in this file before this #{}; delete the line "
+                      "or begin the condition",
+                      word));
     Condition& last = conditions_.back();
     if (word == "endif") {
       conditions_.pop_back();
@@ -118,11 +121,11 @@ void Preprocessor::directive(std::string_view line) {
     const auto known = macros_.find(take_word(line));
     if (known != macros_.end()) macros_.erase(known);
   } else if (word == "error") {
-    refuse(fmt::format("#error is reached: {}", trimmed(line)));
+    refuse(fmt::format("the topology stops with #error: {}", trimmed(line)));
   } else {
     refuse(
-        fmt::format("there is no directive '#{}'; there are: include, define, undef, ifdef, "
-                    "ifndef, else, endif, error",
+        fmt::format("there is no directive '#{}'; the directives are: include, define, undef, "
+                    "ifdef, ifndef, else, endif, error",
                     word));
   }
 }
@@ -135,8 +138,10 @@ void Preprocessor::include(std::string_view name) {
     refuse(fmt::format("#include is followed by '{}' instead of a file name in quotes", name));
   const std::string included(name.substr(1, name.size() - 2));
   if (sources_.size() >= max_include_depth)
-    refuse(fmt::format("included files are nested {} deep, the maximum; does one include itself?",
-                       max_include_depth));
+    refuse(
+        fmt::format("included files are nested {} levels deep, the maximum; check whether a file "
+                    "includes itself",
+                    max_include_depth));
   if (++includes_ > max_includes || characters_ > max_characters)
     refuse(fmt::format(
         "{} files with {} characters were included; the maximum is {} files and {} characters",
@@ -156,7 +161,7 @@ void Preprocessor::include(std::string_view name) {
 
 void Preprocessor::define(std::string_view definition) {
   const std::string name(take_word(definition));
-  if (name.empty()) refuse("#define has no macro name; write one after it");
+  if (name.empty()) refuse("#define must be followed by a macro name; add the name");
   macros_[name] = trimmed(definition);
 }
 
@@ -181,7 +186,7 @@ void Preprocessor::expand(std::string_view text, Expansion& e) {
     if (!e.within.empty() && ++replaced_ > max_replaced)
       refuse(
           fmt::format("macros were expanded to {} words in this topology, the maximum; write "
-                      "shorter macros, or values",
+                      "shorter macros, or the values",
                       max_replaced));
     if (plain) {
       if (!e.out.empty()) e.out += ' ';
@@ -189,8 +194,9 @@ void Preprocessor::expand(std::string_view text, Expansion& e) {
       continue;
     }
     if (e.within.size() >= max_macro_depth)
-      refuse(fmt::format("macro '{}' is nested {} deep, the maximum; write its value", word,
-                         max_macro_depth));
+      refuse(
+          fmt::format("macro '{}' is nested {} levels deep, the maximum; write its value instead",
+                      word, max_macro_depth));
     e.within.push_back(macro->first);
     expand(macro->second, e);
     e.within.pop_back();
@@ -200,7 +206,8 @@ void Preprocessor::expand(std::string_view text, Expansion& e) {
 void Preprocessor::end_source() {
   if (conditions_.size() > sources_.back().conditions) {
     const Condition& open = conditions_.back();
-    throw Error("the file ends before the #endif of this condition; add it", text_of(open.place));
+    throw Error("the file ends before the #endif of this condition; add the #endif",
+                text_of(open.place));
   }
   sources_.pop_back();
 }

@@ -58,8 +58,8 @@ class Distances {
   }
   void add(std::size_t a, std::size_t b, double length, const GromacsRelation& r) {
     if (index_[a] == none || index_[b] == none || a == b)
-      refuse(fmt::format("atoms {} and {} are constrained; they must be two different atoms, not "
-                         "virtual sites",
+      refuse(fmt::format("atoms {} and {} are constrained; a constraint must be between two "
+                         "different atoms and not between virtual sites",
                          a + 1, b + 1),
              r.place);
     if (!(length > 0))
@@ -168,7 +168,8 @@ Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& 
   for (const GromacsRelation& r : molecule.relations) {
     if (!is_virtual(r)) continue;
     if (known[r.atoms[0]])
-      refuse(fmt::format("virtual site {} is defined twice; delete one line", r.atoms[0] + 1),
+      refuse(fmt::format("virtual site {} is defined twice; delete one of the definitions",
+                         r.atoms[0] + 1),
              r.place);
     for (std::size_t k = 1; k < (r.kind == Kind::virtual2 ? 3 : 4); ++k)
       if (!known[r.atoms[k]])
@@ -185,7 +186,7 @@ Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& 
     const Place r0 = build_virtual_site(r, places);
     if (!std::isfinite(norm2(r0)))
       refuse(fmt::format("virtual site {} has no position: the atoms from which it is constructed "
-                         "are on a line or coincide; choose others",
+                         "are on a line or coincide; choose other atoms",
                          r.atoms[0] + 1),
              r.place);
     places[r.atoms[0]] = r0;

@@ -137,8 +137,8 @@ void Parser::take(const Line& line) {
     topology_.title = line.text;
   } else if (reader_ == nullptr) {
     fields.refuse(
-        fmt::format("'{}' is before the first section; a topology begins with [ defaults ], or "
-                    "with an #include of a force field that does",
+        fmt::format("'{}' precedes the first section; a topology must begin with [ defaults ], or "
+                    "with an #include of a force field that begins with [ defaults ]",
                     line.text.substr(0, 40)));
   } else {
     (this->*reader_)(fields);
@@ -174,7 +174,8 @@ bool Parser::is_of_force_field() const {
 
 void Parser::between(const FieldLine& line) {
   line.refuse(
-      "[ intermolecular_interactions ] are not supported for rigid bodies; delete the section");
+      "the section [ intermolecular_interactions ] is not supported for rigid bodies; delete the "
+      "section");
 }
 
 void Parser::defaults(const FieldLine& line) {
@@ -191,7 +192,9 @@ void Parser::defaults(const FieldLine& line) {
 // Reads the law in the fields from `first` on. The names of the types are left empty.
 TypePair Parser::short_range(const FieldLine& line, std::size_t first) const {
   if (combination_ == 0)
-    line.refuse("parameters precede [ defaults ], which defines their meaning; begin with it");
+    line.refuse(
+        "parameters precede [ defaults ], but this section defines their meaning; put [ defaults ] "
+        "first");
   return function_ == buckingham_function ? buckingham(line, first) : lennard_jones(line, first);
 }
 
@@ -234,7 +237,7 @@ TypePair Parser::buckingham(const FieldLine& line, std::size_t first) const {
 // particle type, a single letter, shows which optional fields are present.
 void Parser::atom_type(const FieldLine& line) {
   constexpr std::string_view columns =
-      "name, bonded type and atomic number if there are any, mass, charge, particle type, and the "
+      "name, optional bonded type and atomic number, mass, charge, particle type, and the "
       "parameters of the law: two for Lennard-Jones, three for Buckingham";
   line.require(6, columns);
   const auto is_particle = [&](std::size_t k) {
@@ -260,7 +263,8 @@ void Parser::atom_type(const FieldLine& line) {
   const auto [known, is_new] = topology_.types.try_emplace(type.name, type);
   if (!is_new && !known->second.same_parameters(type))
     line.refuse(
-        fmt::format("atom type '{}' is already defined in {} with other parameters; delete one",
+        fmt::format("atom type '{}' is already defined in {} with other parameters; delete one of "
+                    "the definitions",
                     type.name, text_of(known->second.place)));
 }
 
@@ -287,15 +291,18 @@ void Parser::molecule_type(const FieldLine& line) {
   const auto [known, is_new] =
       molecule_index_.try_emplace(line.word(0), topology_.molecules.size());
   if (!is_new)
-    line.refuse(fmt::format("molecule type '{}' is already defined in {}; rename or delete one",
-                            line[0], text_of(topology_.molecules[known->second].place)));
+    line.refuse(
+        fmt::format("molecule type '{}' is already defined in {}; rename or delete one of the two",
+                    line[0], text_of(topology_.molecules[known->second].place)));
   topology_.molecules.push_back({.name = line.word(0), .place = line.place()});
 }
 
 GromacsMolecule& Parser::current(const FieldLine& line) {
   if (topology_.molecules.empty())
-    line.refuse(fmt::format("[ {} ] is before the first [ moleculetype ], to which it must belong",
-                            section_));
+    line.refuse(
+        fmt::format("[ {} ] precedes the first [ moleculetype ]; this section must follow the [ "
+                    "moleculetype ] that it describes",
+                    section_));
   return topology_.molecules.back();
 }
 
@@ -311,9 +318,9 @@ void Parser::atom(const FieldLine& line) {
   line.require(6, "number, type, residue number, residue, atom name, charge group");
   const auto expected = static_cast<std::int64_t>(molecule.atoms.size()) + 1;
   if (line.integer(0, "atom number", 1, any) != expected)
-    line.refuse(
-        fmt::format("found atom {} where atom {} must be: atoms are numbered from 1 in their order",
-                    line[0], expected));
+    line.refuse(fmt::format(
+        "found atom {} where atom {} must be; atoms must be numbered consecutively from 1", line[0],
+        expected));
   const auto type = topology_.types.find(line.word(1));
   if (type == topology_.types.end())
     line.refuse(
@@ -384,9 +391,8 @@ void Parser::block(const FieldLine& line) {
 GromacsTopology Parser::result() && {
   if (topology_.blocks.empty())
     throw Error(
-        "the topology ends without any molecule; it must end with [ molecules ], a name and a "
-        "count "
-        "on each line",
+        "the topology contains no molecules; it must end with [ molecules ], with a name and a "
+        "count on each line",
         topology_.file);
   return std::move(topology_);
 }

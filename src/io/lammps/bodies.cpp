@@ -25,21 +25,21 @@ void check_forces(const LammpsData& data) {
   if (style.find("tip4p") != style.npos)
     throw Error(
         fmt::format(
-            "the pair style is '{}', whose site M is not in the data file; add for example "
-            "molecules = [{{ model = \"tip4p\", count = {} }}] to this initial_configuration",
+            "the pair style is '{}', but its site M is not in the data file; add for example "
+            "molecules = [{{ model = \"tip4p\", count = {} }}] next to this initial_configuration",
             style, data.kinds.front().count),
         data.file);
   const auto law = law_of_pair_style(style);
   if (!law)
-    throw Error(fmt::format("the pair style is '{}'; it must be mie/cut, or lj/cut or buck, also "
-                            "with charges (coul/cut, debye, dsf, long, msm or wolf); for a table "
-                            "write a molecule file with law = \"tabulated\"",
+    throw Error(fmt::format("the pair style '{}' is not supported; use mie/cut, lj/cut or buck, "
+                            "the last two also with charges (coul/cut, debye, dsf, long, msm or "
+                            "wolf); for a table write a molecule file with law = \"tabulated\"",
                             style),
                 data.file);
   if (law == LammpsLaw::buckingham && leaves_pairs_open(data))
     throw Error(
-        "the pair style buck has no mixing rule and the file has no pairs of unlike types; write "
-        "it with 'write_data FILE pair ij'",
+        "the pair style buck has no mixing rule, and the file has no pairs of unlike types; write "
+        "the file with 'write_data FILE pair ij'",
         data.file);
   for (const LammpsData::Atom& atom : data.atoms)
     if (!data.types.at(atom.type).has_pair_coefficients)
@@ -117,8 +117,9 @@ RigidTopology rigid_topology(const LammpsData& data) {
     } catch (const Error& e) {
       throw e.at(data.file);
     }
-    result.origins.push_back(kind.sites.size() == 1 ? "one atom"
-                                                    : "a body for each molecule id, mean shape");
+    result.origins.push_back(kind.sites.size() == 1
+                                 ? "one atom"
+                                 : "one rigid body per molecule id, with the mean shape");
   }
   result.mixing.pairs = overrides(typed, data.pairs);
   result.rule_is_open = true;

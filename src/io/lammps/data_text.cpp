@@ -112,14 +112,13 @@ void Parser::begin(std::string_view name, std::string_view comment) {
   if (known == readers().end()) {
     std::vector<std::string> names;
     for (const auto& [section, reader] : readers()) names.push_back(section);
-    here.refuse(fmt::format("there is no section '{}'{}; the supported ones are: {}",
+    here.refuse(fmt::format("there is no section '{}'{}; the supported sections are: {}",
                             name.substr(0, 40), did_you_mean(name.substr(0, 40), names),
                             join_names(names)));
   }
   if (name == "Atoms" && !comment.empty() && comment != "full")
     here.refuse(
-        fmt::format("atoms are of style '{}'; they must be of style full: molecule, type and "
-                    "charge",
+        fmt::format("the atom style is '{}'; it must be full, which has molecule, type and charge",
                     comment.substr(0, 40)));
   if (name == "Pair Coeffs" || name == "PairIJ Coeffs") data_.pair_style = comment;
   if (name == "Atoms" && !(edges_[0] && edges_[1] && edges_[2]))
@@ -278,12 +277,14 @@ void Parser::velocity(const FieldLine& line) {
 // Checks the file as a whole.
 void Parser::finish() {
   const auto refuse = [&](const std::string& what) { throw Error(what, data_.file); };
-  if (!atoms_) refuse("the header has no number of atoms; write for example '648 atoms'");
+  if (!atoms_)
+    refuse("the header does not contain the number of atoms; write for example '648 atoms'");
   auto& atoms = data_.atoms;
   if (static_cast<std::int64_t>(atoms.size()) != *atoms_)
-    refuse(fmt::format("the header gives {} atoms and the section Atoms has {}; both must be equal",
-                       *atoms_, atoms.size()));
-  if (atoms.empty()) refuse("there are no atoms; there must be at least one");
+    refuse(fmt::format(
+        "the header specifies {} atoms, but the section Atoms has {}; both numbers must be equal",
+        *atoms_, atoms.size()));
+  if (atoms.empty()) refuse("the file has no atoms; it must have at least one");
   for (const LammpsData::Atom& atom : atoms)
     if (const auto known = data_.types.find(atom.type);
         known == data_.types.end() || known->second.mass == 0)
@@ -299,7 +300,8 @@ void Parser::finish() {
     const auto atom = std::lower_bound(atoms.begin(), atoms.end(), id,
                                        [](const auto& a, std::int64_t i) { return a.id < i; });
     if (atom == atoms.end() || atom->id != id)
-      refuse(fmt::format("there is a velocity for atom {}, but no such atom; delete it", id));
+      refuse(fmt::format("there is a velocity for atom {}, but no such atom; delete this velocity",
+                         id));
     atom->v = v;
   }
 }
@@ -311,7 +313,7 @@ LammpsData Parser::result() {
     std::string_view rest = std::string_view(data_.title).substr(at + units.size());
     const std::string_view name = take_word(rest);
     if (name != "real")
-      throw Error(fmt::format("the units are '{}'; they must be 'real': Å, fs, kcal/mol",
+      throw Error(fmt::format("the units are '{}'; they must be 'real' (Å, fs, kcal/mol)",
                               name.substr(0, 40)),
                   text_of(place()));
   }

@@ -78,8 +78,8 @@ void sort_into_kinds(LammpsData& data) {
     if (same != first.end()) continue;
     if (first.size() == max_kinds)
       throw Error(
-          fmt::format("there are more than {} kinds of molecules, which differ in types, charges "
-                      "or shapes, up to molecule {}; check that all molecules are rigid",
+          fmt::format("more than {} kinds of molecules, with different types, charges or shapes, "
+                      "were found up to molecule {}; check that all molecules are rigid",
                       max_kinds, body.front().molecule),
           data.file);
     first.push_back(body);

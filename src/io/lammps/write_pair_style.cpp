@@ -43,8 +43,8 @@ void write_lammps_pair_coefficients(std::ostream& out, const Topology& topology,
       const ShortRange<double>& law = table.any_law<double>().law.front();
       if (!law.is_lennard_jones())
         throw Error(
-            fmt::format("sites {} and {} have a law other than Lennard-Jones, which pair_style "
-                        "polhode does not have; use --pair-style table",
+            fmt::format("sites {} and {} have a law other than Lennard-Jones, but pair_style "
+                        "polhode supports only Lennard-Jones; use --pair-style table",
                         all[i].name, all[j].name));
       const auto [c6, c12] = law.lennard_jones();
       fmt::print(out, "pair_coeff {} {} {:.17g} {:.17g} # {} with {}\n", i + 1, j + 1,

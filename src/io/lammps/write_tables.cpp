@@ -40,7 +40,7 @@ class PairLaw {
       default:
         throw Error(
             "forces.truncation = \"molecule-switch\" depends on the distance between centres of "
-            "mass, which no pair style of LAMMPS does; use --pair-style polhode, or choose "
+            "mass, but no pair style of LAMMPS does; use --pair-style polhode, or choose "
             "\"site-switch\" or \"site-shift\"");
     }
   }

@@ -31,8 +31,9 @@ Config read_document(TomlTable document, const std::string& file) {
   document.refuse_unknown();
   if (!tables.contains("system"))
     throw Error(
-        "there is no table [system], which describes the molecules; write for example [system], "
-        "molecules = [{ model = \"tip4p\", count = 512 }], density = \"1 g/cm3\"",
+        "there is no table [system]; a run file needs this table to describe the molecules: write "
+        "for example [system], molecules = [{ model = \"tip4p\", count = 512 }], density = \"1 "
+        "g/cm3\"",
         file);
   if (schemes) config.schemes = read_schemes(*schemes);
   for (const SettingTable& rows : setting_tables()) {
@@ -68,7 +69,7 @@ std::string wrong_temperature(const Config& config) {
         "minimum, use a [thermostat] at 0 K instead",
         ensemble.hybrid_monte_carlo ? "hybrid Monte Carlo" : "a barostat");
   if (ensemble.thermostat) return "";
-  return "must be above 0 K; 0 K has a meaning with a [thermostat] only, which then cools";
+  return "must be above 0 K; 0 K is only possible with a [thermostat], which then cools the system";
 }
 
 void set_precision(Config& config, Precision precision) {
@@ -103,8 +104,8 @@ Config read_config(const std::string& file, const Overlay& overlay) {
   const std::string text = file_text(file);
   if (const std::string_view kind = kind_of_input(file); !kind.empty())
     throw Error(
-        fmt::format("this is an input file of another program, not a run file, which is TOML and "
-                    "names it; 'polhode new {}' writes one to start from",
+        fmt::format("this is an input file of another program; give a run file (TOML) that "
+                    "contains the path of this file: 'polhode new {}' writes such a run file",
                     kind),
         file);
   return parse_config(text, file, overlay);

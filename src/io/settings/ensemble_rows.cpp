@@ -67,11 +67,10 @@ CoupledEdges edges_of(const std::string& text, const TomlTable& table) {
   CoupledEdges edges{};
   for (const char c : text) {
     const bool known = c >= 'x' && c <= 'z' && !edges[static_cast<std::size_t>(c - 'x')];
-    table.require(
-        known, "edges",
-        fmt::format("has \"{}\", which is not one or more of x, y and z; write for example "
-                    "[\"xyz\"], or [\"xy\", \"z\"]",
-                    text));
+    table.require(known, "edges",
+                  fmt::format("has the group \"{}\"; a group must be one or more of x, y and z: "
+                              "write for example [\"xyz\"], or [\"xy\", \"z\"]",
+                              text));
     edges[static_cast<std::size_t>(c - 'x')] = true;
   }
   table.require(!text.empty(), "edges", "has an empty group; write for example [\"xyz\"]");
@@ -88,7 +87,7 @@ void read_edges(TomlTable& table, const SettingRow& row, Config& config) {
     const CoupledEdges edges = edges_of(text, table);
     for (std::size_t k = 0; k < 3; ++k) {
       table.require(!(used[k] && edges[k]), row.key,
-                    "has an edge in two groups; each belongs to one group at most");
+                    "has an edge in two groups; each edge may be in at most one group");
       used[k] = used[k] || edges[k];
     }
     groups.push_back(edges);
@@ -107,7 +106,7 @@ SettingMember edges_member() {
 void require_pressure(TomlTable& table, Config& config) {
   config.ensemble.barostat = default_barostat();
   table.require(table.has("pressure"), "",
-                "there is no pressure to keep; write for example pressure = \"1 bar\"");
+                "there is no pressure for the barostat; write for example pressure = \"1 bar\"");
 }
 
 }  // namespace

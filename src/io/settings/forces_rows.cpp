@@ -66,9 +66,9 @@ void read_dielectric(TomlTable& table, const SettingRow& row, Config& config) {
 void check_mixing(TomlTable& table, Config& config) {
   table.renamed("accuracy", "pme_accuracy");
   const std::string& topology = config.system.topology.file;
-  table.require(
-      !table.has("mixing") || topology.empty() || is_data_file(topology), "mixing",
-      "cannot be combined with a GROMACS topology, which has its own mixing rule; leave it out");
+  table.require(!table.has("mixing") || topology.empty() || is_data_file(topology), "mixing",
+                "cannot be combined with a GROMACS topology, since the topology has its own mixing "
+                "rule; leave it out");
 }
 
 void check_forces(TomlTable& table, Config& config) {
@@ -82,7 +82,7 @@ PairOverride read_pair(TomlTable& table, const std::string& file) {
     table.refuse("sites",
                  "a pair has no sites; write for example sites = [\"tip4p.OW\", \"argon.Ar\"]");
   table.require(sites->size() == 2, "sites",
-                "must be two, each a molecule and a site: [\"tip4p.OW\", \"argon.Ar\"]");
+                "must be two sites, each written as molecule.site: [\"tip4p.OW\", \"argon.Ar\"]");
   const ShortRangeKeys keys = read_short_range(table, LawOwner::pair, file);
   table.refuse_unknown();
   return {(*sites)[0], (*sites)[1], keys.sigma, keys.epsilon, keys.law};

@@ -42,8 +42,8 @@ int steps_of(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
   if (error != std::errc() || end != text.data() + text.size() || steps < 1 || steps > max_steps)
     throw Error(
-        fmt::format("{} steps of an inner scheme must be a whole number from 1 to {}, the inner "
-                    "steps per drift of the outer scheme",
+        fmt::format("the number of inner steps per drift of the outer scheme is {}; it must be a "
+                    "whole number from 1 to {}",
                     text, max_steps));
   return steps;
 }
@@ -54,8 +54,8 @@ InnerScheme inner_scheme_of(const std::string& text) {
   std::smatch part;
   if (!std::regex_match(text, part, form))
     throw Error(
-        fmt::format("inner scheme '{}' must give its steps and the range of the near forces; write "
-                    "for example \"hoa2 x 2 within 0.35 to 0.5 nm\"",
+        fmt::format("inner scheme '{}' must specify the number of inner steps and the range of the "
+                    "near forces; write for example \"hoa2 x 2 within 0.35 to 0.5 nm\"",
                     text));
   const auto length = [&](const std::string& number) {
     return quantity(number + " " + part[5].str(), Dimension::length, "the range of the near forces",
@@ -101,10 +101,10 @@ NestedScheme nested_scheme_of(std::string_view text) {
                                   : NestedScheme(scheme_of(trimmed(text.substr(0, at))),
                                                  inner_scheme_of(trimmed(text.substr(at + 1))));
   if (scheme.inner && scheme.inner->scheme.has(Flow::bath))
-    throw Error(fmt::format(
-        "the inner scheme of '{}' has a bath; put the bath into the outer scheme, where it acts "
-        "once per step",
-        text));
+    throw Error(
+        fmt::format("the inner scheme of '{}' has a bath; move the bath to the outer scheme, where "
+                    "it acts once per step",
+                    text));
   return scheme;
 }
 
@@ -115,7 +115,7 @@ Scheme single_scheme_of(const NamedScheme& scheme) {
   if (scheme.inner)
     throw Error(
         fmt::format("scheme '{}' has an inner scheme, but error brackets and advice are available "
-                    "for single schemes only; give one, such as hoa2",
+                    "for single schemes only; give a single scheme, such as hoa2",
                     scheme.text));
   return scheme.outer;
 }

@@ -105,8 +105,8 @@ class Effects {
     if (value_is(key, "none")) {
       if (const Override* const pressure = given("barostat.pressure");
           pressure != nullptr && table == "barostat")
-        throw Error(
-            fmt::format("{} contradicts {} none; give one of them", pressure->place, type->place));
+        throw Error(fmt::format("{} contradicts {} none; give only one of the two", pressure->place,
+                                type->place));
       removed_.push_back(table);
     }
     for (const SettingRow& row : setting_table(table).rows) {
@@ -122,8 +122,8 @@ class Effects {
     if (present("thermostat") || given("thermostat.type") != nullptr) return;
     for (const SettingRow& row : setting_table("thermostat").rows)
       if (const Override* const one = given(row.table, row.key))
-        throw Error(fmt::format("{} belongs to a thermostat, and this run has none; select the "
-                                "thermostat {}, too",
+        throw Error(fmt::format("{} is a setting of a thermostat, but this run has no thermostat; "
+                                "also select the thermostat {}",
                                 row.key, deciding_names(row).front()),
                     one->place);
   }

@@ -58,7 +58,8 @@ void read_accuracy(TomlTable& table, const SettingRow& row, Config& config) {
     accuracy = Requirement{RequiredOf::ratio, *ratio};
   }
   table.require(!accuracy || !table.has("step"), row.key,
-                "cannot be combined with a step, which it chooses itself; leave one out");
+                "cannot be combined with a step, since the accuracy determines the step; leave one "
+                "of the two out");
 }
 
 void read_steps(TomlTable& table, const SettingRow& row, Config& config) {

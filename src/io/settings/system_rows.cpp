@@ -57,10 +57,10 @@ SystemSettings::Component read_component(TomlTable table, const path& folder,
   table.refuse_unknown();
   if (!count && !from_file)
     table.refuse("count",
-                 "a molecule has no count and there is no initial configuration from which to "
-                 "count; write for example count = 512");
+                 "a molecule has no count, and there is no initial configuration that determines "
+                 "the count; write for example count = 512");
   table.require(count.value_or(0) >= (from_file ? 0 : 1), "count",
-                from_file ? "must be 0 or more; 0 means as many as the initial configuration has"
+                from_file ? "must be 0 or more; 0 means the number in the initial configuration"
                           : "must be 1 or more");
   component.count = static_cast<std::size_t>(count.value_or(0));
   return component;
@@ -89,11 +89,12 @@ void read_box(TomlTable& table, const SettingRow& row, Config& config) {
 void check_extent(const TomlTable& table, const SystemSettings& system) {
   if (system.density && system.box)
     table.refuse("density",
-                 "cannot be combined with a box, which already fixes the density; leave one out");
+                 "cannot be combined with a box, since the box already determines the density; "
+                 "leave one of the two out");
   if (!system.initial_configuration.empty() && (system.density || system.box))
-    table.refuse(
-        system.box ? "box" : "density",
-        "cannot be combined with an initial configuration, which has its own box; leave one out");
+    table.refuse(system.box ? "box" : "density",
+                 "cannot be combined with an initial configuration, since the configuration has "
+                 "its own box; leave one of the two out");
 }
 
 void read_start(TomlTable& table, const path& folder, SystemSettings& system) {
@@ -120,9 +121,10 @@ void read_checkpoint_key(TomlTable& table, const SettingRow& row, Config& config
   SystemSettings& system = config.system;
   read_row(table, row, config);
   if (system.checkpoint.empty()) return;
-  table.require(!system.initial_configuration.empty(), row.key,
-                "has the state of an initial configuration at full precision, and there is none; "
-                "write for example initial_configuration = \"water-prepared.gro\"");
+  table.require(
+      !system.initial_configuration.empty(), row.key,
+      "contains the full-precision state of an initial configuration, but there is no initial "
+      "configuration; write for example initial_configuration = \"water-prepared.gro\"");
   system.checkpoint = resolve(folder_of(config), system.checkpoint);
   table.require(is_file(system.checkpoint), row.key,
                 fmt::format("is not a file: '{}' does not exist", system.checkpoint));
@@ -153,7 +155,8 @@ void read_topology_file(TomlTable& table, const path& folder, SystemSettings& sy
   if (given) {
     topology.file = resolve(folder, topology.file);
     table.require(!table.has("molecules"), "topology",
-                  "cannot be combined with molecules, which it defines itself; leave one out");
+                  "cannot be combined with molecules, since the topology defines the molecules; "
+                  "leave one of the two out");
     table.require(is_file(topology.file), "topology",
                   fmt::format("is not a file: '{}' does not exist", topology.file));
   } else if (is_data_file(system.initial_configuration) && !table.has("molecules")) {
@@ -235,8 +238,8 @@ void read_shapes(const std::vector<TomlTable>& tables, TopologySettings& topolog
     table.refuse_unknown();
     if (topology.file.empty() || is_data_file(topology.file))
       table.refuse("",
-                   "a shape is for a molecule type of a GROMACS topology, and there is none; other "
-                   "molecules have theirs in their models; leave it out");
+                   "a shape requires a GROMACS topology, but there is none; all other molecules "
+                   "have shapes defined by their models: leave the shape out");
     if (!molecule || !positions || positions->empty())
       table.refuse("",
                    "a shape needs a molecule and its positions; write for example "
@@ -248,7 +251,7 @@ void read_shapes(const std::vector<TomlTable>& tables, TopologySettings& topolog
         throw e.at(table.where("positions"));
       }
     if (!topology.shapes.emplace(*molecule, std::move(shape)).second)
-      table.refuse("molecule", "has two shapes; leave one out");
+      table.refuse("molecule", "has two shapes; delete one of them");
   }
 }
 

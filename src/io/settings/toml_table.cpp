@@ -53,10 +53,10 @@ void check_keys(std::string_view text, const std::string& file) {
       continue;
     }
     if (c == '.' && ++dots > max_dots)
-      throw Error(
-          fmt::format("a key has more than {} dots, or tables are nested that deep; delete it",
-                      max_dots),
-          fmt::format("{}:{}", file, line));
+      throw Error(fmt::format("a key has more than {} dots, or tables are nested too deeply; "
+                              "delete the key or the table",
+                              max_dots),
+                  fmt::format("{}:{}", file, line));
     if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots = 0;
     line += c == '\n';
     ++k;

@@ -44,7 +44,7 @@ std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
         continue;
       refuse(
           fmt::format("the pair of atom types '{}' and '{}' is already defined in {} with other "
-                      "parameters; delete one",
+                      "parameters; delete one of the definitions",
                       pair.first, pair.second, text_of(other.place)));
     }
     const bool bare = first->second.bare || second->second.bare;
@@ -53,21 +53,22 @@ std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
       refuse("the pair has only one of C6 and C12; sigma and epsilon need both or neither");
     if (bare)
       refuse(
-          fmt::format("atom types '{}' and '{}' are given a short-range law, but one of them has "
-                      "no law of its own; both must have one",
+          fmt::format("the pair of atom types '{}' and '{}' has a short-range law, but one of "
+                      "these types has no law of its own; both types must have a law",
                       pair.first, pair.second));
     for (const std::string& a : first->second.sites)
       for (const std::string& b : second->second.sites) {
         for (const std::string& site : {a, b})
           if (types_of.at(site).size() > 1)
             refuse(
-                fmt::format("atoms '{}' have several types, and this pair is for one of them; give "
-                            "them different names",
+                fmt::format("atoms with the name '{}' have several types, but this pair applies to "
+                            "only one of the types; give atoms of different types different names",
                             site));
         given[std::minmax(a, b)] = {a, b, pair.sigma, pair.epsilon, pair.law};
         if (given.size() > max_pairs)
-          refuse(fmt::format(
-              "more than {} pairs of sites are given, the maximum; delete unused ones", max_pairs));
+          refuse(
+              fmt::format("there are more than {} pairs of sites, the maximum; delete unused pairs",
+                          max_pairs));
       }
   }
   std::vector<PairOverride> list;

@@ -70,8 +70,8 @@ Site read_site(TomlTable table, const std::string& file) {
     require_other(table, site.epsilon, "epsilon", "sigma", "0.33 nm");
   }
   if (site.mass > 0 && site.element.empty())
-    table.refuse("element", fmt::format("site '{}' has mass but no element, which coordinate files "
-                                        "need; write for example element = \"O\"",
+    table.refuse("element", fmt::format("site '{}' has mass but no element, and coordinate files "
+                                        "need the element; write for example element = \"O\"",
                                         site.name));
   return site;
 }

@@ -51,22 +51,22 @@ TabulatedLaw parse_potential_table(std::string_view text, const std::string& fil
   const auto [r, u, f] = read_columns(text, file);
   if (r.size() < min_rows)
     throw Error(
-        fmt::format("the table has {} lines; a spline needs {} at least", r.size(), min_rows),
+        fmt::format("the table has {} lines; a spline needs at least {}", r.size(), min_rows),
         file);
   const double spacing = (r.back() - r.front()) / static_cast<double>(r.size() - 1);
   if (!(r.front() > 0 && spacing > 0))
-    throw Error(fmt::format("the distances go from {:g} to {:g} nm; they must be above 0 nm and "
-                            "increase",
-                            r.front(), r.back()),
-                file);
+    throw Error(
+        fmt::format(
+            "the distances change from {:g} to {:g} nm; distances must be above 0 nm and increase",
+            r.front(), r.back()),
+        file);
   for (std::size_t k = 0; k < r.size(); ++k) {
     const double even = r.front() + static_cast<double>(k) * spacing;
     if (std::abs(r[k] - even) > max_unevenness * spacing)
-      throw Error(
-          fmt::format("distance {} is {:g} nm; at the equal intervals that the spline needs "
-                      "it would be {:g} nm",
-                      k + 1, r[k], even),
-          file);
+      throw Error(fmt::format("distance {} is {:g} nm instead of {:g} nm; the spline needs equal "
+                              "intervals between distances",
+                              k + 1, r[k], even),
+                  file);
   }
   try {
     return {std::make_shared<const PotentialTable>(file, r.front(), spacing, u, f)};

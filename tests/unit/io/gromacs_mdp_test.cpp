@@ -130,10 +130,10 @@ TEST_CASE("parameters without counterpart are listed with the reason") {
            {"nstlist = 10", "neighbour list"},
            {"fourierspacing = 0.12", "mesh"},
            {"lincs-order = 4", "rigid by construction"},
-           {"freezegrps = wall", "not offered"},
-           {"pull = yes", "not offered"},
+           {"freezegrps = wall", "not available"},
+           {"pull = yes", "not available"},
            {"constraints = h-bonds", "rigid = [...]"},
-           {"vdwtype = PME", "not offered"},
+           {"vdwtype = PME", "not available"},
            {"nstcomm = 10", "at rest"},
            {"pbc = xy", "three dimensions"}}) {
     CAPTURE(line);

@@ -152,7 +152,7 @@ TEST_CASE("appending to a file after a mark gives the same file as writing it at
       CHECK(a[n].time == b[n].time);
     }
     if (format == "h5md")
-      check_error([&] { resume_frames(parts, topology, {9, 0}); }, {"must be the same file"});
+      check_error([&] { resume_frames(parts, topology, {9, 0}); }, {"restore the original file"});
     else
       check_error([&] { resume_frames(parts, topology, {9, 1u << 30}); }, {"data are missing"});
   }
@@ -175,10 +175,10 @@ TEST_CASE("a file of as many frames and bytes is known to be another one") {
     }
     check_frames(mine, mark);
     check_error([&] { check_frames(other, mark); },
-                {other.c_str(), "was changed: its checksum is not", "start over"});
+                {other.c_str(), "was changed: its checksum differs", "start over"});
     fs::remove(mine);
     check_error([&] { check_frames(mine, mark); },
-                {mine.c_str(), "cannot be opened to append to it"});
+                {mine.c_str(), "cannot be opened for appending"});
   }
 }
 
@@ -213,8 +213,8 @@ TEST_CASE("a frame with more atoms than its format can count is refused before i
 
 TEST_CASE("the extension determines the format") {
   check_error([] { open_frames("a.grp"); },
-              {"'a.grp' has no known extension", "did you mean 'gro'?"});
-  check_error([] { create_frames("a", {}); }, {"'a' has no known extension"});
+              {"the extension of 'a.grp' is unknown", "did you mean 'gro'?"});
+  check_error([] { create_frames("a", {}); }, {"the extension of 'a' is unknown"});
   check_error([] { open_frames("/none.xtc"); }, {"no readable file '/none.xtc'"});
 }
 
@@ -282,6 +282,6 @@ TEST_CASE("keys of an XYZ comment that occur twice are refused") {
   };
   CHECK(read(box + " Time=1 note=a note=b"));
   check_error([&] { read(box + " lattice=\"11 0 0 0 20 0 0 0 30\""); },
-              {"Lattice twice", "delete the one", "a.xyz:2"});
+              {"Lattice twice", "delete the wrong entry", "a.xyz:2"});
   check_error([&] { read(box + " Time=1 time=2"); }, {"Time twice"});
 }

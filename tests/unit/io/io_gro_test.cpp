@@ -73,10 +73,10 @@ TEST_CASE("errors in GRO files give the line, what was found and what was expect
   check_text("water\n3\n" + atoms.substr(0, 90),
              {"the file ends where atom 3 of the 3 that the second line gives must", "a.gro:5"});
   check_text("water\n3\n" + atoms.substr(0, 87),
-             {"the line ends after 42 characters; three coordinates of 8 characters each",
+             {"the line ends after 42 characters; with three coordinates of 8 characters each",
               "need 44", "a.gro:4"});
   check_text(replaced(water, "0.200   0.300\n", "0.200   0.300  0.1\n"),
-             {"ends after 49 characters; three coordinates and three velocities", "need 68"});
+             {"ends after 49 characters; with three coordinates and three velocities", "need 68"});
   check_text(replaced(water, "0.067", "  nan"), {"x coordinate is nan", "finite", "a.gro:5"});
   check_text(replaced(water, "0.067", "0.O67"), {"found '0.O67' where the x coordinate"});
   check_text(replaced(water, "    1SOL    HW2", "    xSOL    HW2"),
@@ -86,7 +86,7 @@ TEST_CASE("errors in GRO files give the line, what was found and what was expect
   check_text(replaced(water, "   0.200   0.300\n", "   0.200    0.300\n"),
              {"8 and 9 characters apart", "a.gro:3"});
   check_text(replaced(water, "0.294   0.300\n", "0.294   0.300  0.1000  0.1000  0.1000\n"),
-             {"velocities must be given for all atoms or for none", "a.gro:5"});
+             {"either all atoms or no atoms must have velocities", "a.gro:5"});
   check_text("w\n3\n" + atoms + " 2 2\n", {"found '2 2' where the box must be", "three edges"});
   check_text("w\n3\n" + atoms + " 2 2 0\n", {"box edge is 0 nm", "longer than 0 nm"});
   check_text("w\n3\n" + atoms + " 2 2 inf\n", {"the box edge is inf", "finite"});
@@ -117,8 +117,8 @@ TEST_CASE("atoms that do not match the model are refused") {
   };
   check_fit(replaced(water, " OW ", "  N "), 1,
             {"atom 1 (1 SOL) is 'N' where site 'OW' of molecule 'tip4p' must be", "a.gro"});
-  check_fit(water, 2, {"the 3 atoms are only 1 of 2 molecules", "give the count of molecules"});
-  check_fit(water, 0, {"there are 3 atoms, but the 0 molecules have 0"});
+  check_fit(water, 2, {"the 3 atoms form only 1 of 2 molecules", "set the number of molecules"});
+  check_fit(water, 0, {"the file has 3 atoms, but the 0 molecules have 0"});
   check_fit(replaced(water, "0.067   0.294", "0.001   0.200"), 1,
             {"nm from its site in the rigid model 'tip4p'", "within 0.02 nm", "molecule 1"});
   check_fit(replaced(water, "2.00000   2.00000   2.00000", " 0.3 3 3"), 1,

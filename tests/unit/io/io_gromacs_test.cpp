@@ -131,7 +131,7 @@ TEST_CASE("the preprocessor handles includes, macros, conditions and continuatio
               {"molecule type 'SOL' is not held rigid", "rigid = [\"SOL\"]", "topol.top:"});
   const RigidTopology declared =
       rigid_topology(parsed(text, good, {"FLEXIBLE"}), {.rigid = {"SOL"}}, nullptr);
-  CHECK(declared.origins[0] == "declared rigid, shape of bonds and angles");
+  CHECK(declared.origins[0] == "declared rigid, shape from bonds and angles");
   const Molecule own = read_molecule("spce");  // 109.47 degrees, from the bonds and angles
   CHECK(std::abs(declared.topology.parts[0].molecule.J.x / own.J.x - 1) < 1e-9);
 }
@@ -153,17 +153,17 @@ TEST_CASE("the preprocessor refuses endless input") {
   refused(empty + "a15\n", {"longer than 65536 characters when macros are replaced"});
   std::string nested;
   for (int i = 0; i < 300; ++i) nested += "#ifdef A\n";
-  refused(nested, {"conditions are nested 256 deep", "topol.top:257"});
+  refused(nested, {"conditions are nested 256 levels deep", "topol.top:257"});
   refused("#ifdef A\n", {"the file ends before the #endif", "topol.top:1"});
-  refused("#endif\n", {"#endif has no #ifdef"});
+  refused("#endif\n", {"no #ifdef or #ifndef in this file before this #endif"});
   refused("#if A\n", {"there is no directive '#if'"});
-  refused("#error use another\n", {"#error is reached: use another", "topol.top:1"});
+  refused("#error use another\n", {"stops with #error: use another", "topol.top:1"});
   refused("\n#include \"gone.itp\"\n", {"there is no file 'gone.itp'", "topol.top:2"});
 }
 
 TEST_CASE("errors in topologies give the line, what was found and what was expected") {
-  refused("", {"ends without any molecule"});
-  refused("SOL 3\n", {"'SOL 3' is before the first section", "topol.top:1"});
+  refused("", {"contains no molecules"});
+  refused("SOL 3\n", {"'SOL 3' precedes the first section", "topol.top:1"});
   refused("[ defaults\n", {"must end with ']'"});
   refused("[ atomtype ]\n", {"there is no section [ atomtype ]; did you mean 'atomtypes'?"});
   refused(replaced(spce, "1 2\n", "3 1\n"),
@@ -189,10 +189,11 @@ TEST_CASE("errors in topologies give the line, what was found and what was expec
   refused(replaced(spce, "[ settles ]\n1 1 0.1 0.16330\n", "[ bonds ]\n1 2 1 0.1\n"),
           {"not held rigid by settles or constraints: 0 distances do not determine 3 points",
            "topol.top:14"});
-  refused(replaced(spce, "[ settles ]", "[ position_restraints ]\n1 1 1 1 1\n[ settles ]"),
-          {"has [ position_restraints ], which no rigid body can have", "topol.top:14"});
+  refused(
+      replaced(spce, "[ settles ]", "[ position_restraints ]\n1 1 1 1 1\n[ settles ]"),
+      {"has a section [ position_restraints ], but rigid bodies cannot have one", "topol.top:14"});
   refused(replaced(spce, "[ settles ]", "[ virtual_sites3 ]\n3 1 2 2 1 0.1 0.1\n[ settles ]"),
-          {"two different atoms, not virtual sites"});
+          {"two different atoms and not between virtual sites"});
 }
 
 TEST_CASE("pairs of atom types become pairs of sites, in sigma and epsilon") {
@@ -216,7 +217,8 @@ TEST_CASE("pairs of atom types become pairs of sites, in sigma and epsilon") {
   CHECK(geometric.topology.parts[0].molecule.sites[0].sigma == doctest::Approx(0.3).epsilon(1e-12));
   CHECK(geometric.topology.parts[0].molecule.sites[0].epsilon ==
         doctest::Approx(0.5).epsilon(1e-12));
-  refused(replaced(text, "HW OW 1 0 0", "HW OW 1 0.3 0.1"), {"one of them has no law of its own"});
+  refused(replaced(text, "HW OW 1 0 0", "HW OW 1 0.3 0.1"),
+          {"one of these types has no law of its own"});
 }
 
 TEST_CASE("with nbfunc 2 atom types and pairs have Buckingham laws") {
@@ -270,12 +272,13 @@ TEST_CASE(
   const Shape truth = {{0, 0, 0}, {0.1, 0, 0}, {-0.0333, 0.0943, 0}};
   Shape longer = truth, shorter = truth;  // one bond, by 1 pm
   longer[1].x += 0.001, shorter[1].x -= 0.001;
-  check_error([&] { rigid_topology(parsed(text), {.rigid = {"SOL"}}, nullptr); },
-              {"do not determine a shape and there is no initial configuration that has it",
-               "topol.top:8"});
+  check_error(
+      [&] { rigid_topology(parsed(text), {.rigid = {"SOL"}}, nullptr); },
+      {"do not determine a shape; give an initial configuration that contains this molecule type",
+       "topol.top:8"});
   const Frame start = start_of({truth, longer, shorter});
   const RigidTopology rigid = rigid_topology(parsed(text), {.rigid = {"SOL"}}, &start);
-  CHECK(rigid.origins[0] == "declared rigid, mean shape in the initial configuration");
+  CHECK(rigid.origins[0] == "declared rigid, mean shape from the initial configuration");
   // The superposition of the first onto the others has a second-order error: 0.001² / 0.1 nm.
   CHECK(difference(shape_of(rigid), truth) < 1e-5);
   const double deviation = fit_state(start, rigid.topology).deviation;
@@ -283,7 +286,7 @@ TEST_CASE(
   CHECK(deviation > 0.0003);
   const Frame one = start_of({truth});
   check_error([&] { rigid_topology(parsed(text), {.rigid = {"SOL"}}, &one); },
-              {"the initial configuration ends after 3 atoms, within molecules 'SOL'"});
+              {"the initial configuration ends after 3 atoms, before the end of molecules 'SOL'"});
 }
 
 TEST_CASE("a mean shape has the same axes whatever the orientation of the molecules") {
@@ -308,7 +311,7 @@ TEST_CASE("a given shape takes the place of the derived one, and must fit it") {
   const Shape bent = {{0, 0, 0}, {0.1, 0, 0}, {-0.02, 0.09, 0}};
   TopologySettings settings{.shapes = {{"SOL", bent}}};
   const RigidTopology rigid = rigid_topology(parsed(text), settings, nullptr);
-  CHECK(rigid.origins[0] == "rigid, shape of the run file");
+  CHECK(rigid.origins[0] == "rigid, shape from the run file");
   CHECK(difference(shape_of(rigid), bent) < 1e-12);
   // Written down, in its principal frame, it gives the same axes.
   settings.shapes = rigid.shapes;
@@ -326,7 +329,7 @@ TEST_CASE("a given shape takes the place of the derived one, and must fit it") {
   check_error([&] { rigid_topology(parsed(text), with("SAL", bent), nullptr); },
               {"'SAL' has a shape", "SOL", "topol.top"});
   check_error([&] { rigid_topology(parsed(spce), settings, nullptr); },
-              {"atoms 1 and 3", "by its settles or constraints 0.1 nm", "topol.top:8"});
+              {"atoms 1 and 3", "its settles or constraints give 0.1 nm", "topol.top:8"});
   // Settles determine the shape, so nothing is to be written down.
   CHECK(rigid_topology(parsed(spce), {}, nullptr).shapes.empty());
 }

@@ -149,7 +149,8 @@ TEST_CASE("velocities in H5MD files are matched to positions by step") {
     Made made;
     add_positions(made);
     made.numbers(all + "velocity/value", {1, 1, 3}, {20, 0, 0}, "nm ps-1");
-    check_error([&] { made.frames(); }, {"'velocity' has 1 frames and 'position' 4", "made.h5md"});
+    check_error([&] { made.frames(); },
+                {"'velocity' has 1 frames, but 'position' has 4", "made.h5md"});
   }
 }
 
@@ -226,7 +227,8 @@ TEST_CASE("links from an H5MD file to other files are not followed") {
                         made.links(), properties, H5P_DEFAULT));
     made.texts(all + "position/value", "unit", {"nm"});
     made.numbers(all + "box/edges", {3}, {9, 9, 9}, "nm");
-    check_error([&] { made.frames(); }, {"position/value", "are in another file", "made.h5md"});
+    check_error([&] { made.frames(); },
+                {"position/value", "are stored in another file", "made.h5md"});
   }
 }
 

@@ -117,7 +117,7 @@ TEST_CASE("pair styles buck and mie/cut have their laws") {
 }
 
 TEST_CASE("errors in LAMMPS data files give the line, what was found and what was expected") {
-  refused("", {"the header has no number of atoms"});
+  refused("", {"the header does not contain the number of atoms"});
   refused(replaced(good, "real", "metal"),
           {"the units are 'metal'; they must be 'real'", "a.data:1"});
   refused(replaced(good, "0 20 zlo zhi", "0 20 zlo zhi\n1 0 0 xy xz yz"),
@@ -125,8 +125,8 @@ TEST_CASE("errors in LAMMPS data files give the line, what was found and what wa
   refused(replaced(good, "0 20 zlo", "20 0 zlo"), {"the box extends from 20 to 0"});
   refused(replaced(good, "0 20 zlo zhi\n", ""), {"the atoms precede the box"});
   refused(replaced(good, "# full", "# molecular"),
-          {"atoms are of style 'molecular'; they must be of style full"});
-  refused(replaced(good, "7 atoms", "8 atoms"), {"gives 8 atoms and the section Atoms has 7"});
+          {"the atom style is 'molecular'; it must be full"});
+  refused(replaced(good, "7 atoms", "8 atoms"), {"specifies 8 atoms, but the section Atoms has 7"});
   refused(replaced(good, "1 1 1 -0.8476", "2 1 1 -0.8476"), {"two atoms with the id 2"});
   refused(replaced(good, "9 0 3 1 5 5 5 0 0 0", "9 0 4 1 5 5 5 0 0 0"),
           {"found '4' where the atom type must be a whole number from 1 to 3", "a.data:27"});
@@ -136,8 +136,9 @@ TEST_CASE("errors in LAMMPS data files give the line, what was found and what wa
   refused(replaced(good, "Bonds", "Ellipsoids"), {"there is no section 'Ellipsoids'"});
   refused(replaced(good, "9 0.01", "8 0.01"), {"a velocity for atom 8, but no such atom"});
   refused(replaced(good, "lj/cut/coul/long", "lj/cut/soft"),
-          {"the pair style is 'lj/cut/soft'; it must be mie/cut, or lj/cut or buck"});
-  refused(replaced(good, "lj/cut/coul/long", "table"), {"the pair style is 'table'", "tabulated"});
+          {"the pair style 'lj/cut/soft' is not supported; use mie/cut, lj/cut or buck"});
+  refused(replaced(good, "lj/cut/coul/long", "table"),
+          {"the pair style 'table' is not supported", "tabulated"});
   refused(replaced(good, "lj/cut/coul/long", "lj/cut/tip4p/long"),
           {"site M is not in the data file", "tip4p"});
   refused(replaced(good, "3 0.1 2.5\n", ""), {"atom type 3 has no short-range parameters"});

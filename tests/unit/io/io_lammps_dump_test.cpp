@@ -169,8 +169,8 @@ TEST_CASE("wrong dump files of particles") {
       [&] {
         read(text, {{{read_molecule("tip4p"), 3}}});
       },
-      {"2 particles, and the run file 3"});
-  check_error([&] { open_particle_frames("run.xtc", topology); }, {"no dump file of LAMMPS"});
+      {"2 particles, but the run file has 3"});
+  check_error([&] { open_particle_frames("run.xtc", topology); }, {"is not a LAMMPS dump file"});
 }
 
 TEST_CASE("ids that occur twice and incomplete vectors are refused") {

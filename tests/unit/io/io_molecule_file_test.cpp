@@ -188,10 +188,9 @@ TEST_CASE("errors in potential tables name file, line and bound") {
   refused("0.3 3 10\n0.4 2 10\n", {"the table has 2 lines; a spline needs 4", "u.txt"});
   refused(replaced(rows, "0.5 1 10", "0.5 1"), {"2 fields; it must have 3", "u.txt:5"});
   refused(replaced(rows, "0.5 1", "0.5 nan"), {"the energy is nan", "u.txt:5"});
-  refused(
-      replaced(rows, "0.5 1", "0.51 1"),
-      {"distance 3 is 0.51 nm; at the equal intervals that the spline needs it would be 0.5 nm"});
-  refused(replaced(rows, "0.3 3", "-0.1 3"), {"from -0.1 to 0.6 nm; they must be above 0"});
+  refused(replaced(rows, "0.5 1", "0.51 1"),
+          {"distance 3 is 0.51 nm instead of 0.5 nm; the spline needs equal intervals"});
+  refused(replaced(rows, "0.3 3", "-0.1 3"), {"from -0.1 to 0.6 nm; distances must be above 0"});
   refused(replaced(rows, "0.4 2 10", "0.4 2 20"), {"the force at r = 0.4 nm is 20", "1 %"});
 }
 

@@ -105,8 +105,8 @@ TEST_CASE("a pressure selects a barostat and a thermostat, and says so") {
 
 TEST_CASE("a parameter of a thermostat needs a thermostat") {
   CHECK(refusal({{"thermostat.friction", {"1 1/ps"}, ""}}) ==
-        "friction belongs to a thermostat, and this run has none; select the thermostat langevin, "
-        "too | --friction");
+        "friction is a setting of a thermostat, but this run has no thermostat; also select the "
+        "thermostat langevin | --friction");
   CHECK(refusal({{"thermostat.time_constant", {"1 ps"}, ""}}).find("rescaling") !=
         std::string::npos);
 }

@@ -55,7 +55,7 @@ TEST_CASE("settings of an ensemble that contradict each other or the scheme are 
     check_error(read, words);
     check_error(read, {"run.toml"});
   };
-  refused("[barostat]\n", {"no pressure to keep", "pressure = \"1 bar\""});
+  refused("[barostat]\n", {"no pressure for the barostat", "pressure = \"1 bar\""});
   refused(barostat, {"a barostat", "needs a thermostat", "[thermostat]"});
   refused(hybrid + thermostat, {"hybrid Monte Carlo keeps the temperature without", "leave"});
   refused(hybrid + barostat + "time_constant = \"120 fs\"\n[run]\nlength = \"1 ps\"\n",
@@ -71,7 +71,7 @@ TEST_CASE("settings of an ensemble that contradict each other or the scheme are 
   refused(thermostat + "type = \"rescaling\"\nfriction = \"1 1/ps\"\n",
           {"langevin", "leave it out"});
   refused(thermostat + barostat + "edges = [\"xy\", \"yz\"]\n", {"two groups"});
-  refused("", {"above 0 K", "[thermostat] only, which then cools"}, "0 K");
+  refused("", {"above 0 K", "with a [thermostat], which then cools"}, "0 K");
   refused(hybrid, {"above 0 K", "hybrid Monte Carlo", "[thermostat] at 0 K"}, "0 K");
   refused(thermostat + barostat, {"above 0 K", "a barostat"}, "0 K");
   refused(thermostat + "[run]\nshadow_sample = \"100 fs\"\n",
