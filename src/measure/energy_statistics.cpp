@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "measure/equilibration.hpp"
 #include "slow_modes.hpp"
 
 namespace polhode {
@@ -194,6 +195,20 @@ Drift EnergyStatistics::drift_over_walk(double known) const {
 
 Drift EnergyStatistics::potential_drift() const {
   return series_drift(blocks.means(), time, potential_);
+}
+
+double EnergyStatistics::samples_before_equilibrium() const {
+  const BlockMeans means = blocks.means();
+  std::size_t start = 0;
+  for (const std::size_t column : {potential_, volume_}) {
+    std::vector<double> series;
+    for (const BlockMeans::Block& block : means.blocks())
+      series.push_back(block.sum[column] / block.weight);
+    start = std::max(start, equilibration(series).start);
+  }
+  double before = 0;
+  for (std::size_t k = 0; k < start; ++k) before += means.blocks()[k].weight;
+  return before;
 }
 
 void StretchStatistics::add(const Energies& now, const Energies& first, std::uint64_t length) {

@@ -72,6 +72,9 @@ struct EnergyStatistics {
   Drift drift_over_walk(double known) const;
   /// The slope of the potential energy [kJ/mol/ps], tested as a drift.
   Drift potential_drift() const;
+  /// Number of samples before equilibrium: the start of the stationary part of the potential energy
+  /// or of the volume, whichever is later, in whole blocks [clark2024]. 0 with few blocks.
+  double samples_before_equilibrium() const;
 };
 
 /// Statistics of R over consecutive parts of a trajectory. All parts have the same length.

@@ -88,7 +88,7 @@ Config config_of(const std::string& system, const Given& molecules) {
   Config config =
       parse_config(fmt::format("[system]\nmolecules = [{{ model = \"argon\", count = 1 }}]\n"
                                "density = \"1 g/cm3\"\n[forces]\ncutoff = \"{:g} nm\"\n"
-                               "dispersion_correction = true\n{}",
+                               "dispersion_correction = true\nprecision = \"mixed\"\n{}",
                                cutoff, any_charge ? "electrostatics = \"pme\"\n" : ""),
                    "measure");
   config.system.molecules = molecules_alone.molecules;

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <vector>
 
+#include "polhode/measure/energy_statistics.hpp"
+
 using namespace polhode;
 
 namespace {
@@ -45,4 +47,22 @@ TEST_CASE("the end of equilibration and the error of the mean are those of red")
 TEST_CASE("a short series is kept whole") {
   CHECK(equilibration(std::array{9.0, 0.0, 0.0}).start == 0);
   CHECK(equilibration({}).start == 0);
+}
+
+TEST_CASE("a run knows where its potential energy or its volume became stationary") {
+  // Both approach their means with a time constant of 200 of 4000 samples, under a disturbance of
+  // unit size. Blocks have 100 to 200 samples, so the start is where exp(-t/200) times the first
+  // deviation falls below the noise of such a block, about 0.2: after 3.9 time constants. It is
+  // found within two of the largest blocks.
+  for (const bool volume : {false, true}) {
+    CAPTURE(volume);
+    EnergyStatistics statistics;
+    for (int t = 0; t < 4000; ++t) {
+      const double x = 10 * std::exp(-t / 200.0) + std::sin(0.37 * t * t);
+      statistics.add(
+          {.time = 0.1 * t, .van_der_waals = volume ? 0 : x, .volume = volume ? 100 + x : 100});
+    }
+    CHECK(statistics.samples_before_equilibrium() > 780 - 400);
+    CHECK(statistics.samples_before_equilibrium() < 780 + 400);
+  }
 }

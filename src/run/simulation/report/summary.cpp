@@ -88,6 +88,7 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   const EnergyStatistics& energies = trajectory.statistics.energies;
   add_averages(s, trajectory.statistics);
   s.potential_drift = energies.potential_drift();
+  s.equilibrium_start = energies.samples_before_equilibrium() * s.sample;
   s.configurational = trajectory.statistics.configurational.temperatures();
   s.momentum = norm(total_momentum(system.state));
 

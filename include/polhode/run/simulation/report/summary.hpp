@@ -59,6 +59,8 @@ struct RunSummary {
   /// bath.
   std::optional<TemperatureEstimates> temperatures_at_bath;
   Drift potential_drift;  ///< drift of the potential energy [kJ/mol/ps]
+  /// Time from which on the potential energy and the volume are stationary [ps].
+  double equilibrium_start = 0;
   DegreesOfFreedom degrees_of_freedom;
   EnsembleSummary ensemble;
   std::uint64_t force_evaluations = 0, derivatives = 0, measurements = 0;
