@@ -116,7 +116,7 @@ SettingTable forces_table() {
       {row("truncation", forces(&ForceSettings::truncation),
            "[cutoff treatment](../theory.md#cutoff-treatment)",
            More{.fallback = "`\"molecule-switch\"`; `\"pme\"` and `\"damped-shifted-force\"` use "
-                            "`\"site-switch\"` for the short-range laws",
+                            "`\"site-switch\"` for the short-range potentials",
                 .read = read_truncation}),
        row("electrostatics", forces(&ForceSettings::electrostatics),
            "treatment of [electrostatic interactions](../theory.md#cutoff-treatment); `\"pme\"` "
@@ -153,11 +153,11 @@ SettingTable forces_table() {
        row("coulomb_cutoff", only(pme, &ForceSettings::coulomb_cutoff),
            SettingUnit{Dimension::length, "nm", "0.8 nm"}, in_library(above(0)),
            "distance up to which `\"pme\"` sums pairs of charges, at most half the shortest box "
-           "edge; `cutoff` applies to the short-range laws",
+           "edge; `cutoff` applies to the short-range potentials",
            More{.fallback = "chosen with the mesh", .by = "electrostatics", .not_set = "chosen"}),
        row("dispersion_correction", forces(&ForceSettings::dispersion_correction),
-           "adds the energy and pressure that the truncation of the short-range laws removes; not "
-           "available with `\"site-shift\"` or tabulated laws"),
+           "adds the energy and pressure that the truncation of the short-range potentials "
+           "removes; not available with `\"site-shift\"` or tabulated potentials"),
        row("mixing", mixing, "mixing rule of [σ and ε of unlike sites](#pair)"),
        row("precision", forces(&ForceSettings::precision),
            "precision [of the pair interactions](../theory-forces.md#precision); everything else "

@@ -36,7 +36,7 @@ Quantities of_point(const Candidate& candidate, const AdviserPoint& point) {
       {"step", "fs", point.step * units::fs_per_ps, "time step"},
       {"length", "ps", point.length, "length of each run"},
       {"runs", "", point.runs.size(), "number of independent runs"},
-      {"blew_up", "", !there, "whether one of the runs blew up", "", "", "-"},
+      {"blew_up", "", !there, "whether any of the runs blew up", "", "", "-"},
       {"usable", "", point.usable, "whether no run blew up and no energy drift was found"},
       {"R", "", R,
        "rms fluctuation of the total energy, divided by the rms fluctuation of the potential "
@@ -313,7 +313,7 @@ Quantities quantities(const AdviceReport& r) {
                 {"refused", "", point_records(advice, advice.refused),
                  "runs that did not confirm an answer"},
                 {"surpassed", "", point_records(advice, advice.surpassed),
-                 "runs that confirmed an answer before a better one was found"}});
+                 "runs that confirmed an earlier answer, before a better answer was found"}});
   append(list, obstacles(r));
   if (advice.best)
     list.push_back({"best", "", of_best(r), "advised scheme and step",

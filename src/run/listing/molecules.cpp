@@ -28,21 +28,21 @@ double round_charge(double charge) { return std::abs(charge) < 1e-12 ? 0.0 : cha
 Quantities of_site(const Site& s) {
   const std::string law = printable(parameters(s.sigma, s.epsilon, s.law));
   const bool lennard_jones = std::holds_alternative<LennardJonesLaw>(s.law);
-  return {
-      {"name", "", s.name, "name of the site", "name"},
-      {"element", "", s.element, "chemical element"},
-      {"position", "[nm]", std::vector{s.r.x, s.r.y, s.r.z}, "position in the principal frame"},
-      {"", "nm", s.r.x, "", "x", "", "", 6},
-      {"", "nm", s.r.y, "", "y", "", "", 6},
-      {"", "nm", s.r.z, "", "z", "", "", 6},
-      {"mass", "[u]", s.mass, "mass", "mass", "", "", 6},
-      {"charge", "[e]", s.charge, "charge", "q", "", "", 6},
-      {"sigma", "[nm]", s.sigma, "diameter of the short-range law", "sigma", "", "", 6},
-      {"epsilon", "[kJ/mol]", s.epsilon, "well depth of the short-range law", "epsilon", "", "", 6},
-      {"law", "", name(s.law), "short-range law"},
-      {"parameters", "", parameters(s.sigma, s.epsilon, s.law),
-       "parameters of the short-range law"},
-      row("law", lennard_jones ? "" : fmt::format("{}: {}", name(s.law), law))};
+  return {{"name", "", s.name, "name of the site", "name"},
+          {"element", "", s.element, "chemical element"},
+          {"position", "[nm]", std::vector{s.r.x, s.r.y, s.r.z}, "position in the principal frame"},
+          {"", "nm", s.r.x, "", "x", "", "", 6},
+          {"", "nm", s.r.y, "", "y", "", "", 6},
+          {"", "nm", s.r.z, "", "z", "", "", 6},
+          {"mass", "[u]", s.mass, "mass", "mass", "", "", 6},
+          {"charge", "[e]", s.charge, "charge", "q", "", "", 6},
+          {"sigma", "[nm]", s.sigma, "diameter of the short-range potential", "sigma", "", "", 6},
+          {"epsilon", "[kJ/mol]", s.epsilon, "well depth of the short-range potential", "epsilon",
+           "", "", 6},
+          {"law", "", name(s.law), "short-range potential"},
+          {"parameters", "", parameters(s.sigma, s.epsilon, s.law),
+           "parameters of the short-range potential"},
+          row("law", lennard_jones ? "" : fmt::format("{}: {}", name(s.law), law))};
 }
 
 /// A molecule as a list.

@@ -72,7 +72,8 @@ Quantities of_drift(const Drift& drift, double walk, std::uint64_t samples) {
           {"drift_verdict", "", verdict(drift),
            "`significant`, `not significant`, or the reason why the significance is not known"},
           {"random_walk", "kJ/mol per sqrt(ps)", known_if(walk > 0, std::sqrt(walk)),
-           "rms change of the energy in 1 ps by a random walk; null without evidence for one"}};
+           "rms change of the energy in 1 ps by a random walk; null if there is no evidence for a "
+           "random walk"}};
 }
 
 std::string ratio_text(const RunSummary& s) {
@@ -141,7 +142,8 @@ Quantities of_conservation(const RunSummary& s) {
        {"R_truncation", "%", s.truncation,
         "predicted R of the random walk that the truncation causes"},
        {"R_of_random_walk", "%", known_if(s.walk > 0, s.ratio_of_walk()),
-        "R of the random walk, without other errors; null without evidence for one"},
+        "R that the random walk would cause without other errors; null if there is no evidence for "
+        "a random walk"},
        {"walk_of_rounding_known", "", s.walk_known, "whether the random walk of rounding is known"},
        {"drift_in_run_over_rms_potential", "", known_if(known, s.relative_drift()),
         "energy change by the drift in this run, divided by the rms fluctuation of the potential "
