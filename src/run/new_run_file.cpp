@@ -20,12 +20,12 @@ std::string text_of(const std::string& kind, const std::string& file,
   if (!mdp) return run_file_template(kind, request.ensemble.text);
   if (kind != "gromacs")
     throw Error(
-        fmt::format("{0} has parameters of GROMACS, and the kind is '{1}'; give the kind "
+        fmt::format("{0} is a file of GROMACS parameters, but the kind is '{1}'; give the kind "
                     "gromacs, or leave out {0}",
                     mdp.name, kind));
   if (request.ensemble)
-    throw Error(fmt::format("{} has the ensemble, tcoupl and pcoupl; leave out {}", mdp.name,
-                            request.ensemble.name));
+    throw Error(fmt::format("tcoupl and pcoupl in {} already define the ensemble; leave out {}",
+                            mdp.name, request.ensemble.name));
   MdpImport read = read_mdp(mdp.text, {.prefix = std::filesystem::path(file).stem().string()});
   for (const auto& [parameter, reason] : read.differences)
     callbacks.note(fmt::format("note: {}: {}", printable(parameter), reason));

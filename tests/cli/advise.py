@@ -79,7 +79,7 @@ class Advise(Sandbox):
         found = self.advice(GAS, "--schemes", WASTEFUL, "velocity-verlet", "hoa2")
         worse, *others = found["candidates"]
         self.assertEqual(worse["step_fs"], 0)
-        self.assertIn("too many to compete", worse["obstacle"])
+        self.assertIn("more than the best schemes", worse["obstacle"])
         self.assertLess(len(worse["points"]), min(len(c["points"]) for c in others))
         self.assertIsNotNone(found["runner_up"])
 
@@ -146,7 +146,7 @@ class Advise(Sandbox):
         steps = [self.advice(GAS + tables, *bound)["best"]["step_fs"] for tables in ("", rescaling)]
         self.assertLess(steps[1], steps[0])
         process = self.done("advise", GAS + rescaling, *bound)
-        self.assertRegex(process.err, r"biases are converted to this ensemble: 150 K, stochastic velocity rescaling .* potential energy by 0\.\d+ ± \S+ kJ/mol and the pressure by")
+        self.assertRegex(process.err, r"biases at constant energy are converted to this ensemble: 150 K, stochastic velocity rescaling .* potential energy by 0\.\d+ ± \S+ kJ/mol and the pressure by")
         self.assertNotIn("converted", self.done("advise", GAS, *bound).err)
         for tables, words in (("[thermostat]\n", ["rescaling", "is not known in this ensemble; use constant energy"]), ("[hybrid_monte_carlo]\n", ["has no time-step bias", "--ensemble nvt"])):
             self.refused(GAS + tables, "--bias", "energy 0.01 kJ/mol", words=words)

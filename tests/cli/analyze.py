@@ -108,7 +108,7 @@ class Analyze(Sandbox):
         for time in times:
             self.assertIsNone(time.get("integral_ps", {}).get("value"))  # 0.2 ps determine none
         text = self.analyze(*options).out
-        self.assertIn("not converged: still above 1/e³", text)
+        self.assertIn("not converged: the correlation is still above 1/e³", text)
 
     def test_sites_of_equal_names(self):
         """Those of two kinds of molecules are separate, unless they are asked for together."""
@@ -178,7 +178,7 @@ class Analyze(Sandbox):
 
     def test_bias_of_the_step_with_thermostats(self):
         """Known with one kind of thermostat, at frames that are samples of the shadow energy."""
-        for ensemble, shadow, said in (("rescaling", "20 fs", ""), ("rescaling", "80 fs", "uses 11 of 41 frames"), ("rescaling", "0 fs", "no frame has a sample"),
+        for ensemble, shadow, said in (("rescaling", "20 fs", ""), ("rescaling", "80 fs", "uses only 11 of 41 frames"), ("rescaling", "0 fs", "has no sample of the shadow energy"),
                                        ("langevin", "", "known at constant energy")):
             text = edited(LONG, ("[output]", (f'shadow_sample = "{shadow}"\n' if shadow else "") + f'[thermostat]\ntype = "{ensemble}"\n[output]'),
                           ('length = "1.2 ps"', 'length = "0.8 ps"'))

@@ -43,7 +43,7 @@ class Canonical(Sandbox):
         self.write("study-runs.csv", "\n".join(record.splitlines()[:-3]) + "\n")
         process = self.polhode("study", "run.toml", "--json", "--threads", "2")
         self.assertEqual(process.returncode, 0, process.err)
-        self.assertIn("5 runs are read", process.err)
+        self.assertIn("5 runs were read", process.err)
         self.assertEqual(process.out, whole)
         again = self.polhode("study", "run.toml", "--json", "--from-record", "study-runs.csv", "--output", "again")
         self.assertEqual(again.out, whole)

@@ -146,7 +146,7 @@ class FirstSteps(Sandbox):
         self.refused(("new", "nvt", "--npt"), ["'nvt'", "kind 'npt'"])
         self.refused(("new", "lammps", "--npt", "--nvt"), ["exclude each other"])
         self.write("md.mdp", "nsteps = 10\nfreezegrps = A\n")
-        self.refused(("new", "lammps", "--mdp", "md.mdp"), ["--mdp has parameters of GROMACS", "'lammps'", "kind gromacs"])
+        self.refused(("new", "lammps", "--mdp", "md.mdp"), ["--mdp is a file of GROMACS parameters", "'lammps'", "kind gromacs"])
         self.refused(("new", "gromacs", "--mdp", "md.mdp", "--npt"), ["tcoupl"])
         self.refused(("new", "gromacs", "--mdp", "gone.mdp"), ["gone.mdp"])
         made = self.polhode("new", "gromacs", "own.toml", "--mdp", "md.mdp")

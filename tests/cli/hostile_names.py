@@ -88,7 +88,7 @@ class HostileNames(Sandbox):
         for name in ("`>c`", "<>c;", "|>c;"):
             for _ in range(2):  # the second one reads the record of the first
                 process = self.succeeds("study", "run.toml", f"--output={name}", "--schemes", scheme)
-            self.assertIn("3 runs are read", process.err)
+            self.assertIn("3 runs were read", process.err)
             self.is_drawn(f"{name}.svg")
 
     def test_control_characters_are_refused(self):

@@ -122,7 +122,7 @@ class Interrupts(Sandbox):
                 record.write("velocity-verlet;0.00")  # as after a power failure
             process = self.polhode("study", "run.toml", "--output", name)
             self.assertEqual(process.returncode, 0, process.err)
-            self.assertIn("runs are read", process.err)
+            self.assertIn("runs were read", process.err)
             self.assertEqual(self.rows(f"{name}.csv"), self.rows("whole.csv"))
             self.assertEqual(sorted(self.rows(f"{name}-runs.csv")), sorted(self.rows("whole-runs.csv")))
 

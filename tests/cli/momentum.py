@@ -60,7 +60,7 @@ class Momentum(Sandbox):
             self.write("start.gro", moved(start, velocity))
             report, log = self.report(edited(SMALL, ('box = "2.5 nm"', 'initial_configuration = "start.gro"')))
             self.assertLess(report["momentum"], 1e-9)
-            noted = re.search(r"moves at (\S+) nm/ps, which amounts to (\S+) K", log)
+            noted = re.search(r"moves at (\S+) nm/ps, equivalent to (\S+) K", log)
             if velocity == 0:
                 self.assertIsNone(noted, log)
             else:

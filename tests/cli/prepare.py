@@ -106,7 +106,7 @@ class Prepare(Sandbox):
 
     def test_prepare_from_a_pressure(self):
         process = self.done("prepare", ARGON, *AT_PRESSURE, "--json")
-        self.assertIn("there is no density, so the lattice has", process.err)
+        self.assertIn("no density is given, so the lattice has", process.err)
         report = json.loads(process.out)
         self.assertTrue(report["density_estimated"])
         # Liquid argon at 90 K has 1.38 g/cm3; the volume changes little within 2 ps.

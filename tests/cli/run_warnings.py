@@ -85,7 +85,7 @@ class Warnings(Sandbox):
         kept = edited(DEFAULT, ('"w512"', '"before-final.gro"'))
         _, warnings, notes = self.both(kept, "--length", "20 fs", "--temperature", "500 K", "--seed", "3")
         self.assertIn("temperature and seed are not used", notes)
-        self.assertIn("warning: the velocities of the initial configuration have", notes)
+        self.assertIn("warning: the velocities of the initial configuration correspond to", notes)
         self.assertIn("velocities of the initial configuration were used", warnings["temperature"]["remedy"])
         fresh = edited(kept, ("molecules =", 'velocities = "new"\nmolecules ='))
         _, warnings, notes = self.both(fresh, "--length", "20 fs", "--temperature", "300 K", "--seed", "3")

@@ -26,7 +26,7 @@ class Study(Sandbox):
         self.assertEqual([p["runs"] for p in more], [5])
         again, log = self.points()
         self.assertEqual(again, both)
-        self.assertIn("3 runs from later ones are left out", log)
+        self.assertIn("3 runs from later configurations are left out", log)
 
     def test_tables_of_a_record(self):
         self.write("run.toml", SMALL)
@@ -41,7 +41,7 @@ class Study(Sandbox):
         self.assertFalse((self.folder / "new-runs.csv").exists())
         # The same file is refused if runs would be added to it.
         self.write(RECORD, before)
-        self.refused(("study", "run.toml"), ["another study", "tables of that record", "--force"])
+        self.refused(("study", "run.toml"), ["another study", "tables from that record", "--force"])
         # Tables are not overwritten without --force.
         self.refused(("study", "run.toml", "--from-record", "old.csv", "--output", "new"), ["'new.csv'", "--force"])
 
@@ -75,7 +75,7 @@ class Study(Sandbox):
         self.assertIn("mine: B(0.16666666666666666) A(0.5) ", (self.folder / RECORD).read_text())
         (again,), log = self.points()
         self.assertEqual(again, point)
-        self.assertIn("2 runs are read", log)
+        self.assertIn("2 runs were read", log)
         # The stages alone give the same numbers, and other stages under the same name other ones.
         (stages,), _ = self.points("--output", "stages", "--schemes", mine[6:])
         self.assertEqual({**stages, "scheme": "mine"}, point)

@@ -99,7 +99,7 @@ CASES = [
     ("a prefix of an analysis that is a folder", SMALL, ("analyze", "start.gro", "--run", "run.toml", "--output", "results/"), ["'results/run'"]),
     ("a prefix of a figure that is a folder", "", ("top", "--J", "1,2,3", "--L", "1,2,3", "--output", "results/"), ["'results/run'"]),
     ("lambda of a scheme with exact gradients", "", ("verify", "gier4", "--lambda", "0.1"),
-     ["gier4 has no gradient by finite difference", "leave it out", "gier4-fd", "--lambda"]),
+     ["gier4 has no finite-difference gradient", "leave lambda out", "gier4-fd", "--lambda"]),
     ("a scheme to be tuned with a typing error", SMALL, ("tune-scheme", "run.toml", "--scheme", "gier5"),
      ["'gier5'", "did you mean 'gier4'", "--scheme"]),
     # names
@@ -197,7 +197,7 @@ CASES += [
      ["1e-12 1/bar", "1e-7 1/bar", "water 4.5e-5", "barostat.compressibility"]),
     ("a thermostat of another program", ensemble("[thermostat]", 'type = "nose-hoover"'), RUN, ['type = "nose-hoover"', "langevin", "rescaling", "thermostat.type"]),
     ("hybrid Monte Carlo with a thermostat", ensemble(*LANGEVIN, *HYBRID), RUN,
-     ["keeps the temperature without a thermostat", "leave the thermostat out", "run.toml"]),
+     ["controls the temperature without a thermostat", "leave the thermostat out", "run.toml"]),
     ("hybrid Monte Carlo without a palindrome", ensemble(*HYBRID), (*RUN, "--scheme", "B(1) A(1)"), ["reversible", "palindrome", '"hoa2"']),
     ("stages of a bath without a thermostat", scheme("B(1/2) A(1/2) O(1) A(1/2) B(1/2)"), RUN, ["needs a thermostat", "O(...)", "run.toml"]),
     ("a scheme with a bath without a thermostat", SMALL, (*RUN, "--scheme", "baoab"), ["needs a thermostat", "[thermostat]", "O(...)"]),

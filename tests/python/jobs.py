@@ -129,7 +129,7 @@ class Verbs(InFolder):
         report = polhode.analyze("e-trajectory.gro", run=polhode.settings(WATER), what=["rdf"],
                                  energies="e-energies.csv", output="f")
         self.assertIn("step_bias", json.dumps(report.data))
-        with self.assertRaisesRegex(polhode.Error, "give run water.toml as well"):
+        with self.assertRaisesRegex(polhode.Error, "also give run water.toml"):
             polhode.analyze("e-trajectory.gro", molecules={"tip4p": 64}, energies="e-energies.csv",
                             output="g")
 

@@ -53,19 +53,20 @@ std::string unreachable(const Advice& advice, const Criterion& criterion) {
       fmt::format("no scheme was found that meets {} for this system", description(criterion));
   if (!reached)
     return text +
-           "; every step that was tried blew up or had an energy drift: equilibrate longer, or "
+           "; at every step tried, a run blew up or had an energy drift: equilibrate longer, or "
            "check the initial configuration";
   text += fmt::format("; the smallest bound reached is {}, with {} at {:.3g} fs",
                       bound_text(criterion.quality, reached->bound), best->name,
                       reached->step * units::fs_per_ps);
   if (reached->max_rounding() > 0.5 * reached->ratio().value)
     text += fmt::format(
-        ". Its round-off limit in mixed precision is R = {:.2g} %, which precision = \"double\" "
-        "removes",
+        ". At this step the round-off limit of mixed precision is R = {:.2g} %; precision = "
+        "\"double\" removes this limit",
         100 * reached->max_rounding());
   if (criterion.quality != Quality::ratio)
     text +=
-        ". The bound includes the error of the mean, which a longer search or longer runs reduce";
+        ". The bound includes the standard error of the mean; a longer search or longer runs "
+        "reduce this error";
   return text;
 }
 

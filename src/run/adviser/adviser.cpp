@@ -332,7 +332,8 @@ class Adviser {
 
   std::string waiting(std::size_t c) const {
     return fmt::format(
-        "it is expected to need at least {:.0f} force evaluations per ps, too many to compete",
+        "the scheme is expected to need at least {:.0f} force evaluations per ps, more than the "
+        "best schemes",
         expected_cost(c));
   }
 
@@ -385,7 +386,7 @@ class Adviser {
       candidate.step =
           three_digits((found.model ? reserve(found.model->exponent(found.step)) : 1) * found.step);
     else
-      candidate.obstacle = "no step that was tried meets the bound";
+      candidate.obstacle = "no step tried meets the bound";
   }
 
   /// The cheapest eligible candidate, by the computing time per simulated ps.

@@ -154,8 +154,8 @@ BiasConversion bias_conversion(const Config& config, const std::vector<Resumable
       isochoric_response(systems, ensemble.temperature, runs, stop, workers);
   const double bar = unit("bar", Dimension::pressure);
   callbacks.note(fmt::format(
-      "note: biases are converted to this ensemble: {}. Each kJ/mol of kinetic energy changes the "
-      "potential energy by {} kJ/mol and the pressure by {} bar",
+      "note: biases at constant energy are converted to this ensemble: {}. Each kJ/mol of kinetic "
+      "energy changes the potential energy by {} kJ/mol and the pressure by {} bar",
       description(ensemble), with_error(response.energy.value, error_of(response.energy)),
       with_error(response.pressure.value / bar, error_of(response.pressure) / bar)));
   return {systems.front(), ensemble, response};

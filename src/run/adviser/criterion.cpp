@@ -40,9 +40,8 @@ void check_bias_known(const EnsembleSettings& ensemble) {
   if (fixed_means(ensemble)) return;
   if (ensemble.hybrid_monte_carlo)
     throw Error(
-        "hybrid Monte Carlo has no time-step bias, so there is none to bound; bound R (\"0.5 "
-        "%\"), "
-        "or use --ensemble nvt for its step and trajectory length");
+        "hybrid Monte Carlo has no time-step bias, so a bias cannot be bounded; bound R (\"0.5 "
+        "%\"), or choose the step and the trajectory length with --ensemble nvt");
   throw Error(
       "the time-step bias is not known in this ensemble; use constant energy, or type = "
       "\"rescaling\" in [thermostat] with edges = [\"xyz\"] in a [barostat], or bound R (\"0.5 "
@@ -68,7 +67,8 @@ Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& e
   if (!ensemble.barostat)
     throw Error(
         "a bound on the bias of the density (\"density 0.02 %\") needs the compressibility in "
-        "[barostat]; give it, or bound the bias of the pressure (\"pressure 4 bar\")");
+        "[barostat]; add the compressibility, or bound the bias of the pressure (\"pressure 4 "
+        "bar\")");
   return {Quality::pressure_bias, requirement.bound / ensemble.barostat->compressibility};
 }
 

@@ -15,16 +15,16 @@ void check_forces(double frequency, const std::string& source) {
   if (!(frequency > min_frequency))
     throw Error(
         "the forces on the molecules of the initial configuration are nearly zero, as on a perfect "
-        "lattice, so they determine no first step; equilibrate first, for example with equilibrate "
-        "= \"5 ps\" in [run]",
+        "lattice, so the first step cannot be estimated from the forces; equilibrate first, for "
+        "example with equilibrate = \"5 ps\" in [run]",
         source);
 }
 
 void check_length(double length, double first, std::string_view scheme) {
   if (length < 10 * first)
     throw Error(
-        fmt::format("runs of {:g} fs are too short for advice: they must have at least ten "
-                    "steps of {:.3g} fs, the first step tried with {}; use longer runs",
+        fmt::format("runs of {:g} fs are too short for advice; a run must have at least ten steps "
+                    "of {:.3g} fs, the first step tried with {}: use longer runs",
                     units::fs_per_ps * length, units::fs_per_ps * first, scheme));
 }
 

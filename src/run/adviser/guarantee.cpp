@@ -22,10 +22,10 @@ namespace {
 void check_same(const std::string& file, const char* key, const std::string& then,
                 const std::string& now) {
   if (then == now) return;
-  throw OutputError(
-      fmt::format("the run was started with {0} = {1}, for which its step was chosen ('{3}'), and "
-                  "{0} is now {2}; give the earlier value, another output, or start over",
-                  key, then, now, file));
+  throw OutputError(fmt::format(
+      "the run was started with {0} = {1}, and its step was chosen for this accuracy ('{3}'), but "
+      "{0} is now {2}; restore the earlier value, give another output, or start over",
+      key, then, now, file));
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ Guarantee read_guarantee(const std::string& file, Config& config) try {
 } catch (const nlohmann::json::exception& e) {
   throw OutputError(
       fmt::format("'{}' does not contain the accuracy guarantee of the run to be resumed ({}); "
-                  "restore it, or start over",
+                  "restore the file, or start over",
                   file, e.what()));
 }
 

@@ -56,10 +56,10 @@ void name_atoms(Frame& frame, const Topology& topology) {
     return;
   }
   throw Error(
-      fmt::format(
-          "there are {} atoms without names, and the molecules have {} sites, {} of them with "
-          "mass; give the molecules in the order of the file, or a file with atom names",
-          frame.atoms.size(), atom_count(topology), atom_count(topology, MasslessSites::omit)),
+      fmt::format("the file has {} atoms without names, but the molecules have {} sites ({} with "
+                  "mass); give the molecules in the order of the file, or a file with atom names",
+                  frame.atoms.size(), atom_count(topology),
+                  atom_count(topology, MasslessSites::omit)),
       frame.source);
 }
 
@@ -123,7 +123,7 @@ class Assembly {
  private:
   void leave_out(const std::string& name, const std::string& why) {
     if (settings_.what.contains(name))
-      throw Error(fmt::format("there is no '{}': {}; leave it out", name, why));
+      throw Error(fmt::format("'{}' cannot be computed: {}; leave it out", name, why));
     result_.notes.push_back(fmt::format("no {}: {}", name, why));
   }
 
@@ -131,8 +131,8 @@ class Assembly {
     const double window = settings_.window / result_.interval;
     if (!(window <= max_lags))
       throw Error(
-          fmt::format("the window of {:g} ps has {:g} lags of {:g} ps; the maximum is {:g}, so "
-                      "give a shorter one",
+          fmt::format("the window of {:g} ps has {:g} lags of {:g} ps; the maximum is {:g} lags, "
+                      "so give a shorter window",
                       settings_.window, window, result_.interval, max_lags));
     const auto lags = static_cast<std::size_t>(std::max(1.0, window + 1e-6)) + 1;
     const auto bodies = static_cast<double>(result_.topology.size());
@@ -145,15 +145,15 @@ class Assembly {
     const std::size_t known = result_.frames_with_step_error;
     if (known == 0)
       throw Error(
-          fmt::format("no frame has a sample of the shadow energy in '{}', which the time-step "
-                      "bias needs; run a scheme of order 2 with shadow_sample equal to "
-                      "trajectory_every, or leave the energies out",
+          fmt::format("'{}' has no sample of the shadow energy at the time of any frame, but the "
+                      "time-step bias needs such samples; run a scheme of order 2 with "
+                      "shadow_sample equal to trajectory_every, or leave the energies out",
                       settings_.step_errors->energies));
     if (known < result_.frames)
-      result_.notes.push_back(
-          fmt::format("the time-step bias uses {} of {} frames, at samples of the shadow energy; "
-                      "with shadow_sample equal to trajectory_every it uses all",
-                      known, result_.frames));
+      result_.notes.push_back(fmt::format(
+          "the time-step bias uses only {} of {} frames, because the other frames have no sample "
+          "of the shadow energy; set shadow_sample equal to trajectory_every to use all frames",
+          known, result_.frames));
   }
 
   // Sets the interval between frames, or returns the reason why it is not defined.
@@ -162,7 +162,8 @@ class Assembly {
     result_.interval = settings_.interval.value_or(states[1].state.time - states[0].state.time);
     if (result_.interval > 0) return {};
     return fmt::format(
-        "the first frames have the times {:g} and {:g} ps; give the interval between them",
+        "the first frames are at {:g} and {:g} ps, but times must increase; give the interval "
+        "between frames",
         states[0].state.time, states[1].state.time);
   }
 
@@ -172,10 +173,11 @@ class Assembly {
     const double due = result_.first + static_cast<double>(result_.frames) * result_.interval;
     const double rounding = 0x1p-22 * std::abs(time) * (1 + static_cast<double>(result_.frames));
     if (std::abs(time - due) <= 0.01 * result_.interval + rounding) return;
-    throw Error(fmt::format(
-        "frame {} is at {:g} ps instead of {:g} ps, after a first interval of {:g} ps; "
-        "correlations need evenly spaced frames, so choose other observables, or give the interval",
-        result_.frames + 1, time, due, result_.interval));
+    throw Error(
+        fmt::format("frame {} is at {:g} ps instead of {:g} ps, the time expected from the first "
+                    "interval, {:g} ps; correlations need evenly spaced frames, so choose other "
+                    "observables, or give the interval",
+                    result_.frames + 1, time, due, result_.interval));
   }
 
   Analysis& result_;
@@ -231,8 +233,8 @@ Analysis analyze(FrameReader& reader, Topology topology, const AnalysisSettings&
     if (result.stopped || count < batch.size()) break;
   }
   if (result.frames == 0)
-    throw Error(
-        fmt::format("there is no frame at {:g} ps or later; give an earlier time", settings.from));
+    throw Error(fmt::format("there is no frame at {:g} ps or later; give an earlier start time",
+                            settings.from));
   assembly.end();
   return result;
 }

@@ -31,7 +31,7 @@ std::optional<Frame> names_of_atoms(const std::string& file) {
   if (file.empty()) return std::nullopt;
   Frame names;
   if (!open_frames(file)->next(names))
-    throw Error(fmt::format("'{}' contains no frame; give a file with at least one", file));
+    throw Error(fmt::format("'{}' contains no frame; give a file with at least one frame", file));
   return names;
 }
 
@@ -71,8 +71,8 @@ AnalysisReport run_analysis(const AnalysisInput& input, const OutputOptions& opt
   AnalysisReport report;
   report.analysis = analyze(*reader, input.topology, input.settings, callbacks, workers);
   if (report.analysis.stopped)
-    callbacks.note(
-        fmt::format("interrupted after {} frames; their results follow", report.analysis.frames));
+    callbacks.note(fmt::format("interrupted after {} frames; the results from these frames follow",
+                               report.analysis.frames));
   report.summary = summary(report.analysis, input.summary, workers);
   if (report.analysis.deviation > 1e-4)
     callbacks.note(fmt::format("note: atoms deviate by up to {:.4f} nm from the rigid models",

@@ -29,8 +29,8 @@ Topology molecules_of(const Given& given) {
     long long count = 0;  // signed, because streams read "-1" as the largest unsigned number
     parts >> model;
     if (!(parts >> std::ws).eof() && (!(parts >> count) || !parts.eof() || count <= 0))
-      refuse(given, fmt::format("has '{}', which must be a model and its count; write for example "
-                                "\"tip4p 512, na-tip4p-ew 4\"",
+      refuse(given, fmt::format("has the entry '{}'; each entry must be a model and its count: "
+                                "write for example \"tip4p 512, na-tip4p-ew 4\"",
                                 word));
     topology.parts.push_back({read_molecule(model), static_cast<std::size_t>(count)});
   }
@@ -38,9 +38,10 @@ Topology molecules_of(const Given& given) {
   if (topology.parts.size() > 1)
     for (const auto& [molecule, count] : topology.parts)
       if (count == 0)
-        refuse(given, fmt::format("has no count of '{}', which can be left out only if there is "
-                                  "one model",
-                                  molecule.name));
+        refuse(
+            given,
+            fmt::format("has no count of '{}'; a count can be left out only if there is one model",
+                        molecule.name));
   return topology;
 }
 
@@ -49,8 +50,8 @@ Topology molecules_of(const Given& given) {
 SitePair pair_of(const Given& given, const std::string& word, const Topology& topology) {
   const auto dash = word.find('-');
   if (dash == word.npos || dash == 0 || word.back() == '-')
-    refuse(given, fmt::format("has '{}', which must be two site names; write for example "
-                              "\"OW-OW, OW-HW\"",
+    refuse(given, fmt::format("has the entry '{}'; each entry must be two site names: write for "
+                              "example \"OW-OW, OW-HW\"",
                               word));
   const auto split = [&](std::size_t at) {
     return SitePair{word.substr(0, at), word.substr(at + 1)};
@@ -75,7 +76,8 @@ AnalysisSettings settings_of(const Request& r, const Topology& topology) {
   for (const std::string& word : given_words(r.pairs))
     s.pairs.push_back(pair_of(r.pairs, word, topology));
   if (s.cutoff && *s.cutoff < s.bin)
-    refuse(r.cutoff, fmt::format("is shorter than a bin of {:g} nm; give a longer one", s.bin));
+    refuse(r.cutoff,
+           fmt::format("is shorter than a bin of {:g} nm; give a longer distance", s.bin));
   return s;
 }
 
@@ -86,15 +88,15 @@ FitWindow fit_window(const Given& fit) {
                          given_quantity({ends[1], fit.name}, Dimension::time)};
   if (!(0 <= window.from && window.from < window.to))
     refuse(fit,
-           "must begin at 0 or later and end after its beginning; write for example \"2 ps, 10 "
-           "ps\"");
+           "must begin at 0 or later and end at a later lag; write for example \"2 ps, 10 ps\"");
   return window;
 }
 
 SummarySettings summary_settings(const Request& r, const Config* run) {
   SummarySettings s;
-  s.no_surroundings = fmt::format("it depends on the electrostatics of the run; give {} or {}",
-                                  r.run.name, r.electrostatics.name);
+  s.no_surroundings =
+      fmt::format("the dielectric constant depends on the electrostatics of the run; give {} or {}",
+                  r.run.name, r.electrostatics.name);
   if (run != nullptr) s.set_run(*run);
   if (r.electrostatics) {
     ForceSettings forces;
@@ -161,12 +163,12 @@ AnalysisInput analysis_input(const Request& request, const std::string& trajecto
   if (request.run) run = &of_file.emplace(read_config(request.run.text));
   if ((run == nullptr) != static_cast<bool>(request.molecules))
     throw Error(fmt::format(
-        "the molecules of the trajectory are {}; give one of {} water.toml and {} \"tip4p 512\"",
+        "the molecules of the trajectory are {}; give either {} water.toml or {} \"tip4p 512\"",
         run == nullptr ? "not known" : "given twice", request.run.name, request.molecules.name));
   if (request.energies && run == nullptr)
     throw Error(
-        fmt::format("{} is for the time-step bias, which depends on what the run held "
-                    "constant; give {} water.toml as well",
+        fmt::format("{} is used for the time-step bias, but this bias depends on the ensemble of "
+                    "the run; also give {} water.toml",
                     request.energies.name, request.run.name));
   AnalysisInput input{.trajectory = trajectory, .names = request.names.text};
   if (request.output) input.prefix = request.output.text;

@@ -21,7 +21,7 @@ std::string why_not(const FirstFrames& f) {
   for (const auto& part : parts)
     if (const double charge = part.molecule.charge(); std::abs(charge) > 1e-6)
       return fmt::format(
-          "'{}' has a charge of {:g} e, and the dipole of a periodic box with mobile ions is not "
+          "'{}' has a charge of {:g} e, but the dipole of a periodic box with mobile ions is not "
           "defined",
           part.molecule.name, charge);
   const bool any = std::any_of(parts.begin(), parts.end(),
@@ -31,7 +31,7 @@ std::string why_not(const FirstFrames& f) {
 
 AnalysisFile file_of(const Analysis& a, const TotalDipole::Result& d) {
   AnalysisFile file = file_over_time(a, "dielectric", d.frames,
-                                     {{}, "dielectric constant of the frames so far", {}, "ε"});
+                                     {{}, "dielectric constant from all frames so far", {}, "ε"});
   CurvesFigure::Panel panel;
   draw(panel, "", add(file.table, "epsilon", "1", d.stages), d.stages);
   file.figure.panels.push_back(std::move(panel));
@@ -67,7 +67,8 @@ ObservableResults Dielectric::results(const AllFrames& all) {
     all.notes.push_back("no dielectric: " + settings.no_surroundings);
   else if (!all.temperature)
     all.notes.push_back(
-        "no dielectric constant: the frames have no velocities; give a temperature");
+        "no dielectric constant: the frames have no velocities, so the temperature is unknown; "
+        "give a temperature");
   if (!settings.surroundings_permittivity || !all.temperature) return {};
   const double surroundings = *settings.surroundings_permittivity;
   const TotalDipole::Result d = dipole_.result(*all.temperature, surroundings, a.mean_interval());

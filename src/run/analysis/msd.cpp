@@ -46,13 +46,13 @@ Correction viscosity(const AllFrames& all) {
   });
   if (known == std::end(published))
     return {{},
-            "there is no published viscosity for these molecules; give it as 'viscosity', \"0.9 "
-            "mPa s\""};
+            "there is no published viscosity for these molecules; give the viscosity as "
+            "'viscosity', for example \"0.9 mPa s\""};
   if (!all.temperature || std::abs(*all.temperature - published_temperature) > near)
     return {{},
             fmt::format(
-                "the published viscosity of {}, {}, is for {:g} K and 1 bar, gonzalez2010; give "
-                "the viscosity at {} as 'viscosity'",
+                "the published viscosity of {}, {}, applies to {:g} K and 1 bar (gonzalez2010); "
+                "give the viscosity at {} as 'viscosity'",
                 known->model, known->value, published_temperature,
                 all.temperature ? fmt::format("{:.4g} K", *all.temperature) : "the temperature")};
   return {
@@ -66,9 +66,10 @@ bool cubic(const Box& box) {
 }
 
 Correction correction(const AllFrames& all) {
-  if (!cubic(all.analysis.box)) return {{}, "the finite-size correction is for cubic boxes only"};
+  if (!cubic(all.analysis.box))
+    return {{}, "the finite-size correction applies only to cubic boxes"};
   if (!all.temperature)
-    return {{}, "no temperature: the frames have no velocities; give a temperature"};
+    return {{}, "the frames have no velocities, so the temperature is unknown; give a temperature"};
   Correction c = viscosity(all);
   if (c.value)
     c.value = yeh_hummer_correction(*all.temperature, *c.value,
@@ -79,7 +80,7 @@ Correction correction(const AllFrames& all) {
 std::string why_not(const FirstFrames& f) {
   return f.analysis.topology.size() > 1 ? ""
                                         : "displacements are relative to the centre of mass of all "
-                                          "molecules, and there is only one molecule";
+                                          "molecules, but there is only one molecule";
 }
 
 /// The diffusion coefficient of one kind of molecule, and the line fitted to the mean-square
@@ -145,7 +146,7 @@ class Msd : public Observable {
 void Msd::note_long_steps(const AllFrames& all) const {
   if (displacement_.max_step() > safe_step)
     all.notes.push_back(fmt::format(
-        "centres of mass moved by up to {:.2f} of an edge between frames; beyond {:g} "
+        "between frames centres of mass moved by up to {:.2f} box edges; above {:g} box edges, "
         "displacements across periodic boundaries may be too short, so write frames more often",
         displacement_.max_step(), safe_step));
 }
@@ -166,8 +167,8 @@ Quantities Msd::add_part(AnalysisFile& file, std::size_t part, const FitWindow& 
     list = found.quantities(molecule.name, fit, correction);
   } else if (count > 0 && part == 0) {
     all.notes.push_back(
-        fmt::format("no diffusion coefficient: fewer than two lags between {:g} and {:g} ps; the "
-                    "maximum is {:g} ps",
+        fmt::format("no diffusion coefficient: there are fewer than two lags between {:g} and {:g} "
+                    "ps; the maximum lag is {:g} ps",
                     fit.from, fit.to, static_cast<double>(squared.size() - 1) * a.interval));
   }
   file.figure.panels.push_back(std::move(panel));

@@ -35,10 +35,10 @@ void check_pair(const SitePair& pair, const Topology& topology) {
   for (const std::string& word : pair)
     if (molecules_with(topology, word).empty()) return;
   if (count_pairs(topology, pair) > 0) return;
-  throw Error(fmt::format(
-      "there is no g(r) of '{}-{}': only one molecule has these sites, and a pair is of two "
-      "molecules; leave it out",
-      pair[0], pair[1]));
+  throw Error(
+      fmt::format("there is no g(r) of '{}-{}': a pair has sites of two molecules, but only one "
+                  "molecule has these sites; leave this pair out",
+                  pair[0], pair[1]));
 }
 
 RadialSettings settings_of(const FirstFrames& f) {
@@ -48,8 +48,8 @@ RadialSettings settings_of(const FirstFrames& f) {
   for (const SitePair& pair : settings.pairs) check_pair(pair, f.analysis.topology);
   if (!(cutoff / bin <= max_bins))
     throw Error(
-        fmt::format("bins of {:g} nm make {:g} bins up to {:g} nm; the maximum is {:g}, so give "
-                    "wider ones",
+        fmt::format("with a width of {:g} nm there are {:g} bins up to {:g} nm; the maximum is "
+                    "{:g} bins, so give a larger width",
                     bin, cutoff / bin, cutoff, max_bins));
   return settings;
 }

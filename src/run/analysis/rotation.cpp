@@ -12,8 +12,8 @@ namespace polhode {
 namespace {
 
 constexpr const char* not_decayed =
-    "not converged: still above 1/e³ at the maximum lag; use a longer window, and a run of at "
-    "least eight windows";
+    "not converged: the correlation is still above 1/e³ at the maximum lag; use a longer window, "
+    "and a run of at least eight windows";
 
 Quantities quantities_of(const std::optional<RelaxationTimes>& t) {
   if (!t) return {{"converged", "", false}, {"reason", "", not_decayed}};

@@ -25,8 +25,8 @@ StepErrorSettings step_error_settings(const std::string& energies, const Config&
   if (ensemble.hybrid_monte_carlo)
     throw Error("hybrid Monte Carlo has no time-step bias; leave the energies out");
   throw Error(
-      "the time-step bias is known at constant energy, or with a rescaling thermostat at the ends "
-      "of steps and all edges of the box scaled by one factor; leave the energies out");
+      "the time-step bias is only known at constant energy, or with a rescaling thermostat at the "
+      "ends of steps and all box edges scaled by one factor; leave the energies out");
 }
 
 StepErrors::StepErrors(const StepErrorSettings& settings, const Topology& topology)
@@ -44,8 +44,8 @@ std::optional<StepError> StepErrors::at(const State& frame, bool has_velocities)
   while (next_ && next_->energies.time <= last) {
     if (next_->energies.time >= first && row_ && row_->energies.time >= first)
       throw Error(fmt::format(
-          "'{}' has several rows at {:.9g} ps within the rounding of times in files, so the row of "
-          "the frame is not known; use a longer interval between energies",
+          "'{}' has several rows at {:.9g} ps, indistinguishable because times in files are "
+          "rounded, so the row of the frame is not known; use a longer interval between energies",
           settings_.energies, frame.time));
     row_ = next_;
     next_ = rows_.next();
@@ -64,8 +64,8 @@ std::optional<StepError> StepErrors::at(const State& frame, bool has_velocities)
 void StepErrors::check(const EnergyRow& row, const State& frame, bool has_velocities) const {
   const auto refuse = [&](const char* what, double here, double there, const char* unit) {
     throw Error(
-        fmt::format("the frame at {:.9g} ps has a {} of {:.6g} {}, and its row of '{}' has "
-                    "{:.6g} {}; give the energies of the run that wrote the trajectory",
+        fmt::format("the frame at {:.9g} ps has a {} of {:.6g} {}, but the row of this frame in "
+                    "'{}' has {:.6g} {}; give the energies of the run that wrote the trajectory",
                     frame.time, what, here, unit, settings_.energies, there, unit));
   };
   const Energies& e = row.energies;
@@ -78,7 +78,7 @@ void StepErrors::check(const EnergyRow& row, const State& frame, bool has_veloci
   if (settings_.fixed == FixedMeans::energy && !(std::abs(row.conserved - e.total()) <= of_energy))
     throw Error(
         fmt::format("conserved and total energy in '{}' differ at {:.9g} ps, as with a thermostat, "
-                    "and the run file has constant energy; give the run file with the thermostat",
+                    "but the run file has constant energy; give the run file with the thermostat",
                     settings_.energies, e.time));
   if (!has_velocities) return;
   // Rounding of positions to 0.001 nm changes the rotational energy of a molecule by a few per

@@ -106,10 +106,10 @@ Quantities green_kubo(const BlockMeans& C, double interval, const std::string& m
 ObservableResults Velocity::results(const AllFrames& all) {
   const Analysis& a = all.analysis;
   if (a.interval > max_interval)
-    all.notes.push_back(fmt::format(
-        "an interval of {:g} fs between frames is too long for velocities of light molecules, "
-        "which reverse within 20 fs: spectra beyond {:.3g} THz are folded back",
-        units::fs_per_ps * a.interval, 0.5 / a.interval));
+    all.notes.push_back(
+        fmt::format("velocities of light molecules reverse within 20 fs, so an interval of {:g} fs "
+                    "between frames is too long: spectra are aliased above {:.3g} THz",
+                    units::fs_per_ps * a.interval, 0.5 / a.interval));
   const std::vector<NamedCorrelation> curves = correlations(all);
   ObservableResults results;
   results.parts.resize(a.topology.parts.size());

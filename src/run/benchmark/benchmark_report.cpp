@@ -184,7 +184,7 @@ std::vector<std::string> verdict(const Benchmark& b) {
   lines.push_back(
       spread > noisy
           ? fmt::format(
-                "this computer was busy or changed its clock rate: medians are up to {:.0f} % "
+                "the computer was busy, or its clock rate changed: medians are up to {:.0f} % "
                 "above the best repeats; measure again before relying on the ratios",
                 percent(spread))
           : fmt::format("the computer was otherwise idle: medians are at most {:.1f} % above the "

@@ -117,8 +117,8 @@ std::vector<std::string> canonical_sentences(const CanonicalFindings& findings,
     sentences.push_back(sentence(claim, findings.criterion, points));
   if (!findings.cheapest) {
     sentences.emplace_back(
-        "the cheapest unbiased sample is not known: no point has all biases below "
-        "their bounds and a correlation time");
+        "the cheapest unbiased sample is not known: no point has both a known correlation time and "
+        "all biases below their bounds");
     return sentences;
   }
   const Estimate cost = points[*findings.cheapest].evaluations_per_sample();

@@ -66,9 +66,10 @@ std::vector<CanonicalMethod> canonical_methods(const StudySettings& settings) {
       method.step = h;
       if (std::any_of(methods.begin(), methods.end(),
                       [&](const CanonicalMethod& other) { return same(method, other); }))
-        throw Error(fmt::format(
-            "the study has {} with a step of {:g} fs twice; give each scheme and each step once",
-            method.name, units::fs_per_ps * h));
+        throw Error(
+            fmt::format("the study contains {} with a step of {:g} fs twice; give each scheme and "
+                        "each step once",
+                        method.name, units::fs_per_ps * h));
       methods.push_back(method);
     }
   }

@@ -138,8 +138,8 @@ CanonicalFigure figure(const CanonicalReport& report, const std::string& csv) {
   }
   figure.caption = fmt::format(
       "Shaded: the strict and the loose bounds. Points of one cost are drawn side by side. Hybrid "
-      "Monte Carlo (hmc) is exact, and the reference. {} runs of {:g} ps "
-      "per point, standard errors.",
+      "Monte Carlo (hmc) is exact, and the reference. {} runs of {:g} ps per point, standard "
+      "errors.",
       report.config.study.runs, report.config.study.length);
   return figure;
 }
@@ -164,7 +164,7 @@ struct CanonicalStudy {
 
   void check(const System&) const {
     if (config.ensemble.barostat)
-      throw Error("a canonical study has a constant volume; leave the table [barostat] out",
+      throw Error("a canonical study requires constant volume; leave the table [barostat] out",
                   config.source);
     for (const CanonicalMethod& method : methods)
       if (config.study.length < 100 * method.step)
@@ -191,9 +191,9 @@ std::string canonical_conditions(const Config& config) {
   bath.thermostat = config.ensemble.thermostat.value_or(ThermostatSettings{});
   const auto hybrid = config.ensemble.hybrid_monte_carlo.value_or(HybridMonteCarloSettings{});
   return fmt::format(
-      "at most {} runs of {:g} ps, the first {:g} ps of which are not counted, from canonical "
-      "configurations, the same for every scheme; schemes with a bath: {}; hybrid Monte Carlo: {} "
-      "steps per trajectory; temperatures are compared with {:g} K, other averages with those of "
+      "at most {} runs of {:g} ps, without the first {:g} ps; every scheme starts from the same "
+      "canonical configurations; schemes with a bath: {}; hybrid Monte Carlo: {} steps per "
+      "trajectory; temperatures are compared with {:g} K, other averages with the averages of "
       "hybrid Monte Carlo",
       config.study.runs, config.study.length, relaxation(config.study.length), description(bath),
       hybrid.steps, config.system.temperature);

@@ -234,7 +234,7 @@ HybridAdvice advise_hybrid(const Config& config, const HybridAdviserSettings& se
 
 std::string answer(const HybridAdvice& advice) {
   if (advice.finalists.empty())
-    return "no choice has runs long enough for an autocorrelation time of U; use longer runs";
+    return "all runs are too short for an autocorrelation time of U; use longer runs";
   const HybridChoice& best = advice.finalists.front();
   const Estimate& cost = *best.evaluations_per_sample;
   std::string text = fmt::format(
@@ -243,13 +243,13 @@ std::string answer(const HybridAdvice& advice) {
       advice.scheme, choice_text(best), 100 * best.acceptance.value,
       with_error(cost.value, cost.error));
   for (const std::size_t k : advice.equal)
-    text +=
-        fmt::format("{}{}", k == advice.equal.front() ? "; not distinguishable from it: " : ", ",
-                    choice_text(advice.finalists[k]));
+    text += fmt::format(
+        "{}{}", k == advice.equal.front() ? "; not distinguishable from this choice: " : ", ",
+        choice_text(advice.finalists[k]));
   const bool longer_steps = std::any_of(advice.pilots.begin(), advice.pilots.end(),
                                         [&](const auto& c) { return c.step > best.step; });
   if (!longer_steps && !advice.pilots.empty())
-    text += "; no longer step was tried, and one may be cheaper";
+    text += "; longer steps were not tried and may be cheaper";
   return text;
 }
 

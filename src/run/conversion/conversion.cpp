@@ -19,7 +19,7 @@ std::optional<Frame> read_names(const std::string& file) {
   if (file.empty()) return std::nullopt;
   if (!format_traits(file).names)
     throw Error(fmt::format(
-        "'{}' is of a format without atom names; give a GRO, PDB or XYZ file for them", file));
+        "the format of '{}' has no atom names; give a GRO, PDB or XYZ file with the names", file));
   Frame frame;
   if (!open_frames(file)->next(frame))
     throw Error(fmt::format("'{}' contains no atoms; give a file of the same system", file));
@@ -31,13 +31,13 @@ void check_names(const Frame& frame, const Conversion& c) {
   for (const AtomKind& kind : frame.kinds)
     if (kind.name.empty())
       throw Error(
-          fmt::format("'{}' has no atom names, which '{}' needs; give a file of the same "
-                      "atoms with their names, such as conf.gro",
+          fmt::format("'{}' has no atom names, but '{}' needs atom names; give a file with the "
+                      "names of the same atoms, such as conf.gro",
                       c.from, c.to));
 }
 
 void check_selection(const Conversion& c) {
-  if (c.every == 0) throw Error("there is no 0th frame; the number must be 1 or more");
+  if (c.every == 0) throw Error("the frame number is 0; it must be 1 or more");
   if (c.first > c.last)
     throw Error(fmt::format("the first time, {:g} ps, is later than the last, {:g} ps; swap them",
                             c.first, c.last));
@@ -67,8 +67,8 @@ Written write_frames(FrameReader& reader, const std::string& path, const Convers
     writer->write(frame);
   }
   if (written.result.frames == 0)
-    throw Error(fmt::format("'{}' has no frame between the first and the last time; choose others",
-                            c.from));
+    throw Error(fmt::format(
+        "'{}' has no frame between the first and the last time; choose other times", c.from));
   writer->mark();
   return written;
 }
@@ -97,7 +97,8 @@ ConversionResult convert(const Conversion& c, const OutputOptions& options,
   if (written.result.interrupted) return written.result;
   draft.finish();
   if (written.velocities_lost)
-    callbacks.note(fmt::format("note: velocities are not written; the format {} has none", c.to));
+    callbacks.note(fmt::format(
+        "note: velocities are not written, because the format {} cannot store velocities", c.to));
   return written.result;
 }
 

@@ -30,31 +30,31 @@ void check(const Config& config) {
   if (config.ensemble.barostat)
     refuse("the run has a barostat; fix polhode needs a constant box, so remove [barostat]");
   if (config.ensemble.hybrid_monte_carlo)
-    refuse("hybrid Monte Carlo has no counterpart in LAMMPS; remove it");
+    refuse("hybrid Monte Carlo has no counterpart in LAMMPS; remove [hybrid_monte_carlo]");
   const auto& thermostat = config.ensemble.thermostat;
   const auto* const langevin = thermostat ? std::get_if<Langevin>(&*thermostat) : nullptr;
   if (thermostat && !(langevin && langevin->friction == langevin->rotational_friction))
     refuse(
-        "the thermostat of fix polhode is langevin, with one friction for translation and "
-        "rotation; choose it or remove [thermostat]");
+        "the only thermostat of fix polhode is langevin, with the same friction for translation "
+        "and rotation; choose this thermostat, or remove [thermostat]");
   if (config.output.prefix.find_first_of("\"\n") != std::string::npos)
     refuse(
-        "the prefix of the output has a quotation mark or a line break, which file names in "
-        "scripts of LAMMPS cannot have; choose another");
+        "the prefix of the output has a quotation mark or a line break, but file names in LAMMPS "
+        "scripts cannot; choose another prefix");
 }
 
 // The scheme with finite differences in place of exact gradients.
 Scheme lammps_scheme(const Config& config, const Callbacks& callbacks) {
   const Scheme scheme = single_scheme_of(config.integrator.scheme);
   if (!scheme.starts_with_kick() || !scheme.ends_with_kick())
-    throw Error(fmt::format("the scheme '{}' does not begin with a kick, as fix polhode needs; "
-                            "choose another, such as bcss3 or gier4-fd",
+    throw Error(fmt::format("the scheme '{}' does not begin with a kick, but fix polhode needs "
+                            "such a scheme; choose another scheme, such as bcss3 or gier4-fd",
                             scheme.name()),
                 config.source);
   if (!scheme.has(Gradient::exact)) return scheme;
   callbacks.note(
-      "note: the exact gradients of the scheme become finite differences, since LAMMPS has no "
-      "derivative of the forces");
+      "note: the exact gradients of the scheme become finite differences, since LAMMPS does not "
+      "compute derivatives of the forces");
   std::vector<Stage> stages(scheme.stages().begin(), scheme.stages().end());
   for (Stage& stage : stages)
     if (stage.xi != 0) stage.gradient = Gradient::finite_difference;
@@ -118,8 +118,8 @@ PairCommands pair_commands(const System& system, const LammpsTypes& types, Lammp
   const bool particles = style == LammpsPairStyle::particles, mesh = has_mesh(system.forces);
   if (particles && mesh)
     throw Error(
-        "the mesh of LAMMPS knows no charges within particles; use --pair-style polhode, or "
-        "electrostatics without a mesh");
+        "the mesh of LAMMPS does not support charges within particles; use --pair-style polhode, "
+        "or electrostatics without a mesh");
   std::ostringstream text;
   if (style == LammpsPairStyle::table) {
     const auto sections = write_lammps_tables(text, system.topology, system.forces, types, !mesh);
@@ -142,11 +142,9 @@ class Script {
   void write(const Scheme& scheme, const PairCommands& pairs) const {
     const std::string& prefix = config_.output.prefix;
     fmt::print(out_,
-               "# Written by polhode export from {}; fix polhode is in the plugin of polhode.\n"
-               "variable plugin index polhodeplugin.so\n"
-               "plugin load ${{plugin}}\n"
-               "units real\natom_style {}\n{}"
-               "read_data \"{}.data\" {}\n",
+               "# Written by polhode export from {}; the polhode plugin contains fix "
+               "polhode.\nvariable plugin index polhodeplugin.so\nplugin load ${{plugin}}\nunits "
+               "real\natom_style {}\n{}read_data \"{}.data\" {}\n",
                config_.source, particles_ ? "atomic" : "full", pairs.style + molecule_styles(),
                prefix, particles_ ? orientations() : "nocoeff");
     out_ << pairs.coefficients;

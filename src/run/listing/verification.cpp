@@ -19,8 +19,8 @@ Verification verify(const NamedScheme& scheme, int order, double lambda) {
   Verification v{scheme, {}, order};
   if (v.scheme.has(Flow::bath))
     throw Error(
-        fmt::format("'{}' has a bath O, which exchanges energy with the system, so that the error "
-                    "of the energy measures no order; verify the scheme without its stages O",
+        fmt::format("'{}' has a bath O; a bath exchanges energy with the system, so the energy "
+                    "error does not show the order: verify the scheme without its stages O",
                     scheme.text));
   v.measured = measure_order(v.scheme, lambda);
   if (order == 0) v.declared = v.scheme.order();
@@ -30,8 +30,8 @@ Verification verify(const NamedScheme& scheme, int order, double lambda) {
 void check_lambda(const NestedScheme& scheme) {
   if (scheme.has(Gradient::finite_difference)) return;
   throw Error(
-      fmt::format("{} has no gradient by finite difference, so lambda has no effect; leave "
-                  "it out, or take a scheme with one, such as gier4-fd",
+      fmt::format("{} has no finite-difference gradient, so lambda has no effect; leave lambda "
+                  "out, or take a scheme with such a gradient, for example gier4-fd",
                   name_of(scheme)));
 }
 
@@ -49,7 +49,7 @@ Quantities quantities(const Verification& v) {
   }
   const std::string verdict =
       v.declared == 0
-          ? "; no order is declared, so there is nothing to compare with (--order N)"
+          ? "; no declared order to compare with (set one with --order N)"
           : fmt::format(", declared {}: {}", v.declared, v.holds() ? "confirmed" : "NOT confirmed");
   return {{"scheme", "", name_of(v.scheme), "name of the scheme, or its stages"},
           {"points", "", points, "energy error at each time step", "energy error of a model"},

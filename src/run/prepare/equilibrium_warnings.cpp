@@ -19,7 +19,7 @@ std::optional<Warning> density_warning(const Drift& slope, double length, double
   return Warning{"density", change, min_change,
                  fmt::format("the volume is still {}: by {:.2g} % in the last {:g} ps{}",
                              change > 0 ? "growing" : "shrinking", 100 * std::abs(change), length,
-                             known ? "" : ", too short for the error of this number"),
+                             known ? "" : ", a time too short for an error estimate"),
                  "prepare longer: npt = \"500 ps\" in [prepare], or give a density"};
 }
 

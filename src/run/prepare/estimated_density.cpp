@@ -40,7 +40,7 @@ double estimated_density(const Topology& topology) {
     volume += static_cast<double>(count) * volume_of(molecule);
   if (!(volume > 0))
     throw Error(
-        "the density cannot be estimated, since no site has a diameter sigma; write for example "
+        "the density cannot be estimated, since no site has a diameter (sigma); write for example "
         "density = \"1 g/cm3\" in [system]");
   return packing * topology.mass() / volume;
 }

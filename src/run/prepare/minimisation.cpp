@@ -14,7 +14,7 @@ namespace {
 void check_settings(const MinimisationSettings& s) {
   if (!(s.force > 0) || !(s.torque > 0))
     throw Error(
-        fmt::format("the bounds of a minimisation are {:g} kJ/mol/nm and {:g} kJ/mol; they must be "
+        fmt::format("the bounds of a minimisation are {:g} kJ/mol/nm and {:g} kJ/mol; both must be "
                     "above 0, since forces are rounded (usual: 10 kJ/mol/nm and 1 kJ/mol)",
                     s.force, s.torque));
 }

@@ -57,9 +57,8 @@ std::vector<Stage> stages_of(const Config& config) {
   std::erase_if(stages, [](const Stage& stage) { return stage.length < 2 * max_step; });
   if (stages.empty())
     throw Error(
-        "the preparation has no dynamics, since nvt and npt are 0 ps; give one of them a length, "
-        "or "
-        "only minimise",
+        "the preparation has no dynamics, since nvt and npt are 0 ps; set one of these lengths "
+        "above 0 ps, or use 'polhode minimise'",
         config.source);
   return stages;
 }
@@ -149,10 +148,10 @@ void Preparation::choose_density(PreparationReport& report) {
   if (s.box) report.lattice_density = topology.mass() / Box{*s.box}.volume();
   if (s.density) report.lattice_density = *s.density;
   if (report.estimated)
-    callbacks_.note(fmt::format(
-        "note: there is no density, so the lattice has {:.0f} kg/m3, estimated from the diameters "
-        "of the sites; the barostat changes it",
-        kg_per_m3(*s.density)));
+    callbacks_.note(
+        fmt::format("note: no density is given, so the lattice has {:.0f} kg/m3, estimated from "
+                    "the diameters of the sites; the barostat changes this density",
+                    kg_per_m3(*s.density)));
 }
 
 TrajectorySettings Preparation::settings_of(std::size_t stage) const {

@@ -11,7 +11,8 @@ namespace polhode {
 namespace {
 
 std::string change_of(const Drift& drift) {
-  if (drift.known != Known::yes) return "too short to tell whether it still changes";
+  if (drift.known != Known::yes)
+    return "the stage is too short to tell whether the density still changes";
   if (!drift.significant()) return "no longer changing";
   return drift.rate.value < 0 ? "still falling" : "still rising";
 }
@@ -66,8 +67,7 @@ std::string compressibility_text(const SeriesEstimate& measured, double in_use) 
   if (measured.known == Known::yes)
     return text_of(scaled(measured, 1 / scale), "1e-6/bar") +
            ", from the fluctuations of the volume";
-  return fmt::format("not known yet; the moves of the barostat assume {:.3g} 1e-6/bar",
-                     in_use / scale);
+  return fmt::format("not known yet; the barostat assumes {:.3g} 1e-6/bar", in_use / scale);
 }
 
 Quantities quantities(const PreparationReport& r) {

@@ -25,8 +25,8 @@ using Statistic = std::function<double(Means)>;
 constexpr const char* too_short = "the runs are too short";
 
 constexpr const char* no_equilibrium =
-    "a replica has reached no equilibrium; if longer runs do not help, the state is a crystal, a "
-    "glass or two phases";
+    "a replica has not reached equilibrium; if longer runs do not help, the system is a crystal, a "
+    "glass or a coexistence of two phases";
 
 /// The averages in equilibrium, with one run for each replica.
 std::vector<BlockMeans> averages_of(const PointData& data) {
@@ -210,7 +210,8 @@ class Dynamics {
     });
     if (m.value.known == Known::yes && differs(rise, m.value.value))
       m.obstacle =
-          "the slope still changes within the window of lags: the motion is slower than it";
+          "the slope still changes within the window of lags, because the motion is slower than "
+          "this window";
   }
 
   const PointData& data_;

@@ -183,7 +183,7 @@ void PointMeasurement::leave_out_missing() {
     if (!replica.prepared()) missing.push_back(fmt::format("'{}'", file_of(replica.index)));
   if (missing.size() == replicas_.size())
     throw Error(
-        fmt::format("there is no record {}; give the system, state point and output of "
+        fmt::format("there is no record {}; give the same system, state points and output as in "
                     "the measurement",
                     missing.front()));
   if (missing.empty()) return;

@@ -139,8 +139,8 @@ std::vector<RequestedProperty> requested_properties(const std::vector<std::strin
     const bool is_error =
         !word.empty() && (std::isdigit(static_cast<unsigned char>(word[0])) != 0 || word[0] == '.');
     if (is_error && list.empty())
-      throw Error(
-          fmt::format("'{}' follows no property; write for example density \"0.1 %\"", word));
+      throw Error(fmt::format(
+          "'{}' must follow the name of a property; write for example density \"0.1 %\"", word));
     if (is_error)
       list.back() = with_error(*list.back().property, word);
     else
@@ -188,7 +188,8 @@ MeasureSettings MeasureRequest::settings() const {
   const bool from_run_file = is_run_file(system);
   MeasureSettings s{.config = from_run_file ? read_config(system) : config_of(system, molecules)};
   if (from_run_file && molecules)
-    refuse(molecules, "has no meaning with a run file, which has its number of molecules");
+    refuse(molecules,
+           "has no meaning with a run file, since the run file sets the number of molecules");
   const Config& config = s.config;
   StatePoint own{from_run_file ? config.system.temperature : 298.15,
                  config.ensemble.barostat

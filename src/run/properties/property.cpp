@@ -138,13 +138,13 @@ std::string why_not(const Property& p, const Topology& topology, bool has_mesh) 
     return "the total dipole of ions is not defined in a periodic box";
   if (p.of_dipoles && !any([](const Molecule& m) { return has_dipole(m); }))
     return "no molecule has a dipole";
-  if (p.of_dipoles && !has_mesh) return "it needs electrostatics = \"pme\"";
+  if (p.of_dipoles && !has_mesh) return "this property requires electrostatics = \"pme\"";
   if (p.of_rotation && !any([](const Molecule& m) { return m.top != Top::atom; }))
     return "atoms do not rotate";
   if (p.measured_in == MeasuredIn::pair && topology.parts.size() > 1)
-    return "a mixture has one for each pair of molecules; measure them one by one";
+    return "a mixture has one coefficient for each pair of molecules; measure each pair separately";
   if (std::string_view(p.name) == "enthalpy-of-vaporization" && topology.parts.size() > 1)
-    return "the vapour of a mixture has another composition";
+    return "the vapour of a mixture differs in composition from the liquid";
   return "";
 }
 

@@ -125,10 +125,10 @@ void check_liquid(Chain& chain) {
   const System& system = chain.system();
   const double density = system.topology.mass() / system.state.box.volume();
   if (density < evaporated * estimated_density(system.topology))
-    throw RunError(fmt::format(
-        "at {} the molecules evaporate: the density has fallen to {:.0f} kg/m3; give a lower "
-        "temperature or a higher pressure, where they are a liquid",
-        chain.settings().at.text(), density / unit("kg/m3", Dimension::density)));
+    throw RunError(
+        fmt::format("at {} the molecules evaporate: the density has fallen to {:.0f} kg/m3; give a "
+                    "lower temperature or a higher pressure, at which the system is a liquid",
+                    chain.settings().at.text(), density / unit("kg/m3", Dimension::density)));
 }
 
 /// Relaxes a replica at constant volume, and then at constant pressure with adaptive barostat

@@ -122,7 +122,7 @@ Replica parse_replica(const std::string& bytes, const std::string& path, std::ui
         fmt::format("'{}' {}; restore it, or remove it to compute the replica again", path, how));
   };
   constexpr std::size_t head = mark.size() + 17;
-  if (bytes.size() < head || !bytes.starts_with(mark)) throw damaged("is no file of a replica");
+  if (bytes.size() < head || !bytes.starts_with(mark)) throw damaged("is not a replica file");
   const std::string cbor = bytes.substr(head);
   if (bytes.substr(mark.size(), 16) != fmt::format("{:016x}", crc64(cbor.data(), cbor.size())))
     throw damaged("is damaged: its checksum differs");
@@ -130,11 +130,12 @@ Replica parse_replica(const std::string& bytes, const std::string& path, std::ui
     const json whole = json::from_cbor(cbor);
     if (whole.at("identity").get<std::string>() != identity)
       throw Error(
-          fmt::format("'{}' is of other molecules, forces, seed or numbers of molecules; "
-                      "give another prefix of the output files",
+          fmt::format("'{}' was written with other molecules, forces, seed or numbers of "
+                      "molecules; give another prefix of the output files",
                       path));
     Replica replica = replica_of(whole.at("replica"));
-    if (replica.index != index) throw damaged("has another number than its name");
+    if (replica.index != index)
+      throw damaged("contains a replica whose number differs from the number in the file name");
     return replica;
   } catch (const json::exception&) {
     throw damaged("is damaged");

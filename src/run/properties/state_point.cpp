@@ -62,7 +62,7 @@ Range range_of(std::string_view part, Dimension dimension) {
   const Range range{quantity(trimmed(part.substr(0, to)), dimension, name),
                     quantity(trimmed(part.substr(to + 4)), dimension, name)};
   if (!range.is_range())
-    throw Error(fmt::format("the range '{}' begins where it ends; give one value", part));
+    throw Error(fmt::format("both ends of the range '{}' are equal; give one value", part));
   return range;
 }
 
@@ -93,7 +93,8 @@ std::vector<StatePoint> state_points(std::string_view text) {
       continue;
     }
     std::optional<Range>& range = is_temperature(part) ? temperature : pressure;
-    if (range) throw Error(fmt::format("'{}' has two of a kind; write {}", text, example));
+    if (range)
+      throw Error(fmt::format("'{}' has two entries of one kind; write {}", text, example));
     range = range_of(part, is_temperature(part) ? Dimension::temperature : Dimension::pressure);
   }
   if (!temperature) throw Error(fmt::format("'{}' has no temperature; write {}", text, example));

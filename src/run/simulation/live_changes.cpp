@@ -26,13 +26,13 @@ void check_changes(const Config& from, const Config& to) {
     throw Error(fmt::format("temperature = {:g} K {}", to.system.temperature, wrong));
   if (to.ensemble.constant_energy() && to.system.temperature != from.system.temperature)
     throw Error(
-        fmt::format("temperature = {:g} K has no meaning at constant energy, where the "
-                    "temperature follows from the momenta; add a thermostat, or change the momenta",
+        fmt::format("temperature = {:g} K has no meaning at constant energy, since the momenta "
+                    "determine the temperature; add a thermostat, or change the momenta",
                     to.system.temperature));
   if (to.ensemble.hybrid_monte_carlo != from.ensemble.hybrid_monte_carlo)
     throw Error(
-        "hybrid Monte Carlo cannot be added, removed or changed in a simulation under way, whose "
-        "steps are counted in its trajectories; make a new simulation with this state");
+        "hybrid Monte Carlo cannot be added, removed or changed during a simulation, since steps "
+        "are counted in whole trajectories; make a new simulation with this state");
 }
 
 }  // namespace

@@ -75,7 +75,8 @@ RunSummary Simulation::summary_of(const Trajectory& trajectory) const {
 }
 
 RunSummary Simulation::summary() {
-  if (!trajectory_started()) throw Error("there is no trajectory yet; advance by a step first");
+  if (!trajectory_started())
+    throw Error("there is no trajectory yet; first advance by at least one step");
   return summary_of(propagator().trajectory());
 }
 
@@ -152,9 +153,10 @@ void Simulation::resume(Checkpoint checkpoint) {
 
 void Simulation::check_length(std::size_t steps_done, const Segment& segment) const {
   if (steps_done > last_step(*settings_, segment))
-    throw Error(fmt::format(
-        "length {:g} ps is shorter than the {:g} ps that the run already has; give a longer one",
-        settings_->length, simulated(*settings_, segment, steps_done)));
+    throw Error(
+        fmt::format("the length of {:g} ps is shorter than the {:g} ps that are already simulated; "
+                    "give a longer length",
+                    settings_->length, simulated(*settings_, segment, steps_done)));
 }
 
 // Finds the checkpoint from which to resume, if this is requested and there is one. Existing files
@@ -251,11 +253,10 @@ bool Simulation::equilibrate(const Callbacks& callbacks, RunFiles* files) {
 
 const TrajectorySettings& Simulation::settings() const {
   if (!settings_)
-    throw Error(
-        fmt::format("the run asks for accuracy = \"{}\", and its step is not chosen yet; choose "
-                    "it first, or give a step instead of an accuracy",
-                    text_of(*config_.integrator.accuracy)),
-        config_.source);
+    throw Error(fmt::format("the run requires accuracy = \"{}\", but its step has not been chosen "
+                            "yet; choose the step first, or give a step instead of an accuracy",
+                            text_of(*config_.integrator.accuracy)),
+                config_.source);
   return *settings_;
 }
 

@@ -13,7 +13,7 @@ namespace polhode {
 namespace {
 
 constexpr const char* record_mark = "# study ";
-constexpr const char* remedy = "; delete the line, so that its run is repeated, or start over";
+constexpr const char* remedy = "; delete the line to repeat its run, or start over";
 
 }  // namespace
 
@@ -24,7 +24,7 @@ RecordFields::RecordFields(std::string_view line, std::size_t count, const Lines
     field_.push_back(line.substr(begin, end - begin));
   }
   if (field_.size() != count)
-    refuse(fmt::format("the line has {} fields and must have {}", field_.size(), count));
+    refuse(fmt::format("the line has {} fields; it must have {}", field_.size(), count));
 }
 
 double RecordFields::number(std::size_t k, const char* what) const {
@@ -64,8 +64,8 @@ CheckHead of_this_study(const std::string& path, const Provenance& provenance) {
     if (head != own)
       lines.refuse(
           fmt::format("'{}' contains the runs of another study, or of a version of polhode with "
-                      "other initial configurations; give another output, start over, or "
-                      "only make the tables of that record",
+                      "other initial configurations; give another output, start over, or only make "
+                      "the tables from that record",
                       path));
   };
 }
@@ -73,7 +73,7 @@ CheckHead of_this_study(const std::string& path, const Provenance& provenance) {
 CheckHead of_any_study(const std::string& path) {
   return [path](std::string_view head, const Lines& lines) {
     if (!head.starts_with(record_mark))
-      lines.refuse(fmt::format("'{}' begins with '{}', but the record of a study begins with '{}'",
+      lines.refuse(fmt::format("'{}' begins with '{}', but a study record must begin with '{}'",
                                path, head, record_mark));
   };
 }
@@ -96,7 +96,7 @@ void read_record(
       continue;
     }
     if (count == 0)
-      lines.refuse("the line with the column names is missing; restore it, or start over");
+      lines.refuse("the line with the column names is missing; restore the line, or start over");
     visit(RecordFields(*line, count, lines), count);
   }
 }

@@ -87,11 +87,11 @@ void add_point(std::vector<StudyPoint>& points, const StudyPoint& point) {
     if (other.name == point.name && other.record_name() != point.record_name())
       throw Error(
           fmt::format("the study has two schemes with the name '{}'; tables distinguish schemes by "
-                      "their names, so give one of them another name",
+                      "name, so rename one of the two",
                       point.name));
     else if (other.name == point.name && same_step(other.step, point.step))
       throw Error(fmt::format(
-          "the study has {} with a step of {:g} fs twice; give each scheme and each step once",
+          "the study contains {} with a step of {:g} fs twice; give each scheme and each step once",
           point.name, units::fs_per_ps * point.step));
   points.push_back(point);
 }

@@ -74,7 +74,7 @@ class StudyJob {
   /// Makes the report of an existing record.
   Report from(const std::string& record) const {
     std::ifstream in(record, std::ios::binary);
-    if (!in) throw Error(fmt::format("there is no record of a study '{}'; check its name", record));
+    if (!in) throw Error(fmt::format("there is no study record '{}'; check the name", record));
     const std::vector<Run> runs = Study::Record::read(in, record);
     check_outputs(files_.tables(), existing_);
     note_known(runs, record);
@@ -102,7 +102,7 @@ class StudyJob {
   }
 
   void note_known(const std::vector<Run>& runs, const std::string& path) const {
-    callbacks_.note(fmt::format("{} runs are read from {}", runs.size(), path));
+    callbacks_.note(fmt::format("{} runs were read from {}", runs.size(), path));
   }
 
   /// Makes the report of the selected runs and writes its files. Because points are compared, all
@@ -113,8 +113,8 @@ class StudyJob {
       if (run.start < study_.config.study.runs) counted.push_back(run);
     if (counted.size() < runs.size())
       callbacks_.note(
-          fmt::format("the tables use the first {} initial configurations; {} runs from later ones "
-                      "are left out",
+          fmt::format("the tables use the first {} initial configurations; {} runs from later "
+                      "configurations are left out",
                       study_.config.study.runs, runs.size() - counted.size()));
     Report report = study_.report(system_, counted);
     // A study without a complete run has nothing to tabulate, so existing files are left unchanged.

@@ -74,10 +74,10 @@ template <>
 std::size_t field_count<StudyRun>(std::string_view head, const Lines& lines) {
   const auto count = std::count(head.begin(), head.end(), ';') + 1;
   if (std::find(counts.begin(), counts.end(), count) == counts.end())
-    lines.refuse(
-        fmt::format("the record has {} columns, but records of runs have {}, {}, {}, {} or {}; it "
-                    "is of a later version, so give another output, or start over",
-                    count, counts[0], counts[1], counts[2], counts[3], counts[4]));
+    lines.refuse(fmt::format(
+        "the record has {} columns, but this version reads records with {}, {}, {}, {} or {} "
+        "columns; the record may be of a later version: give another output, or start over",
+        count, counts[0], counts[1], counts[2], counts[3], counts[4]));
   return static_cast<std::size_t>(count);
 }
 

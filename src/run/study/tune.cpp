@@ -198,8 +198,8 @@ TuneResult tune(const Config& config, const TuneSettings& given, const Callbacks
       result.covariance = sum_without(measured.covariances, measured.covariances.size());
       if (!(result.covariance.aa > 0))
         throw Error(
-            "the error of order h² is zero: no forces act on the molecules, so there is nothing to "
-            "tune; take a system whose molecules interact",
+            "the error of order h² is zero, because no forces act on the molecules; take a system "
+            "whose molecules interact",
             config.source);
       if (all.size() > 1) result.short_steps = best_at_short_steps(result.covariance, family)[0];
     }

@@ -70,9 +70,9 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
   for (std::size_t k = 0; k < 3; ++k) {
     const std::string moment = name_J + axis_names[k], momentum = std::string("L") + axis_names[k];
     if (!std::isfinite(J[k]) || J[k] < 0)
-      refuse(fmt::format("{} = {} is not a principal moment: it must be finite and at least 0, as "
-                         "the moments of a mass distribution are",
-                         moment, J[k]),
+      refuse(fmt::format(
+                 "{} = {} is not a principal moment of inertia; it must be finite and at least 0",
+                 moment, J[k]),
              moment);
     if (!std::isfinite(L[k]))
       refuse(fmt::format("{} = {} is not finite; give a finite number", momentum, L[k]), momentum);
@@ -86,8 +86,8 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
   if (!std::isfinite(t)) refuse(fmt::format("t = {} is not finite; give a finite number", t), "t");
   const int zeros = (J.x == 0) + (J.y == 0) + (J.z == 0);
   if (zeros > 1)
-    refuse(fmt::format("{} of three moments are 0, at most one may be: two vanish only for a "
-                       "point; give the moments of a linear or nonlinear body",
+    refuse(fmt::format("{} of three moments are 0; at most one may be 0, since two moments vanish "
+                       "only for a point: give the moments of a linear or nonlinear body",
                        zeros),
            name_J + "1 to " + name_J + "3");
   for (std::size_t k = 0; k < 3; ++k) {
@@ -95,8 +95,8 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
     // Moments often have only five digits, so flat bodies with J3 = J1 + J2 may fail because of
     // rounding.
     if (J[k] > others * (1 + 1e-4))
-      refuse(fmt::format("{}{} = {} is larger than the sum of the other two moments, {}, which no "
-                         "mass distribution allows; correct one of the three",
+      refuse(fmt::format("{}{} = {} is larger than the sum of the other two moments, {}; no mass "
+                         "distribution has such moments: correct one of the three",
                          name_J, axis_names[k], J[k], others),
              name_J + axis_names[k]);
   }
@@ -140,7 +140,7 @@ Quantities quantities(const TopTrajectory& top) {
   return {{"", "", samples, "",
            fmt::format("step {:.6g}, in which the top initially turns by {:.3g} rad\nL is from the "
                        "closed form. Errors of the step-by-step rotations: energy and |L| "
-                       "relative,\norientation as the angle [rad] from the closed form",
+                       "relative,\norientation as the angle [rad] to the closed form",
                        top.step, top.angle)}};
 }
 

@@ -152,7 +152,7 @@ void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>
   const double twice_E = L.x * L.x / J.x + L.y * L.y / J.y + L.z * L.z / J.z;
   if (!(twice_E > 0) || !std::isfinite(twice_E))
     throw Error(
-        "the inertia ellipsoid of this top does not have three finite axes (J = 0, L = 0, or "
+        "the inertia ellipsoid of this top does not have three finite axes (J = 0, L = 0, or an "
         "overflow in these units); leave out the figure");
   write_file(figure.data(),
              [&](std::ostream& out) { write_data(out, figure.command, J, L, twice_E); });

@@ -139,7 +139,7 @@ TEST_CASE("the preprocessor handles includes, macros, conditions and continuatio
 TEST_CASE("the preprocessor refuses endless input") {
   refused("#include \"a\"\n", {"'a' includes itself", "a:1"}, includes("#include \"a\"\n"));
   int k = 0;
-  refused("#include \"a\"\n", {"included files are nested 32 deep"},
+  refused("#include \"a\"\n", {"included files are nested 32 levels deep"},
           [&](const std::string&, const std::string&) {
             return LoadedText{fmt::format("{}", ++k), "#include \"a\"\n"};
           });

@@ -185,7 +185,7 @@ TEST_CASE("errors in potential tables name file, line and bound") {
   const auto table = parse_potential_table(rows, "u.txt").table;
   CHECK(table->intervals() == 3);
   CHECK(table->spacing() == doctest::Approx(0.1).epsilon(1e-14));
-  refused("0.3 3 10\n0.4 2 10\n", {"the table has 2 lines; a spline needs 4", "u.txt"});
+  refused("0.3 3 10\n0.4 2 10\n", {"the table has 2 lines; a spline needs at least 4", "u.txt"});
   refused(replaced(rows, "0.5 1 10", "0.5 1"), {"2 fields; it must have 3", "u.txt:5"});
   refused(replaced(rows, "0.5 1", "0.5 nan"), {"the energy is nan", "u.txt:5"});
   refused(replaced(rows, "0.5 1", "0.51 1"),

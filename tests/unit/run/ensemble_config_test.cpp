@@ -57,7 +57,7 @@ TEST_CASE("settings of an ensemble that contradict each other or the scheme are 
   };
   refused("[barostat]\n", {"no pressure for the barostat", "pressure = \"1 bar\""});
   refused(barostat, {"a barostat", "needs a thermostat", "[thermostat]"});
-  refused(hybrid + thermostat, {"hybrid Monte Carlo keeps the temperature without", "leave"});
+  refused(hybrid + thermostat, {"hybrid Monte Carlo controls the temperature without", "leave"});
   refused(hybrid + barostat + "time_constant = \"120 fs\"\n[run]\nlength = \"1 ps\"\n",
           {"time_constant of 120 fs", "interval of its moves, 150 fs", "whole trajectories"},
           "90 K", "hoa2", "15 fs");

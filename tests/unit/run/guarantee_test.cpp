@@ -48,8 +48,9 @@ TEST_CASE("a run is not resumed with another accuracy or scheme than its step wa
                   with_accuracy(0.01, "hoa2").integrator);
 
   Config stricter = with_accuracy(0.001);
-  check_error([&] { read_guarantee(file, stricter); },
-              {"accuracy = \"1 %\"", "now \"0.1 %\"", "guarantee.json", "give the earlier value"});
+  check_error(
+      [&] { read_guarantee(file, stricter); },
+      {"accuracy = \"1 %\"", "now \"0.1 %\"", "guarantee.json", "restore the earlier value"});
   Config other = with_accuracy(0.01, "gier4");
   check_error([&] { read_guarantee(file, other); }, {"scheme = ", "is now", "start over"});
 }

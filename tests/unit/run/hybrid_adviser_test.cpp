@@ -41,12 +41,12 @@ TEST_CASE("choices that differ by less than two standard errors are not distingu
   CHECK(advice.equal == std::vector<std::size_t>{1, 2});
   const std::string text = answer(advice);
   CHECK(text.find("8 steps of 5 fs") != std::string::npos);
-  CHECK(text.find("not distinguishable from it: 8 steps of 6 fs, 8 steps of 3 fs") !=
+  CHECK(text.find("not distinguishable from this choice: 8 steps of 6 fs, 8 steps of 3 fs") !=
         std::string::npos);
   advice.pilots = {choice(0.005, 90, 40), choice(0.006, 120, 40)};
-  CHECK(answer(advice).find("no longer step was tried") == std::string::npos);
+  CHECK(answer(advice).find("longer steps were not tried") == std::string::npos);
   advice.pilots.pop_back();
-  CHECK(answer(advice).find("no longer step was tried") != std::string::npos);
+  CHECK(answer(advice).find("longer steps were not tried") != std::string::npos);
   advice.finalists.clear();
   rank(advice);
   CHECK(answer(advice).find("longer runs") != std::string::npos);

@@ -109,7 +109,7 @@ TEST_CASE("a preparation that has ended prints its summary again and leaves its 
         prepare(config_in(folder, replaced(argon, "npt = \"2 ps\"", "npt = \"3 ps\"")),
                 {.existing = ExistingFiles::resume});
       },
-      {"belongs to another run", "prepare.npt was 2 ps and is now 3 ps"});
+      {"is from another run", "prepare.npt was 2 ps and is now 3 ps"});
 }
 
 TEST_CASE("runs of two preparations of one run file have different outputs") {
@@ -173,7 +173,7 @@ TEST_CASE("the compressibility of a preparation is measured, or not known yet") 
   CHECK(brief.properties->compressibility.known != Known::yes);
   CHECK(brief.compressibility >= default_compressibility());
   CHECK(compressibility_text(brief.properties->compressibility, 1e-4 * per_bar) ==
-        "not known yet; the moves of the barostat assume 100 1e-6/bar");
+        "not known yet; the barostat assumes 100 1e-6/bar");
   const PreparationReport report = prepare(
       config_in(longer, replaced(replaced(argon, "npt = \"2 ps\"", "npt = \"80 ps\""), "\"10 bar\"",
                                  "\"1000 bar\"\ntime_constant = \"0.5 ps\"")));

@@ -69,9 +69,9 @@ TEST_CASE("state points are read as they are written") {
   check_error([] { state_points("250 K to 300 K"); }, {"without its number of points"});
   check_error([] { state_points("300 K, 7 points"); }, {"points without a range"});
   check_error([] { state_points("250 K to 300 K, 1 points"); }, {"from 2 to 1000"});
-  check_error([] { state_points("300 K to 300 K, 3 points"); }, {"begins where it ends"});
+  check_error([] { state_points("300 K to 300 K, 3 points"); }, {"are equal"});
   check_error([] { state_points("300 K, , 1 bar"); }, {"empty part"});
-  check_error([] { state_points("300 K, 310 K"); }, {"two of a kind"});
+  check_error([] { state_points("300 K, 310 K"); }, {"two entries of one kind"});
 }
 
 TEST_CASE("properties are requested with errors in percent or in their unit") {
@@ -84,7 +84,7 @@ TEST_CASE("properties are requested with errors in percent or in their unit") {
   CHECK(list[1].error == doctest::Approx(0.05));
   CHECK(list[2].error == 0.01);
   check_error([] { requested_properties({"densty"}); }, {"no property 'densty'", "'density'"});
-  check_error([] { requested_properties({"0.1 %"}); }, {"follows no property"});
+  check_error([] { requested_properties({"0.1 %"}); }, {"must follow the name of a property"});
   check_error([] { requested_properties({"density", "1 g"}); }, {"must be in % or in kg/m3"});
   check_error([] { requested_properties({"density", "0 %"}); }, {"the error of density"});
   check_error([] { requested_properties({"density", "density"}); }, {"requested twice"});
@@ -130,12 +130,12 @@ TEST_CASE("a record that is damaged or of something else is refused") {
   CHECK(!read_replica(path, 2, "this").prepared());
   write_replica(path, replica, "this");
   CHECK(read_replica(path, 2, "this").index == 2);
-  check_error([&] { read_replica(path, 1, "this"); }, {"another number"});
+  check_error([&] { read_replica(path, 1, "this"); }, {"differs from the number in the file name"});
   check_error([&] { read_replica(path, 2, "that"); }, {"other molecules"});
   std::string bytes = replica_bytes(replica, "this");
   bytes.back() = static_cast<char>(bytes.back() ^ 1);
   check_error([&] { parse_replica(bytes, path, 2, "this"); }, {"checksum", path.c_str()});
-  check_error([&] { parse_replica("polhode", path, 2, "this"); }, {"no file of a replica"});
+  check_error([&] { parse_replica("polhode", path, 2, "this"); }, {"not a replica file"});
 }
 
 TEST_CASE("the second virial coefficient of Lennard-Jones atoms is that of its series") {

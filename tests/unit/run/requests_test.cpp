@@ -73,7 +73,7 @@ TEST_CASE("bounds of the options of an analysis") {
                                           {"window", "0 ps", "longer than 0"},
                                           {"interval", "1 nm", "time"},
                                           {"fit", "2 ps", "two lags"},
-                                          {"fit", "3 ps, 2 ps", "end after"},
+                                          {"fit", "3 ps, 2 ps", "end at a later lag"},
                                           {"pairs", "OW", "two site names"},
                                           {"what", "colour", "colour"},
                                           {"plot", "pdf", "must be"},
@@ -89,7 +89,7 @@ TEST_CASE("bounds of the options of an analysis") {
   }
   CHECK(refusal([] {
           analysis_input(filled<AnalysisRequest>({}), "a.gro");
-        }).find("not known; give one of run water.toml and molecules") != std::string::npos);
+        }).find("not known; give either run water.toml or molecules") != std::string::npos);
 }
 
 TEST_CASE("bounds of the options of other jobs") {

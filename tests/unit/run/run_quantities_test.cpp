@@ -80,7 +80,7 @@ TEST_CASE("a temperature of one motion without an error has the reason") {
   s.degrees_of_freedom.rotation = {1, 1, 1};
   s.temperatures.all = s.temperatures.translation = {300, 1, Known::yes};
   s.temperatures.rotation.fill({300, 1, Known::yes});
-  const std::string words = "; an error that is not given is not known: ";
+  const std::string words = "; a missing error is not known: ";
   CHECK(run_text(report).find(words) == std::string::npos);
   s.temperatures.rotation[1].known = Known::too_short;
   CHECK(run_text(report).find(words + reason(Known::too_short)) != std::string::npos);

@@ -214,7 +214,7 @@ TEST_CASE("a run continues from steps already taken") {
   CHECK(numbers(simulation.state()) == whole_run().state);
   simulation.step(1);
   check_error([&] { simulation.run({.existing = ExistingFiles::replace}); },
-              {"0.2 ps", "0.205 ps", "already has"});
+              {"0.2 ps", "0.205 ps", "already simulated"});
 }
 
 TEST_CASE("a change of the step begins a segment, which a run with its files reports") {
@@ -287,7 +287,7 @@ TEST_CASE("settings that do not fit are refused with their place") {
       {"shadow_sample is 10 fs", "gier4", "argon.toml"});
   Simulation unchosen(config_in(folder, replaced(argon, "step = \"5 fs\"", "accuracy = \"1 %\"")));
   check_error([&] { unchosen.step(); }, {"1 %", "argon.toml", "choose"});
-  check_error([&] { unchosen.summary(); }, {"no trajectory", "advance by a step"});
+  check_error([&] { unchosen.summary(); }, {"no trajectory", "advance by at least one step"});
   CHECK(std::filesystem::is_empty(folder.path));
 }
 

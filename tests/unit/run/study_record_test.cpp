@@ -87,8 +87,8 @@ TEST_CASE("a record of a study is read completely, or refused with the line") {
   refused(";1;1", ";1.5;1", "found '1.5' where the start");
   refused(";1;1", ";99999999999;1", "found '99999999999' where the start");
   refused(";1;1", ";1;yes", "found 'yes' where 'stable' must be 1 or 0");
-  refused(";297", "", "8 fields and must have 9");
-  refused(";297", ";297;1", "10 fields and must have 9");
+  refused(";297", "", "8 fields; it must have 9");
+  refused(";297", ";297;1", "10 fields; it must have 9");
   refused("\n", "\n", "the same scheme, step and initial configuration as");
   check_error([&] { read("scheme;step\n"); }, {"runs.csv:4", "2 columns", "start over"});
   check_error([&] { read(line + "\x01\n"); }, {"runs.csv:5", "0x01"});

@@ -375,7 +375,7 @@ prefix = ")" + (folder / "out") +
   Simulation(config(hot)).run({.existing = ExistingFiles::replace});
   const std::string contradicted = notes("temperature = \"90 K\"\nseed = 3");
   CHECK(has(contradicted, "temperature and seed are not used"));
-  CHECK(has(contradicted, "warning: the velocities of the initial configuration have"));
+  CHECK(has(contradicted, "warning: the velocities of the initial configuration correspond to"));
   Simulation(config(hot)).run({.existing = ExistingFiles::replace});
   CHECK(!has(notes("temperature = \"310 K\""), "warning: the velocities"));  // within chance
   const std::string fresh = "velocities = \"new\"\ntemperature = \"90 K\"";

@@ -296,13 +296,12 @@ Checkpoint read_checkpoint_of(const std::string& path, const std::string& identi
   Checkpoint checkpoint = read_checkpoint(path, reader);
   if (!same_run(checkpoint.identity, identity)) {
     const std::string settings = differences(checkpoint.identity, identity);
-    throw OutputError(
-        fmt::format("the checkpoint '{}' belongs to another run, started with '{}': {}; give that "
-                    "run file with the same options, another output, or start over",
-                    path, checkpoint.command,
-                    settings.empty() ? "molecules, parameters of pairs, initial configuration or "
-                                       "velocities differ"
-                                     : settings));
+    throw OutputError(fmt::format(
+        "the checkpoint '{}' is from another run, started with '{}': {}; give the run file and the "
+        "options of that run, give another output, or start over",
+        path, checkpoint.command,
+        settings.empty() ? "molecules, pair parameters, initial configuration or velocities differ"
+                         : settings));
   }
   return checkpoint;
 }

@@ -97,8 +97,8 @@ void check_energies(const std::string& path, bool step_errors, const FileMark& m
   each_row(path, mark.bytes, energy_columns(step_errors), [&](std::span<const double>) { ++rows; });
   if (rows != mark.frames)
     throw OutputError(fmt::format(
-        "'{}' had {} rows when the checkpoint was written, and has {} in the same number of bytes, "
-        "so it is another file; restore the original, or start over",
+        "'{}' had {} rows when the checkpoint was written, but has {} rows in the same number of "
+        "bytes, so the file was replaced; restore the original, or start over",
         path, mark.frames, rows));
 }
 

@@ -30,7 +30,7 @@ std::string missing_errors(const TemperatureEstimates& T, const DegreesOfFreedom
   Known worst = n.translation > 0 ? T.translation.known : Known::yes;
   for (std::size_t k = 0; k < n.rotation.size(); ++k)
     if (n.rotation[k] > 0 && T.rotation[k].known != Known::yes) worst = T.rotation[k].known;
-  return worst == Known::yes ? "" : "; an error that is not given is " + not_known(worst);
+  return worst == Known::yes ? "" : "; a missing error is " + not_known(worst);
 }
 
 Quantities of_temperatures(const TemperatureEstimates& T, const DegreesOfFreedom& n,

@@ -42,11 +42,11 @@ std::optional<Warning> volume_warning(const BarostatSummary& s, double length) {
   return Warning{"volume", change, bound,
                  fmt::format("the volume {} by {:.2g} % in this run (bound: {:g} %; {}), so "
                              "density and averages are not at equilibrium",
-                             known ? "still drifts" : "changes from begin to end",
+                             known ? "still drifts" : "changes from the beginning to the end",
                              100 * change / s.volume.value, 100 * min_volume_change,
                              known ? fmt::format("p-value {:.2g}", slope.p_value)
-                                   : "the run is too short for the error of this number"),
-                 "run longer, or start a new run from the final state of this one"};
+                                   : "the run is too short for an error estimate"),
+                 "run longer, or start a new run from the final state of this run"};
 }
 
 /// Warns of a run that is too short for density and compressibility. Their errors cannot show this,
@@ -64,26 +64,27 @@ std::optional<Warning> length_warning(const BarostatSummary& s, const BarostatSe
           ? fmt::format("{:.3g} relaxation times of the volume ({:.3g} ps each)", value, relaxation)
           : fmt::format("{} accepted moves of the volume", s.accepted);
   return Warning{"volume_samples", value, bound,
-                 fmt::format("the run has {} (bound: {:g}), too few for density and "
-                             "compressibility: their errors are larger than stated",
+                 fmt::format("the run has {} (bound: {:g}), too few for reliable errors: the true "
+                             "errors of density and compressibility are larger than printed",
                              what, bound),
-                 rescaling ? "run longer, or use a shorter time_constant or a more accurate "
-                             "compressibility in [barostat]"
-                           : "run longer, or move the volume more often (every, in [barostat])"};
+                 rescaling
+                     ? "run longer, or use a shorter time_constant or a more accurate "
+                       "compressibility in [barostat]"
+                     : "run longer, or move the volume more often (smaller every in [barostat])"};
 }
 
 std::optional<Warning> moves_warning(const BarostatSummary& s, const BarostatSettings& settings) {
   const bool rescaling = std::holds_alternative<CellRescaling>(settings.type);
   const double bound = rescaling ? min_acceptance : min_move_acceptance;
   if (s.moves == 0 || !(s.acceptance() < bound - chance(bound, s.moves))) return std::nullopt;
-  return Warning{
-      "barostat", 100 * s.acceptance(), 100 * bound,
-      fmt::format("only {:.2g} % of the moves of the box were accepted (bound: {:g} %), so the "
-                  "volume relaxes more slowly than it should",
-                  100 * s.acceptance(), 100 * bound),
-      rescaling ? "use a shorter interval (every), a longer time_constant or a more accurate "
-                  "compressibility in [barostat]"
-                : "use a smaller compressibility in [barostat], which makes moves smaller"};
+  return Warning{"barostat", 100 * s.acceptance(), 100 * bound,
+                 fmt::format("only {:.2g} % of the moves of the box were accepted (bound: {:g} %), "
+                             "so the volume relaxes more slowly than intended",
+                             100 * s.acceptance(), 100 * bound),
+                 rescaling
+                     ? "in [barostat] use a shorter interval (every), a longer time_constant or a "
+                       "more accurate compressibility"
+                     : "use a smaller compressibility in [barostat], so that moves are smaller"};
 }
 
 std::optional<Warning> shape_warning(const BarostatSummary& s) {
@@ -95,7 +96,7 @@ std::optional<Warning> shape_warning(const BarostatSummary& s) {
           "factors with a ratio above {:g}: the shape of the box drifts, as in a fluid",
           s.beyond_shape, max_shape_change),
       "for a fluid use edges = [\"xyz\"] in [barostat]; for a crystal start a new run from the "
-      "final state, whose shape is then the reference"};
+      "final state, so that its shape becomes the reference"};
 }
 
 std::optional<Warning> acceptance_warning(const HybridMonteCarloSummary& s) {
@@ -122,8 +123,8 @@ std::optional<Warning> weight_warning(const HybridMonteCarloSummary& s) {
     if (mean.known != Known::yes || !(std::abs(difference) > bound)) return std::nullopt;
     return Warning{
         "weights", difference, bound,
-        fmt::format("the mean of {} is {:.4g} ± {:.2g} instead of {:g}, which every canonical "
-                    "distribution has, so this run has not sampled it",
+        fmt::format("the mean of {} is {:.4g} ± {:.2g} instead of the canonical value {:g}, so "
+                    "this run has not sampled the canonical distribution",
                     name, mean.value, mean.error, exact),
         "equilibrate longer before the run, or use a shorter step, so that even the largest energy "
         "errors occur; external forces must depend only on positions, orientations and the box"};

@@ -104,11 +104,10 @@ Quantities conservation_rows(const RunSummary& s) {
   if (s.rounding > 0 && s.samples >= min_samples_reported)
     rows.push_back(detail(row(
         "round-off limit of R",
-        fmt::format(
-            "{:.2g} %, estimated{}", percent(s.rounding),
-            s.ratio.value < rounding_margin * s.rounding
-                ? "; R is dominated by rounding: precision = \"double\" shows the R of the scheme"
-                : ""))));
+        fmt::format("{:.2g} %, estimated{}", percent(s.rounding),
+                    s.ratio.value < rounding_margin * s.rounding
+                        ? "; rounding dominates R: precision = \"double\" shows the R of the scheme"
+                        : ""))));
   rows.push_back(row(
       "energy drift",
       fmt::format(
@@ -116,11 +115,11 @@ Quantities conservation_rows(const RunSummary& s) {
           drift_text(s.drift, s.samples), size_text(s),
           s.walk_known ? "" : "; part of it is the random walk of rounding in mixed precision")));
   if (s.walk > 0)
-    rows.push_back(detail(
-        row("random walk",
-            fmt::format("of the {} energy, {:.2g} kJ/mol per sqrt(ps): R of {:.2g} % in this run, "
-                        "growing as the square root of its length",
-                        energy_name(s), std::sqrt(s.walk), percent(s.ratio_of_walk())))));
+    rows.push_back(
+        detail(row("random walk",
+                   fmt::format("of the {} energy, {:.2g} kJ/mol per sqrt(ps): R is {:.2g} % in "
+                               "this run and grows as the square root of the run length",
+                               energy_name(s), std::sqrt(s.walk), percent(s.ratio_of_walk())))));
   return rows;
 }
 

@@ -47,12 +47,12 @@ double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressu
 
 std::string temperature_remedy(const TargetTemperature& target) {
   if (target.kept)
-    return "equilibrate first, or longer, or use a stronger thermostat: a larger friction, or a "
-           "shorter time_constant; if that changes nothing, use a shorter step";
+    return "equilibrate longer, or use a stronger thermostat (larger friction or shorter "
+           "time_constant); if the deviation remains, use a shorter step";
   if (target.ignored)
     return "the velocities of the initial configuration were used: write velocities = \"new\" in "
            "[system], and equilibrate";
-  return "equilibrate first, or longer: equilibrate = \"20 ps\" in [run]";
+  return "equilibrate longer: equilibrate = \"20 ps\" in [run]";
 }
 
 std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemperature& target) {
@@ -76,8 +76,8 @@ std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemp
                   s.temperatures_at_bath ? "of half steps " : "", mean.value, T,
                   std::abs(difference), difference > 0 ? "too hot" : "too cold",
                   target.ignored || target.kept
-                      ? "above the bound of"
-                      : "and runs of a system of this size deviate by at most",
+                      ? "more than the bound of"
+                      : "but runs of a system of this size deviate by at most",
                   bound),
       temperature_remedy(target)};
 }
@@ -105,8 +105,9 @@ std::optional<Warning> ratio_warning(const RunSummary& s) {
   if (s.samples < min_samples_reported || is_corrected(s) || !(R > max_ratio)) return std::nullopt;
   return Warning{
       "R", R, max_ratio,
-      fmt::format("R is {:.3g} %, above {:g} %: {} is conserved so badly that averages are biased",
-                  100 * R, 100 * max_ratio, conserved_energy(s)),
+      fmt::format(
+          "R is {:.3g} % (bound: {:g} %): {} is conserved so poorly that averages are biased",
+          100 * R, 100 * max_ratio, conserved_energy(s)),
       "use a shorter step, or let accuracy = \"1 %\" in [integrator] choose it"};
 }
 
@@ -157,8 +158,8 @@ Warning truncation_warning(const ForceSettings& forces, const std::string& schem
   return {
       "truncation", ratio, bound,
       fmt::format(
-          "the truncation has {} continuous derivative{}, so with {} the energy performs a random "
-          "walk: R grows with the length of the run, here to about {:.2g} % (bound: {:.2g} %)",
+          "the truncated potential has {} continuous derivative{}, so with {} the energy performs "
+          "a random walk: R grows with the run length, here to about {:.2g} % (bound: {:.2g} %)",
           n, n == 1 ? "" : "s", scheme, 100 * ratio, 100 * bound),
       truncation_remedy(forces)};
 }
@@ -179,8 +180,8 @@ std::optional<Warning> walk_warning(const RunSummary& s) {
   return Warning{
       "walk", walked, bound,
       fmt::format(
-          "the total energy performs a random walk of {:.2g} kJ/mol per sqrt(ps); its contribution "
-          "to R, {:.2g} % in this run (bound: {:.2g} %), grows with the length",
+          "the total energy performs a random walk of {:.2g} kJ/mol per sqrt(ps); the contribution "
+          "to R, {:.2g} % in this run (bound: {:.2g} %), grows with the run length",
           std::sqrt(s.walk), 100 * walked, 100 * bound),
       "use a shorter step, electrostatics = \"pme\" or a larger smoothness in [forces], or a "
       "thermostat"};
@@ -200,7 +201,7 @@ std::optional<Warning> relaxation_warning(const RunSummary& s) {
           "the potential energy still falls by {:.3g} kJ/mol in this run, {:.2g} % of the kinetic "
           "energy (bound: {:g} %; p-value {:.2g}), so averages are not at equilibrium",
           fall, 100 * fall / kinetic, 100 * min_fall, slope.p_value),
-      "equilibrate longer, or start a new run from the final state of this one"};
+      "equilibrate longer, or start a new run from the final state of this run"};
 }
 
 std::optional<Warning> pressure_warning(const RunSummary& s) {
@@ -212,11 +213,9 @@ std::optional<Warning> pressure_warning(const RunSummary& s) {
     return std::nullopt;
   return Warning{
       "pressure", pressure, bound,
-      fmt::format(
-          "the mean pressure is {:.3g} kbar, outside ± {:g} kbar: {}", pressure, bound,
-          pressure > 0
-              ? "at this pressure liquids at ordinary temperatures are compressed by a sixth"
-              : "liquids cavitate long before this pressure"),
+      fmt::format("the mean pressure is {:.3g} kbar, outside ± {:g} kbar: {}", pressure, bound,
+                  pressure > 0 ? "at this pressure an ordinary liquid is compressed by about 17 %"
+                               : "liquids cavitate long before this pressure"),
       pressure > 0 ? "use a lower density, or equilibrate if molecules still overlap"
                    : "use a higher density"};
 }
@@ -290,12 +289,11 @@ std::optional<Warning> distant_sites(const System& system) {
       for (std::size_t other = 0; other < atoms.size(); ++other)
         if (other != k) nearest = std::min(nearest, norm(atoms[other].r - atoms[k].r));
       if (nearest > max_bond)
-        return Warning{
-            "bond", nearest, max_bond,
-            fmt::format("in '{}' the site '{}' is {:.3g} nm from the nearest other site with mass, "
-                        "and bonds have at most {:g} nm",
-                        part.molecule.name, atoms[k].name, nearest, max_bond),
-            "if its positions are in angstrom, write A instead of nm"};
+        return Warning{"bond", nearest, max_bond,
+                       fmt::format("in '{}' the site '{}' is {:.3g} nm from the nearest other site "
+                                   "with mass, but bonds are at most {:g} nm long",
+                                   part.molecule.name, atoms[k].name, nearest, max_bond),
+                       "if the positions are in angstrom, write A instead of nm"};
     }
   }
   return std::nullopt;
@@ -310,13 +308,11 @@ std::optional<Warning> velocities_of_file(const System& system, const Config& co
   const double target = config.system.temperature;
   const double bound = far_from_canonical * target * std::sqrt(2 / n);
   if (!(std::abs(system.file_temperature - target) > bound)) return std::nullopt;
-  return Warning{
-      "velocities", system.file_temperature, bound,
-      fmt::format(
-          "the velocities of the initial configuration have {:.4g} K, and the run file asks "
-          "for {:g} K (chance accounts for at most {:.2g} K)",
-          system.file_temperature, target, bound),
-      "write velocities = \"new\" in [system], or equilibrate"};
+  return Warning{"velocities", system.file_temperature, bound,
+                 fmt::format("the velocities of the initial configuration correspond to {:.4g} K, "
+                             "but the run file requests {:g} K (chance explains at most {:.2g} K)",
+                             system.file_temperature, target, bound),
+                 "write velocities = \"new\" in [system], or equilibrate"};
 }
 
 std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
@@ -328,14 +324,12 @@ std::optional<Warning> step_near_stability(const System& system, const Trajector
   if (!(settings.step > max_step)) return std::nullopt;
   const double bound = near_stability * stability_limit(settings.scheme);
   const double reached = bound * settings.step / max_step;
-  return Warning{
-      "step", reached, bound,
-      fmt::format(
-          "the step of {:g} fs is near the stability limit of {}: multiplied by the frequency "
-          "of the fastest motions it is {:.2g}, above {:.2g}",
-          settings.step * units::fs_per_ps, name_of({settings.scheme, settings.inner}), reached,
-          bound),
-      "use at most " + rounded_fs(max_step)};
+  return Warning{"step", reached, bound,
+                 fmt::format("the step of {:g} fs is near the stability limit of {}: the step "
+                             "times the frequency of the fastest motions is {:.2g} (bound: {:.2g})",
+                             settings.step * units::fs_per_ps,
+                             name_of({settings.scheme, settings.inner}), reached, bound),
+                 "use at most " + rounded_fs(max_step)};
 }
 
 std::vector<Warning> warnings_of_results(const RunSummary& s,

@@ -19,12 +19,12 @@ bool finite(const Vec3<double>& v) {
 
 [[noreturn]] void refuse(std::size_t body, const char* quantity, const Vec3<double>& v,
                          const std::string& complaint) {
-  throw Error(fmt::format("the {} of molecule {} is ({:.6g}, {:.6g}, {:.6g}), {}", quantity,
+  throw Error(fmt::format("the {} of molecule {} is ({:.6g}, {:.6g}, {:.6g}); {}", quantity,
                           body + 1, v.x, v.y, v.z, complaint));
 }
 
 void check_finite(std::size_t body, const char* quantity, const Vec3<double>& v) {
-  if (!finite(v)) refuse(body, quantity, v, "and must be finite numbers");
+  if (!finite(v)) refuse(body, quantity, v, "the components must be finite numbers");
 }
 
 /// Checks that the angular momentum along an axis with no moment of inertia is only round-off,
@@ -36,8 +36,8 @@ void check_axes(std::size_t body, const Vec3<double>& ell, const Quaternion<doub
   for (std::size_t k = 0; k < 3; ++k)
     if (J[k] == 0 && std::abs(L[k]) > rounding * norm(L))
       refuse(body, "angular momentum", ell,
-             fmt::format("with {:.3g} u nm2/ps along its principal axis {}, about which it has no "
-                         "moment of inertia; remove that component",
+             fmt::format("the component of {:.3g} u nm2/ps along its principal axis {} must be 0, "
+                         "since the moment of inertia about this axis is 0",
                          L[k], k + 1));
 }
 
@@ -48,8 +48,8 @@ Quaternion<double> checked_orientation(std::size_t body, const Quaternion<double
   const double squared = norm2(s);
   if (!(squared > smallest && squared < largest))
     throw Error(
-        fmt::format("the orientation of molecule {} is ({:.6g}, {:.6g}, {:.6g}, {:.6g}), and "
-                    "must be a quaternion (w, x, y, z) that can be normalized",
+        fmt::format("the orientation of molecule {} is ({:.6g}, {:.6g}, {:.6g}, {:.6g}); it must "
+                    "be a quaternion (w, x, y, z) that can be normalized",
                     body + 1, s.w, s.x, s.y, s.z));
   return std::abs(squared - 1) < rounding ? s : normalized(s);
 }
@@ -61,7 +61,7 @@ void check_motion(State& state, const Bodies& bodies) {
     check_finite(i, "position [nm]", state.q[i]);
     if (!(norm(state.q[i]) <= max_position))
       refuse(i, "position [nm]", state.q[i],
-             fmt::format("and must be within {:g} nm of the origin", max_position));
+             fmt::format("it must be within {:g} nm of the origin", max_position));
     check_finite(i, "momentum [u nm/ps]", state.p[i]);
     check_finite(i, "angular momentum [u nm2/ps]", state.ell[i]);
     const Quaternion<double> orientation = checked_orientation(i, state.orientation[i]);

@@ -17,8 +17,9 @@ std::string fitting_density(const Topology& topology, const Box& box, std::uint6
   for (double share = lower; share > min_share; share *= lower) {
     const Box larger{std::cbrt(1 / share) * box.edge};
     if (!overlaps(lattice(topology, larger, seed)))
-      return fmt::format(", or a density of {:.2g} g/cm3, at which this lattice fits",
-                         share * density / unit("g/cm3", Dimension::density));
+      return fmt::format(
+          ", or a density of {:.2g} g/cm3, at which molecules do not overlap on this lattice",
+          share * density / unit("g/cm3", Dimension::density));
   }
   return {};
 }

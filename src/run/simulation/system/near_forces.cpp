@@ -15,7 +15,7 @@ ForceSettings near_settings(const ForceSettings& whole, const InnerScheme& inner
   if (inner.cutoff > whole.cutoff)
     throw Error(
         fmt::format("the cutoff of the near forces, {:g} nm, exceeds the cutoff of all forces, "
-                    "{:g} nm; use a shorter one, for example 0.5 nm",
+                    "{:g} nm; use a shorter cutoff of the near forces, for example 0.5 nm",
                     inner.cutoff, whole.cutoff));
   ForceSettings near = whole;
   near.truncation = Truncation::molecule_switch;

@@ -17,8 +17,8 @@ namespace {
 constexpr double max_deviation = 0.002;  // maximum deviation [nm], which is twice the last digit of
                                          // most GRO files
 constexpr auto remedy =
-    "give the coordinate file that was written with the checkpoint, or leave the checkpoint out, "
-    "which starts from the digits of the coordinate file";
+    "give the coordinate file that was written with the checkpoint, or leave the checkpoint out to "
+    "start from the rounded coordinates of the file";
 
 /// The largest distance between the positions of a site in two states, up to periodic images [nm].
 double deviation(const Molecule& molecule, std::size_t i, const State& a, const State& b) {
@@ -33,14 +33,14 @@ double deviation(const Molecule& molecule, std::size_t i, const State& a, const 
 void check_same(const System& system, const State& state) {
   const State& start = system.state;
   if (state.size() != start.size())
-    throw Error(fmt::format("the checkpoint has {} molecules, and the initial configuration {}; {}",
-                            state.size(), start.size(), remedy));
+    throw Error(
+        fmt::format("the checkpoint has {} molecules, but the initial configuration has {}; {}",
+                    state.size(), start.size(), remedy));
   for (std::size_t k = 0; k < 3; ++k)
     if (!(std::abs(state.box.edge[k] - start.box.edge[k]) <= max_deviation))
       throw Error(
-          fmt::format("the box of the checkpoint has an edge of {:.6g} nm, and the initial "
-                      "configuration {:.6g} "
-                      "nm; {}",
+          fmt::format("the box of the checkpoint has an edge of {:.6g} nm, but the initial "
+                      "configuration has {:.6g} nm; {}",
                       state.box.edge[k], start.box.edge[k], remedy));
   for (std::size_t i = 0; i < state.size(); ++i)
     if (const double d =

@@ -82,10 +82,9 @@ MinimisationWatch watch_of(const Callbacks& callbacks) {
 }
 
 std::string description(const Minimisation& m) {
-  const char* const end = m.end == MinimisationEnd::converged ? "minimised in"
-                          : m.end == MinimisationEnd::max_steps
-                              ? "minimisation ended at its limit of"
-                              : "minimisation interrupted after";
+  const char* const end = m.end == MinimisationEnd::converged   ? "minimised in"
+                          : m.end == MinimisationEnd::max_steps ? "minimisation not converged after"
+                                                                : "minimisation interrupted after";
   return fmt::format("{} {} steps: largest force {:.4g} kJ/mol/nm, largest torque {:.4g} kJ/mol",
                      end, m.steps, m.after.force, m.after.torque);
 }

@@ -165,7 +165,7 @@ System build_system(const Config& config) {
     const bool has_velocities = fitted.has_velocities || !config.system.checkpoint.empty();
     if (!has_velocities && config.system.new_velocities == false)
       throw Error(fmt::format("'{}' has no velocities, but velocities = \"from file\"; give a file "
-                              "that has some, or write \"new\"",
+                              "with velocities, or write \"new\"",
                               config.system.initial_configuration),
                   config.source + ", system.velocities");
     system.new_velocities = config.system.new_velocities.value_or(!has_velocities);

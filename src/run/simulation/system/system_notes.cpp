@@ -34,7 +34,7 @@ void note_molecules(const System& system, const Callbacks& callbacks) {
   if (system.removed_temperature > 1e-4)
     callbacks.note(
         fmt::format("note: the centre of mass of the initial configuration moves at {:.4g} nm/ps, "
-                    "which amounts to {:.4g} K; the total momentum is removed",
+                    "equivalent to {:.4g} K; the total momentum is removed",
                     system.removed_velocity, system.removed_temperature));
   if (degrees_of_freedom(system.topology).all() == 0)
     callbacks.note(
@@ -55,14 +55,15 @@ void note_velocities(const System& system, const Config& config, const Callbacks
                     "K, and relaxes to {:g} K",
                     system.file_temperature, s.temperature));
   }
-  const std::string unused = !temperature ? "the seed is"
-                             : config.run.equilibrate > 0
-                                 ? "the temperature is for the equilibration only, the seed is"
-                             : seed ? "temperature and seed are"
-                                    : "the temperature is";
+  const std::string unused =
+      !temperature ? "the seed is"
+      : config.run.equilibrate > 0
+          ? "the temperature is used only for the equilibration, and the seed is"
+      : seed ? "temperature and seed are"
+             : "the temperature is";
   callbacks.note(
-      fmt::format("note: the velocities come from the initial configuration, at {:.4g} K, so {} "
-                  "not used for them; velocities = \"new\" in [system] draws new ones",
+      fmt::format("note: the velocities come from the initial configuration ({:.4g} K), so {} not "
+                  "used; velocities = \"new\" in [system] draws new velocities",
                   system.file_temperature, unused));
 }
 
@@ -72,9 +73,9 @@ void note_edges(const TrajectorySettings& settings, const Callbacks& callbacks) 
   const auto& barostat = settings.ensemble.barostat;
   if (!barostat || barostat->edges.size() == 1) return;
   callbacks.note(
-      fmt::format("note: edges of the box are scaled separately. A fluid resists no change of "
-                  "shape, so their ratios drift at random, up to {:g} times the initial ratios; "
-                  "for a fluid use edges = [\"xyz\"]",
+      fmt::format("note: edges of the box are scaled separately. In a fluid the shape of the box "
+                  "drifts at random, because a fluid does not resist changes of shape; ratios of "
+                  "edges can change by up to a factor of {:g}. For a fluid use edges = [\"xyz\"]",
                   max_shape_change));
 }
 
@@ -99,20 +100,20 @@ void note_ensemble(const TrajectorySettings& settings, const Callbacks& callback
   const std::size_t whole = settings.steps_per_trajectory();
   const auto asked = static_cast<std::size_t>(std::llround(settings.length / settings.step));
   if (settings.steps() != asked)
-    callbacks.note(fmt::format(
-        "note: the length of {} steps is rounded up to {}, which are whole trajectories of hybrid "
-        "Monte Carlo with {} steps each",
-        asked, settings.steps(), whole));
+    callbacks.note(
+        fmt::format("note: the length of {} steps is rounded up to {} steps, a whole number of "
+                    "hybrid Monte Carlo trajectories of {} steps each",
+                    asked, settings.steps(), whole));
   note_moves(settings, callbacks);
   note_edges(settings, callbacks);
 }
 
 void note_constant_energy(const Config& config, std::string_view what, const Callbacks& callbacks) {
   if (config.ensemble.constant_energy()) return;
-  callbacks.note(
-      fmt::format("note: all runs of {} have constant energy, where R is defined; [thermostat], "
-                  "[barostat] and [hybrid_monte_carlo] of the run file are not used",
-                  what));
+  callbacks.note(fmt::format(
+      "note: all runs of {} are at constant energy, because R is defined at constant energy; "
+      "[thermostat], [barostat] and [hybrid_monte_carlo] of the run file are not used",
+      what));
 }
 
 void note_forces(const System& system, const Callbacks& callbacks) {

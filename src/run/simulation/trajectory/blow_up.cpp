@@ -26,8 +26,8 @@ void copy_positions(const State& from, State& to) {
 /// @param shorter  step to try [ps]; empty if no step is short enough
 std::string remedy(const TrajectorySettings& s, std::optional<double> shorter) {
   if (!shorter)
-    return "molecules of the initial configuration overlap, which no step can help: use minimise = "
-           "true and equilibrate in [run], or 'polhode prepare'";
+    return "molecules of the initial configuration overlap, so a shorter step does not help: use "
+           "minimise = true and equilibrate in [run], or 'polhode prepare'";
   return fmt::format(
       "the step of {:g} fs is too long for {}, or the initial configuration is too far from "
       "equilibrium: try {}, or equilibrate first",

@@ -37,8 +37,7 @@ void check_barostat(const TrajectorySettings& settings) {
         "the barostat's time_constant of {:g} fs is shorter than the interval of its moves, {:g} "
         "fs{}; use a time_constant of 1 to 10 ps, or a shorter interval",
         rescaling->time_constant * units::fs_per_ps, interval * units::fs_per_ps,
-        settings.ensemble.hybrid_monte_carlo ? " of whole trajectories of hybrid Monte Carlo"
-                                             : ""));
+        settings.ensemble.hybrid_monte_carlo ? " (whole trajectories of hybrid Monte Carlo)" : ""));
 }
 
 }  // namespace
@@ -47,16 +46,16 @@ void check_ensemble(const TrajectorySettings& settings) {
   const EnsembleSettings& e = settings.ensemble;
   if (settings.scheme.has(Flow::bath) && !e.thermostat && !e.hybrid_monte_carlo)
     throw Error(
-        "the scheme has a bath O, and a bath needs a thermostat; add a table [thermostat], or "
+        "the scheme has a bath O, but a bath needs a thermostat; add a table [thermostat], or "
         "leave the stages O(...) out of the scheme");
   if (e.thermostat && !settings.scheme.has(Flow::bath) && !e.hybrid_monte_carlo)
     throw Error(
-        "the scheme has no bath O, in which the thermostat acts; add it with with_bath(), or leave "
-        "the thermostat out");
+        "the thermostat acts in a bath O, but the scheme has no bath; add a bath with with_bath(), "
+        "or leave the thermostat out");
   if (e.hybrid_monte_carlo) {
     if (e.thermostat)
       throw Error(
-          "hybrid Monte Carlo keeps the temperature without a thermostat; leave the thermostat "
+          "hybrid Monte Carlo controls the temperature without a thermostat; leave the thermostat "
           "out");
     check_hybrid(settings.scheme);
     if (settings.inner) check_hybrid(settings.inner->scheme);
@@ -68,7 +67,7 @@ void check_ensemble(const TrajectorySettings& settings) {
   if ((e.barostat || e.hybrid_monte_carlo) && !(e.temperature > 0))
     throw Error(
         fmt::format("the temperature of {:g} K must be above 0 K for a barostat or hybrid Monte "
-                    "Carlo, which accept moves by their energy in units of kT; use a higher "
+                    "Carlo, since both accept moves by their energy in units of kT; use a higher "
                     "temperature, or only a thermostat",
                     e.temperature));
   if (const std::string wrong = wrong_setting(e); !wrong.empty()) throw Error(wrong);

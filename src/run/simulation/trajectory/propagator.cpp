@@ -67,10 +67,10 @@ class Propagator::Impl {
   void advance(std::size_t steps, const Watch& watch) {
     const std::size_t whole = settings_.steps_per_trajectory();
     if (steps % whole != 0)
-      throw Error(fmt::format(
-          "{} steps are not whole trajectories of hybrid Monte Carlo, which have {} steps each; "
-          "advance by a multiple of them",
-          steps, whole));
+      throw Error(
+          fmt::format("{} steps are not a whole number of hybrid Monte Carlo trajectories of {} "
+                      "steps each; advance by a multiple of the steps of a trajectory",
+                      steps, whole));
     leave_last_sample();
     clocks_->skip_pause();
     if (sampler_.empty()) sample(watch);
@@ -155,7 +155,7 @@ class Propagator::Impl {
     if (changed) integrator_.apply([&](auto& integrator) { integrator.replace_load(moved_); });
   } catch (const Error& e) {
     throw RunError(
-        fmt::format("at step {} ({:.4f} ps) the barostat moved the box, and: {}; use a larger "
+        fmt::format("at step {} ({:.4f} ps) the barostat moved the box, and then: {}; use a larger "
                     "system, a shorter cutoff, {}or check the pressure",
                     steps_, system_.state.time, e.what(),
                     settings_.ensemble.barostat->edges.size() > 1

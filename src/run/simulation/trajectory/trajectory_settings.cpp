@@ -33,10 +33,10 @@ void check_external(const Config& config) {
   const auto& barostat = config.ensemble.barostat;
   if (external && !external->has_virial && barostat &&
       std::holds_alternative<CellRescaling>(barostat->type))
-    throw Error(
-        fmt::format("the forces '{}' have no virial, so the pressure that cell-rescaling follows "
-                    "would lack them; give them a virial, or choose the barostat monte-carlo",
-                    external->name));
+    throw Error(fmt::format(
+        "the forces '{}' have no virial, but the barostat cell-rescaling needs the virial for the "
+        "pressure; add a virial to these forces, or choose the barostat monte-carlo",
+        external->name));
 }
 
 }  // namespace
@@ -44,8 +44,8 @@ void check_external(const Config& config) {
 std::size_t TrajectorySettings::steps_in(double time) const {
   if (!(time / step <= max_steps))
     throw Error(
-        fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; the maximum is {:.3g}, so use a "
-                    "shorter length",
+        fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; the maximum is {:.3g} steps, so "
+                    "use a shorter length",
                     time, step * units::fs_per_ps, time / step, max_steps));
   const auto all = static_cast<std::size_t>(std::llround(time / step));
   const std::size_t whole = steps_per_trajectory();
@@ -108,7 +108,7 @@ void TrajectorySettings::check_shadow() const {
                     shadow_sample * units::fs_per_ps));
   const char* const reason =
       scheme.palindromic()
-          ? "no error of order h², so to that order its shadow energy equals the energy"
+          ? "no error of order h², so its shadow energy equals the energy to this order"
           : "an error of order h, since its stages are not a palindrome";
   throw Error(fmt::format(
       "shadow_sample is {:g} fs, but {} has {}; leave it out, or use a palindrome of order 2, "
