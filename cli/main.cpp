@@ -41,7 +41,7 @@ void check_verb(const std::string& word) {
 /// A suggestion to replace an option that the verb does not have.
 std::string instead_of(const std::string& option, const CLI::App& verb) {
   if (verb.get_name() == "run" && option == "--steps")
-    return "; the length of a run is a time: write --length \"8 fs\" for 4 steps of 2 fs";
+    return "; the length of a run is given as a time: write --length \"8 fs\" for 4 steps of 2 fs";
   std::vector<std::string> names;
   for (const CLI::Option* known : verb.get_options()) names.push_back(known->get_name());
   return did_you_mean(option, names);
@@ -64,8 +64,8 @@ void refuse_empty(const CLI::App& verb) {
     for (const std::string& text : option->results())
       if (text.empty())
         throw Error(
-            fmt::format("{} is an empty text; give a value, or leave it out if it has a default "
-                        "('polhode help {}' lists the options)",
+            fmt::format("the value of {} is empty; give a value, or leave out the option if it has "
+                        "a default ('polhode help {}' lists the options)",
                         option->get_name(), verb.get_name()));
 }
 
@@ -79,7 +79,7 @@ Error parse_error(const CLI::ParseError& e, const CLI::App& app) {
     const bool option = left[0].starts_with('-');
     what = option ? fmt::format("polhode{} has no option '{}'{}", help, left[0],
                                 instead_of(left[0], *verbs[0]))
-                  : fmt::format("'{}' is one argument too many for polhode{}", left[0], help);
+                  : fmt::format("the argument '{}' is one too many for polhode{}", left[0], help);
   }
   return Error(fmt::format("{} ('polhode help{}' lists the options)", what, help));
 }
@@ -143,8 +143,8 @@ void print_error(const Error& e) {
 /// The message when memory runs out unexpectedly.
 std::string no_memory() {
   return fmt::format(
-      "there is not enough memory: this process may use {:.3g} GB; use fewer molecules, frames, "
-      "lags or bins",
+      "memory is exhausted: this process may use {:.3g} GB; use fewer molecules, frames, lags or "
+      "bins",
       memory_limit() / 1e9);
 }
 

@@ -111,11 +111,10 @@ std::vector<Assembled> molecules_of(const std::vector<AtomMessage>& messages,
     }
     if (inside == 0) continue;
     if (inside < molecule.atoms.size())
-      throw Error(
-          "molecule " + text_of(molecule.number) + " has " + std::to_string(inside) + " of its " +
-          std::to_string(molecule.atoms.size()) +
-          " atoms in the group of fix polhode; a rigid molecule must be in it as a whole, so "
-          "choose the group by molecules, as with 'group ID molecule ...'");
+      throw Error("molecule " + text_of(molecule.number) + " has " + std::to_string(inside) +
+                  " of its " + std::to_string(molecule.atoms.size()) +
+                  " atoms in the group of fix polhode; the group must contain all atoms of a rigid "
+                  "molecule, so define the group by molecules: 'group ID molecule ...'");
     molecules.push_back(std::move(molecule));
   }
   return molecules;

@@ -40,22 +40,22 @@ void check_fix(LAMMPS* lammps, const Fix* own, const Fix* other, std::size_t eva
   const std::string name = std::string("fix ") + other->id + " (" + other->style + ")";
   if (LAMMPS_NS::utils::strmatch(other->style, "^polhode"))
     throw Error(name +
-                " is a second fix polhode; one fix advances all kinds of molecules in step, so "
-                "put all of them into the group of one");
+                " is a second fix polhode, but one fix must advance all rigid molecules; put all "
+                "molecules into the group of one fix polhode");
   if (other->time_integrate != 0 && shares_atoms(lammps, own, other))
     throw Error(name +
-                " integrates atoms that fix polhode integrates as well; give it a group "
-                "without them");
+                " integrates atoms that fix polhode integrates as well; give the other fix a group "
+                "without these atoms");
   if (other->time_integrate != 0 && evaluations > 1)
     throw Error(name + " integrates other atoms at each of the " + std::to_string(evaluations) +
-                " force evaluations in a step of the scheme, whose times are not equally spaced; "
-                "with another integrator the scheme must be velocity-verlet");
+                " force evaluations in a step of the scheme, but their times are not equally "
+                "spaced; with another integrator the scheme must be velocity-verlet");
   for (const std::string_view changer : changers)
     if (other->style == changer && shares_atoms(lammps, own, other))
       throw Error(name +
-                  " changes velocities or positions of atoms in rigid molecules, which fix "
-                  "polhode would overwrite; remove it, and for a thermostat use the keyword "
-                  "langevin of fix polhode");
+                  " changes velocities or positions of atoms in rigid molecules, but fix polhode "
+                  "would overwrite these changes; remove the other fix, and for a thermostat use "
+                  "the keyword langevin of fix polhode");
 }
 
 void check_multiple(LAMMPS_NS::bigint value, std::size_t evaluations, const std::string& what) {
@@ -63,8 +63,8 @@ void check_multiple(LAMMPS_NS::bigint value, std::size_t evaluations, const std:
   if (value % n == 0) return;
   throw Error(what + " is " + std::to_string(value) + "; it must be a multiple of " +
               std::to_string(n) +
-              ", the force evaluations in a step of the scheme, because positions and velocities "
-              "belong to one time only at the end of a step");
+              ", the number of force evaluations in a step of the scheme, because positions and "
+              "velocities are at the same time only at the end of a step");
 }
 
 }  // namespace
@@ -72,12 +72,12 @@ void check_multiple(LAMMPS_NS::bigint value, std::size_t evaluations, const std:
 void check_system(LAMMPS* lammps, const Fix* own, std::size_t evaluations) {
   if (lammps->update->whichflag == 2)
     throw Error(
-        "fix polhode cannot minimize: minimisers of LAMMPS would deform rigid molecules; minimise "
+        "fix polhode cannot minimise, because LAMMPS minimisers deform rigid molecules; minimise "
         "before the fix is defined, or with 'polhode minimise'");
   if (!LAMMPS_NS::utils::strmatch(lammps->update->integrate_style, "^verlet"))
-    throw Error(std::string("the run style is ") + lammps->update->integrate_style +
-                "; fix polhode needs run_style verlet, and its own schemes take the place of "
-                "respa");
+    throw Error(
+        std::string("the run style is ") + lammps->update->integrate_style +
+        "; fix polhode needs run_style verlet, and nested schemes of fix polhode replace respa");
   if (lammps->domain->dimension == 2)
     throw Error(
         "the system is two-dimensional; fix polhode rotates molecules in three dimensions, "
@@ -112,8 +112,7 @@ void check_intervals(LAMMPS* lammps, std::size_t evaluations, std::size_t phase)
     if (LAMMPS_NS::utils::strmatch(fix->style, "^ave/"))
       check_multiple(fix->nevery, evaluations, std::string("the interval of fix ") + fix->id);
   if (needs_start)
-    check_multiple(update->firststep - before, evaluations,
-                   "the number of the step at which the run starts");
+    check_multiple(update->firststep - before, evaluations, "the first step of the run");
 }
 
 }  // namespace polhode::lammps

@@ -56,8 +56,8 @@ int FixPolhode::setmask() {
 void FixPolhode::init() {
   if (atom->tag_enable == 0 || atom->map_style == Atom::MAP_NONE)
     error->all(FLERR,
-               "fix polhode finds the atoms of a molecule by their ids; have LAMMPS keep a "
-               "map of them by 'atom_modify map yes'");
+               "fix polhode finds the atoms of a molecule by atom id, so LAMMPS must keep a map of "
+               "ids; add 'atom_modify map yes'");
   if (has_particles() && force->pair_match("^polhode$", 0) == nullptr)
     error->all(FLERR,
                "fix polhode: the sites of particles are not atoms, so pair styles of LAMMPS do not "

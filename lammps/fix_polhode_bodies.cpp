@@ -118,8 +118,8 @@ void FixPolhode::recognise() {
   has_all_atoms_ = all == atom->natoms;
   if (all == 0)
     error->all(FLERR,
-               "fix polhode: the group has no atoms; it must have the atoms of at least one "
-               "molecule, so define the fix after they are created");
+               "fix polhode: the group has no atoms, but it must contain at least one molecule; "
+               "define the fix after the atoms are created");
 }
 
 void FixPolhode::accept(const SiteMessage& site) {
@@ -142,8 +142,8 @@ void FixPolhode::check_communication() const {
   if (cutoff > span) return;
   error->all(
       FLERR,
-      "fix polhode: the communication cutoff, {}, is shorter than the longest molecule, {}, so "
-      "processes would not have all of its atoms; set 'comm_modify cutoff {:.4g}' or more",
+      "fix polhode: the communication cutoff, {}, is shorter than the longest molecule, {}, so a "
+      "process may not have all atoms of a molecule; set 'comm_modify cutoff {:.4g}' or more",
       cutoff, span, 1.001 * span);
 }
 
@@ -202,8 +202,8 @@ void FixPolhode::find_owners() {
     if (owner < 0 || body_of(owner) < 0 ||
         norm2(vector(atom->x[i]) - vector(atom->x[owner])) > span * span)
       error->one(FLERR,
-                 "fix polhode: atom {} is not within {:.4g} of atom {}, which owns its rigid "
-                 "molecule; atoms of a molecule were deleted or moved during the run",
+                 "fix polhode: atom {} is not within {:.4g} of atom {} of the same rigid molecule; "
+                 "atoms of the molecule were deleted or moved during the run",
                  atom->tag[i], span, info(i).owner);
     Owner& found = owners_[static_cast<std::size_t>(i)];
     found = origin(body_of(owner));

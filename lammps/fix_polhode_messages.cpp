@@ -241,10 +241,11 @@ void FixPolhode::restart(char* buffer) {
   for (auto count = static_cast<std::size_t>(*from++); count-- > 0;)
     kinds_.push_back(read_kind(from));
   if (phase_ == 0 || evaluations == static_cast<double>(program_.size())) return;
-  error->all(FLERR,
-             "fix polhode: the restart file was written after {} of the {} force evaluations in a "
-             "step, and this scheme has {}; resume with its own scheme to the end of a step",
-             phase_, evaluations, program_.size());
+  error->all(
+      FLERR,
+      "fix polhode: the restart file was written after {} of the {} force evaluations in a step, "
+      "but this scheme has {}; first complete the step with the scheme of the restart file",
+      phase_, evaluations, program_.size());
 }
 
 }  // namespace polhode::lammps

@@ -54,7 +54,7 @@ void FixPolhode::find_kinds_of_particles() {
       throw Error("particles of type " + std::to_string(particle.type) + " have a mass of " +
                   std::to_string(mass) + ", and the sites in '" + particle.path + "' of " +
                   std::to_string(kind.molecule.mass) +
-                  "; both must be the same, so set it by 'mass'");
+                  "; both masses must be equal, so set the mass of the type with 'mass'");
     const auto known = std::find_if(kinds_.begin(), kinds_.end(),
                                     [&](const Kind& k) { return k.particle == particle.type; });
     if (known == kinds_.end()) {
@@ -62,7 +62,7 @@ void FixPolhode::find_kinds_of_particles() {
     } else if (!same_kind(*known, kind)) {
       throw Error("the sites in '" + particle.path +
                   "' differ from the sites in the restart file or in an earlier run; bodies cannot "
-                  "change their shape, so use the earlier file");
+                  "change shape during a simulation, so use the earlier file");
     }
   }
 }
@@ -103,14 +103,13 @@ double** FixPolhode::particle_column(const char* name, int length) const {
   int is_double = 0, columns = 0;
   const int index = atom->find_custom(name, is_double, columns);
   if (index < 0 || is_double == 0 || columns != length)
-    error->all(
-        FLERR,
-        "fix polhode: particles have orientations and angular momenta, for which atoms have no "
-        "place; define 'fix ID all property/atom d2_{} 4 d2_{} 3' before them{}",
-        orientation_name, angular_momentum_name,
-        atom->find_custom("attitude", is_double, columns) < 0
-            ? ""
-            : "; d2_attitude is called d2_orientation now");
+    error->all(FLERR,
+               "fix polhode: particles need orientations and angular momenta as atom properties; "
+               "define 'fix ID all property/atom d2_{} 4 d2_{} 3' before the particles{}",
+               orientation_name, angular_momentum_name,
+               atom->find_custom("attitude", is_double, columns) < 0
+                   ? ""
+                   : "; d2_attitude has been renamed to d2_orientation");
   return atom->darray[index];
 }
 

@@ -196,10 +196,10 @@ void check_shape(const Kind& kind, std::int64_t number, const std::vector<SiteAt
     const double off = norm(atoms[k].x - position(kind, k, body.pose));
     if (off <= tolerance * kind.span) continue;
     throw Error(name_of(number) + ": atom " + std::to_string(atoms[k].id) + " is " +
-                four_digits(off) + " from its place in the shape of " + name_of(kind.first) +
+                four_digits(off) + " from its position in the shape of " + name_of(kind.first) +
                 "; it must be within " + four_digits(tolerance * kind.span) +
-                ", tolerance times the span of the molecule; correct the coordinates, give "
-                "molecules of another shape other atom types, or raise the tolerance");
+                " (tolerance times the span of the molecule); correct the coordinates, use other "
+                "atom types for molecules of another shape, or raise the tolerance");
   }
 }
 

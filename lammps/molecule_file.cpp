@@ -36,8 +36,10 @@ class Parser {
     }
     line_.clear();
     if (atoms_ == 0) refuse("there is no line with the number of atoms, such as '3 atoms'");
-    if (molecule_.r.empty()) refuse("there is no section Coords, which has the positions of sites");
-    if (molecule_.types.empty()) refuse("there is no section Types, which has the types of sites");
+    if (molecule_.r.empty())
+      refuse("there is no section Coords; it must contain the positions of the sites");
+    if (molecule_.types.empty())
+      refuse("there is no section Types; it must contain the types of the sites");
     molecule_.charges.resize(atoms_);
     return std::move(molecule_);
   }

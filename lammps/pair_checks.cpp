@@ -36,31 +36,32 @@ void PairPolhode::check_inputs() const {
                "'atom_modify id no'");
   if (offset_flag != 0 || tail_flag != 0)
     error->all(FLERR,
-               "pair_style polhode has no 'pair_modify shift' or 'tail'; its energies are smooth "
-               "at the cutoff without a shift, so remove these");
+               "pair_style polhode does not support 'pair_modify shift' or 'tail'; energies are "
+               "already smooth at the cutoff, so remove these options");
   if (!is_zero(force->special_lj) || !is_zero(force->special_coul))
     error->all(FLERR,
-               "pair_style polhode leaves out all pairs within a rigid molecule, and special_bonds "
-               "is not 0 for some; set 'special_bonds lj/coul 0 0 0'");
+               "pair_style polhode leaves out all pairs within a rigid molecule, but some "
+               "special_bonds are not 0; set 'special_bonds lj/coul 0 0 0'");
   if (excludes_other_pairs(neighbor))
     error->all(FLERR,
-               "pair_style polhode computes all pairs of molecules and neigh_modify exclude leaves "
-               "some out; remove it");
+               "pair_style polhode computes all pairs of molecules, but neigh_modify exclude "
+               "leaves some pairs out; remove neigh_modify exclude");
   if (atom->firstgroupname != nullptr)
     error->all(FLERR,
-               "pair_style polhode needs all molecules near a process, and 'atom_modify first {}' "
-               "is for inputs that communicate a part of them; remove it",
+               "pair_style polhode needs all molecules near a process, but with 'atom_modify first "
+               "{}' LAMMPS communicates only some atoms; remove this command",
                atom->firstgroupname);
   const bool mesh = settings_.electrostatics == Electrostatics::pme;
   if (mesh && fix_->has_particles())
     error->all(FLERR,
-               "pair_style polhode with electrostatics pme needs a mesh for all charges, and the "
-               "mesh of LAMMPS knows no charges within particles; use reaction-field, or molecules "
-               "of atoms");
+               "pair_style polhode with electrostatics pme needs a mesh for all charges, but the "
+               "mesh of LAMMPS does not support charges within particles; use reaction-field, or "
+               "molecules of atoms");
   if (mesh && force->kspace == nullptr)
-    error->all(FLERR,
-               "pair_style polhode with electrostatics pme computes the pairs of the Ewald sum and "
-               "needs a kspace style for the rest; add for example 'kspace_style pppm 1e-5'");
+    error->all(
+        FLERR,
+        "pair_style polhode with electrostatics pme computes only the pairs of the Ewald sum and "
+        "needs a kspace style for the rest; add for example 'kspace_style pppm 1e-5'");
 }
 
 }  // namespace polhode::lammps

@@ -81,16 +81,15 @@ void PairPolhode::init_style() {
   const auto fixes = modify->get_fix_by_style("^polhode$");
   if (fixes.empty())
     error->all(FLERR,
-               "pair_style polhode computes forces on the bodies of fix polhode, and there is no "
+               "pair_style polhode computes forces on the bodies of fix polhode, but there is no "
                "such fix; define 'fix ID all polhode' before the run");
   fix_ = dynamic_cast<FixPolhode*>(fixes.front());
   check_inputs();
   fix_->recognise();
   if (!fix_->has_all_atoms())
-    error->all(
-        FLERR,
-        "pair_style polhode computes forces on the bodies of fix polhode, and some atoms are "
-        "in none; put all atoms into the group of the fix");
+    error->all(FLERR,
+               "pair_style polhode computes forces on the bodies of fix polhode, but some atoms "
+               "are in no body; put all atoms into the group of the fix");
   guarded(error, style, [&] { charges_ = charges_of_kinds(); });
   find_range();
   units_.coulomb = force->qqrd2e;
@@ -156,8 +155,8 @@ KindCharges PairPolhode::charges_of_kinds() const {
         throw Error("atom " + std::to_string(s + 1) + " of molecules like molecule " +
                     std::to_string(kinds[k].first) + " has charges from " +
                     std::to_string(low[at]) + " to " + std::to_string(high[at]) +
-                    "; molecules of a kind have the same charges, so give the others atom types of "
-                    "their own");
+                    "; molecules of one kind must have the same charges, so use other atom types "
+                    "for molecules with other charges");
       of_kind.push_back(low[at]);
     }
   }
@@ -184,8 +183,8 @@ Vec3<double> PairPolhode::period(const Topology& topology) const {
 void PairPolhode::arrange() {
   if (comm->get_comm_cutoff() < range_ + neighbor->skin)
     error->all(FLERR,
-               "pair_style polhode: the communication cutoff is {}; molecules at the cutoff of the "
-               "forces would be missing, so set it by 'comm_modify cutoff {:.4g}' or more",
+               "pair_style polhode: the communication cutoff is {}, too short for molecules at the "
+               "cutoff of the forces; set 'comm_modify cutoff {:.4g}' or more",
                comm->get_comm_cutoff(), range_ + neighbor->skin);
   const std::vector<Kind>& kinds = fix_->kinds();
   Topology own, ghosts;
@@ -244,8 +243,8 @@ void PairPolhode::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   if (eflag_atom != 0 || vflag_atom != 0 || cvflag_atom != 0)
     error->all(FLERR,
-               "pair_style polhode has no energies and virials of single atoms, since it computes "
-               "forces on molecules; remove computes such as pe/atom and stress/atom");
+               "pair_style polhode computes forces on molecules, so it has no per-atom energies "
+               "and virials; remove computes such as pe/atom and stress/atom");
   guarded(error, style, [&] {
     if (!forces_ || arrangement_ != fix_->arrangement()) arrange();
     place_bodies();

@@ -59,8 +59,8 @@ double length_unit(LAMMPS_NS::LAMMPS* lammps) {
   for (const Unit& unit : units)
     if (unit.style == style) return unit.nm;
   throw Error("the units are " + style +
-              ", in which molecules are very small numbers; use units real, metal, nano, electron "
-              "or lj");
+              ", in which molecular lengths are very small numbers; use units real, metal, nano, "
+              "electron or lj");
 }
 
 ForceSettings pair_settings(int count, char** words, LAMMPS_NS::LAMMPS* lammps) {
@@ -89,7 +89,7 @@ ForceSettings pair_settings(int count, char** words, LAMMPS_NS::LAMMPS* lammps) 
                                                  ? s.electrostatics
                                                  : Electrostatics::reaction_field);
   if (const auto fault = find_fault(s))
-    throw Error(fault->message() + (nm == 1 ? "" : " (lengths of this message are in nm)"));
+    throw Error(fault->message() + (nm == 1 ? "" : " (lengths in this message are in nm)"));
   return s;
 }
 

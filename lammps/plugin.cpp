@@ -24,15 +24,15 @@ LAMMPS_NS::Pair* create_pair(LAMMPS* lammps) { return new polhode::lammps::PairP
 void check_version(LAMMPS* lammps) {
   if (lammps->num_ver != POLHODE_LAMMPS_VERSION)
     lammps->error->all(FLERR,
-                       "the plugin of polhode was built for LAMMPS version {} and this is version "
-                       "{} ({}); build it again with the headers of this LAMMPS",
+                       "the polhode plugin was built for LAMMPS version {}, but this is version {} "
+                       "({}); build the plugin again with the headers of this LAMMPS",
                        POLHODE_LAMMPS_VERSION, lammps->num_ver, lammps->version);
   const int tag_size = lammps_extract_setting(lammps, "tagint");
   if (tag_size != static_cast<int>(sizeof(LAMMPS_NS::tagint)))
     lammps->error->all(
         FLERR,
-        "the plugin of polhode was built for atom ids of {} bytes, and atom ids of this LAMMPS "
-        "have {}; build it again with POLHODE_LAMMPS_SIZES as LAMMPS was",
+        "the polhode plugin was built for atom ids of {} bytes, but atom ids of this LAMMPS have "
+        "{} bytes; build the plugin again with the POLHODE_LAMMPS_SIZES of this LAMMPS",
         sizeof(LAMMPS_NS::tagint), tag_size);
 }
 

@@ -100,28 +100,29 @@ void Reader::particle() {
   for (const ParticleArguments& other : settings_.particles)
     if (other.type == particle.type)
       throw Error("particles of type " + std::to_string(particle.type) +
-                  " are given twice; each type is one kind of molecule");
+                  " are given twice; each type can be only one kind of molecule");
   particle.file = parse_molecule_file(text_of_file(particle.path, lammps_->world), particle.path);
   for (const int type : particle.file.types)
     if (type > lammps_->atom->ntypes)
-      throw Error("'" + particle.path + "' has sites of type " + std::to_string(type) +
-                  ", and the simulation has " + std::to_string(lammps_->atom->ntypes) +
-                  " atom types; raise their number in the data file or by 'extra/atom/types'");
+      throw Error(
+          "'" + particle.path + "' has sites of type " + std::to_string(type) +
+          ", but the simulation has only " + std::to_string(lammps_->atom->ntypes) +
+          " atom types; increase the number of types in the data file or with 'extra/atom/types'");
   settings_.particles.push_back(std::move(particle));
 }
 
 // Forces are known at the end of a LAMMPS step, so a step of the scheme must end there.
 void Reader::check(const Scheme& scheme) const {
   if (scheme.has(Flow::bath))
-    throw Error("the scheme has a bath O; leave its stages out and use the keyword langevin");
+    throw Error("the scheme has a bath O; leave the stages O out and use the keyword langevin");
   if (!scheme.starts_with_kick() || !scheme.ends_with_kick())
     throw Error("the scheme '" + scheme_ +
                 "' must begin and end with a kick, since LAMMPS computes forces at the end of each "
                 "step; choose one of 'polhode schemes' whose stages begin with B");
   if (scheme.stages().front().xi != 0 || scheme.stages().back().xi != 0)
     throw Error("the scheme '" + scheme_ +
-                "' begins or ends with a gradient kick, so a step would "
-                "end at displaced positions; choose one that begins and ends with a plain kick");
+                "' begins or ends with a gradient kick, so a step would end at displaced "
+                "positions; choose a scheme that begins and ends with a plain kick");
 }
 
 FixSettings Reader::settings() {

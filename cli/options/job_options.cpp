@@ -53,8 +53,8 @@ Config JobOptions::config(bool quick) const {
 OutputOptions JobOptions::output() const {
   if (resume && force)
     throw Error(
-        "--resume and --force contradict each other: one resumes the existing run, the other "
-        "starts over; give one of them");
+        "--resume and --force contradict each other: --resume continues the existing run, and "
+        "--force starts over; give only one of the two");
   return {resume  ? ExistingFiles::resume
           : force ? ExistingFiles::replace
                   : ExistingFiles::refuse,

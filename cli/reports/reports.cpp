@@ -24,11 +24,13 @@ void note_end(const RunResult& result, const std::string& checkpoint) {
     case RunEnd::complete:
       return;
     case RunEnd::interrupted:
-      return log("interrupted after {} steps; the results so far follow, and --resume continues\n",
-                 result.report->summary.steps);
+      return log(
+          "interrupted after {} steps; the results so far follow, and --resume continues the run\n",
+          result.report->summary.steps);
     case RunEnd::interrupted_equilibrating:
       return log(
-          "interrupted during the equilibration; '{}' is its checkpoint, and --resume continues\n",
+          "interrupted during the equilibration; --resume continues the run from the checkpoint "
+          "'{}'\n",
           checkpoint);
     case RunEnd::interrupted_choosing_step:
       return log("interrupted while choosing the step; no file was written\n");
@@ -45,7 +47,7 @@ void print_results(const Quantities& results, const ResultForm& form) {
   if (form.json) return fmt::print("{}\n", json_text(results));
   if (form.verbose) return fmt::print("{}", text_of(results));  // tables are not wrapped
   if (std::any_of(results.begin(), results.end(), [](const Quantity& q) { return q.detail; }))
-    log("--verbose prints tables and other details, too\n");
+    log("--verbose also prints tables and other details\n");
   print_fitted(text_of(results, false));
 }
 
@@ -67,7 +69,7 @@ int print_run(const RunResult& result, const Simulation& simulation, bool json) 
 
 void note_resumable(const Simulation& simulation) {
   if (simulation.resumable_step())
-    log("'{}' is the checkpoint of step {}, from which --resume continues\n",
+    log("'{}' is the checkpoint of step {}; --resume continues the run from this step\n",
         checkpoint_of(simulation), *simulation.resumable_step());
 }
 

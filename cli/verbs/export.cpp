@@ -22,7 +22,8 @@ struct Options : JobOptions {
 
 int export_run(const Options& o) {
   if (o.program != "lammps")
-    throw Error(fmt::format("there is no export to '{}'; the program must be lammps", o.program));
+    throw Error(
+        fmt::format("export to '{}' is not supported; the program must be lammps", o.program));
   const auto style = given_name<LammpsPairStyle>({o.pair_style, "--pair-style"});
   print_results({row_of_files(export_to_lammps(o.config(), style, o.output(), console()))}, {});
   return 0;

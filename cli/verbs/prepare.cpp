@@ -17,7 +17,8 @@ void note_interrupted(const PreparationReport& report) {
   if (report.checkpoint.empty())
     log("interrupted; no file was written, and the same command starts over\n");
   else
-    log("interrupted; '{}' is the checkpoint, and --resume continues\n", report.checkpoint);
+    log("interrupted; --resume continues the preparation from the checkpoint '{}'\n",
+        report.checkpoint);
 }
 
 int prepare(const JobOptions& o) {

@@ -28,7 +28,7 @@ int print_trajectory(const Options& o) {
   const TopTrajectory trajectory = integrate_top(J, L, step, length, callbacks.stop);
   print_results(quantities(trajectory), {});
   if (trajectory.interrupted) {
-    log("interrupted; the table ends at the last sample before\n");
+    log("interrupted; the table ends at the last sample before the interrupt\n");
     return 130;
   }
   if (!figure) return 0;

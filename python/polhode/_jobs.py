@@ -292,7 +292,7 @@ def export(program: str, source: Source = None, *, pair_style: str = "table",
         list of Path: data file, tables of the pair laws if there are any, input script.
     """
     if program != "lammps":
-        raise Error(f"there is no export to {program!r}; the program must be \"lammps\"")
+        raise Error(f"export to {program!r} is not supported; the program must be \"lammps\"")
     job = _Job(export, {**locals(), "threads": 1})
     config = job.settings()
     with job as options:

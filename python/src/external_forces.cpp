@@ -70,7 +70,9 @@ std::shared_ptr<const ExternalForces> external_forces(const nb::callable& functi
     const nb::object called = reference->weak();
     if (called.is_none())
       throw Error(
-          fmt::format("the forces '{}' no longer exist; keep the settings that have them", name));
+          fmt::format("the external forces '{}' no longer exist; keep a reference to the settings "
+                      "that contain these forces",
+                      name));
     const Vec3<double>& edge = state.box.edge;
     const nb::object result = called(rows_of(state.q), rows_of(state.orientation),
                                      nb::make_tuple(edge.x, edge.y, edge.z));

@@ -48,7 +48,7 @@ Request request_of(const Options& given) {
     const auto found = given.find(row.name);
     if (found == given.end()) continue;
     if (found->second.empty())
-      throw Error(option.name + " is an empty text; give a value, or leave it out");
+      throw Error(option.name + " is empty; give a value, or leave the keyword out");
     option.text = found->second;
   }
   return request;

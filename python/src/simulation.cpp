@@ -29,8 +29,8 @@ class InUse {
   explicit InUse(std::atomic<bool>& flag) : flag_(flag) {
     if (flag_.exchange(true))
       throw Error(
-          "the simulation is in use: it is running in another thread, or a function that it called "
-          "uses it; wait until the call returns, or use another simulation");
+          "the simulation is in use by another thread or by a callback of this simulation; wait "
+          "until the call returns, or use another simulation");
   }
   ~InUse() { flag_ = false; }
   InUse(const InUse&) = delete;
@@ -108,7 +108,9 @@ auto view_of(Member State::*member) {
 /// angular momenta.
 nb::tuple begin_change(SimulationPointer s) {
   const InUse use(s.p->in_use);
-  if (s.p->before_change) throw Error("the state is already being changed; leave that block first");
+  if (s.p->before_change)
+    throw Error(
+        "the state is already being changed in another 'with' block; leave that block first");
   s.p->before_change = s.p->simulation.state();
   State& state = s.p->simulation.state_to_change();
   const nb::object owner = nb::borrow(s.h);

@@ -32,9 +32,9 @@ void require_memory(double bytes, const std::string& what, const std::string& re
   const double limit = memory_limit();
   if (bytes <= limit) return;
   constexpr double GB = 1e9;
-  throw Error(
-      fmt::format("{} need at least {:.3g} GB of memory, and this process may use {:.3g}: {}", what,
-                  bytes / GB, limit / GB, remedy));
+  throw Error(fmt::format(
+      "{} need at least {:.3g} GB of memory, but this process may use only {:.3g} GB: {}", what,
+      bytes / GB, limit / GB, remedy));
 }
 
 }  // namespace polhode

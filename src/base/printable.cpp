@@ -54,8 +54,8 @@ void check_name(std::string_view what, std::string_view name) {
     const std::size_t length = printable_length(rest);
     if (length == 0)
       throw Error(fmt::format(
-          "the name of {} is '{}', whose byte 0x{:02x} is a control character or not UTF-8: names "
-          "are written to tables, scripts and terminals; choose another name",
+          "the name of {}, '{}', contains the byte 0x{:02x}, a control character or not UTF-8; "
+          "names are written to tables, scripts and terminals, so choose another name",
           what, printable(name), static_cast<unsigned char>(rest[0])));
     rest.remove_prefix(length);
   }

@@ -81,8 +81,8 @@ int parse_thread_count(const std::string& text, const std::string& place) {
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, n);
   if (error == std::errc{} && end == last && n >= 1 && n <= allowed) return n;
-  throw Error(fmt::format("threads = '{}' must be a whole number from 1 to {}, the cores that this "
-                          "process may use, since threads that share a core wait for each other",
+  throw Error(fmt::format("threads = '{}' must be a whole number from 1 to {}, the number of cores "
+                          "that this process may use",
                           text, allowed),
               place);
 }

@@ -31,11 +31,12 @@ void HybridMonteCarloMemory::add(double change, bool accept) {
 void check_hybrid(const Scheme& scheme) {
   if (!scheme.palindromic())
     throw Error(
-        "hybrid Monte Carlo needs a reversible scheme, and the stages of this one are not a "
-        "palindrome; use one such as \"hoa2\"");
+        "hybrid Monte Carlo needs a reversible scheme, but the stages of this scheme are not a "
+        "palindrome; use a reversible scheme, such as \"hoa2\"");
   if (scheme.has(Flow::bath))
     throw Error(
-        "hybrid Monte Carlo draws its own momenta; use a scheme without the stages O of a bath");
+        "hybrid Monte Carlo draws all momenta, so the scheme must not have a bath; use a scheme "
+        "without stages O");
 }
 
 HybridMonteCarlo::HybridMonteCarlo(const HybridMonteCarloSettings& settings, double temperature,

@@ -69,14 +69,14 @@ std::string_view own_name(std::string_view text) {
   if (name.empty() || name.size() > Scheme::max_name ||
       !std::all_of(name.begin(), name.end(), good))
     throw Error(
-        fmt::format("scheme name '{}' must have 1 to {} letters, digits, '-', '_' or '.', "
-                    "since tables and figures use it; write for example \"mine: {}\"",
+        fmt::format("scheme name '{}' must have 1 to {} letters, digits, '-', '_' or '.', since "
+                    "the name appears in tables and figures; write for example \"mine: {}\"",
                     name, Scheme::max_name, example_scheme));
   if (built_in(name))
-    throw Error(fmt::format(
-        "the name '{0}' belongs to a built-in scheme ('polhode schemes {0}' shows it); choose "
-        "another one",
-        name));
+    throw Error(
+        fmt::format("the name '{0}' is the name of a built-in scheme (see 'polhode schemes {0}'); "
+                    "choose another name",
+                    name));
   return name;
 }
 
@@ -97,7 +97,7 @@ class SchemeReader {
     while (!scanner_.at_end()) {
       all.push_back(stage());
       if (all.size() > Scheme::max_stages)
-        throw Error(fmt::format("the scheme has more than {} stages; write a shorter one",
+        throw Error(fmt::format("the scheme has more than {} stages; write a shorter scheme",
                                 Scheme::max_stages));
     }
     return all;
@@ -162,8 +162,7 @@ class SchemeReader {
     }
     kick.xi = expression(scanner_, names_);
     if (!scanner_.take(',')) return;
-    if (scanner_.next_word() != "fd")
-      scanner_.refuse("'fd', for the gradient by finite difference,");
+    if (scanner_.next_word() != "fd") scanner_.refuse("'fd', for the finite-difference gradient,");
     scanner_.word();
     kick.gradient = Gradient::finite_difference;
   }
@@ -176,10 +175,9 @@ class SchemeReader {
 
 SchemeReader reader_of(std::string_view text, std::span<const FreeParameter> values) {
   if (text.size() > max_text)
-    throw Error(
-        fmt::format("the text of the scheme has {} characters; it must have {} at most, "
-                    "enough for {} stages",
-                    text.size(), max_text, Scheme::max_stages));
+    throw Error(fmt::format(
+        "the text of the scheme has {} characters; the maximum is {}, enough for {} stages",
+        text.size(), max_text, Scheme::max_stages));
   const auto colon = text.find(':');
   SchemeReader reader(text, colon == std::string_view::npos ? 0 : colon + 1, values);
   reader.definitions();

@@ -140,8 +140,8 @@ class Placing {
   void check(std::size_t i, const Neighbour& n, double found) const {
     if (std::abs(found - n.length) > distance_tolerance)
       throw Error(
-          fmt::format("the distance of points {} and {} is {} nm, but {:.6f} nm follows from the "
-                      "others; they must agree within {} nm for the shape to exist",
+          fmt::format("the distance of points {} and {} is {} nm, but the other distances give "
+                      "{:.6f} nm; both must agree within {} nm, or the shape does not exist",
                       i + 1, n.point + 1, n.length, found, distance_tolerance));
   }
 
@@ -173,7 +173,8 @@ PlacedPoints place_points(std::size_t count, std::span<const Distance> distances
     if (placing.from(first)) return std::move(placing).result();
   if (count == 0) return {};
   throw Error(
-      fmt::format("{} distances do not determine {} points: point {}, for example, is still free",
+      fmt::format("{} distances do not determine the positions of {} points: point {}, for "
+                  "example, can still move",
                   distances.size(), count, placing.loose() + 1));
 }
 

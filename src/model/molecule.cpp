@@ -49,8 +49,8 @@ void check_apart(const std::vector<Site>& sites, const std::string& molecule) {
           norm2(sites[i].r - sites[k].r) < same_place * same_place)
         throw Error("molecule '" + molecule + "': the sites '" + sites[i].name + "' and '" +
                     sites[k].name +
-                    "' have mass and are at one place; correct the position of one of them, or "
-                    "make one site of both");
+                    "' have mass and the same position; correct one of the positions, or merge the "
+                    "two sites");
 }
 
 // `rounding` is an upper bound on the moments that round-off gives to a single point mass.
@@ -94,7 +94,8 @@ void check_lever(Site& site, Top top, const std::string& molecule) {
     throw Error("molecule '" + molecule + "', site '" + site.name + "' lies " +
                 std::to_string(off) + " nm from the " +
                 (top == Top::linear ? "axis of a linear body" : "only mass point") +
-                "; its torque would act without inertia, so give mass to sites away from the axis");
+                "; a torque about this axis would act without inertia, so give mass to sites away "
+                "from the axis");
   site.r = {top == Top::linear ? along : 0.0, 0.0, 0.0};
 }
 
@@ -146,7 +147,7 @@ Molecule build(std::string name, std::vector<Site> sites,
   if (sites.size() > max_sites)
     throw Error("molecule '" + name + "' has " + std::to_string(sites.size()) +
                 " sites; a rigid molecule may have " + std::to_string(max_sites) +
-                " at most, so divide it, or check the molecule");
+                " at most, so split the molecule, or check the file");
   check_name("a molecule", name);
   check_apart(sites, name);
   Molecule molecule;
@@ -160,7 +161,7 @@ Molecule build(std::string name, std::vector<Site> sites,
   }
   if (molecule.mass == 0)
     throw Error("molecule '" + name +
-                "' has mass 0 u; a body needs mass to move, so give a mass to at least one site");
+                "' has mass 0 u; it needs mass to move, so give at least one site a mass");
   centre = centre / molecule.mass;
 
   double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;  // Σ m r r

@@ -43,8 +43,8 @@ PotentialTable::PotentialTable(std::string name, double first, double spacing,
     if (std::abs(spline - f[k]) > max_deviation * scale)
       refuse(fmt::format(
           "the force at r = {:g} nm is {:g} kJ/mol/nm, but the slope of the energies is {:g} "
-          "kJ/mol/nm; forces must be minus the slope within {:g} %, so check columns and units, or "
-          "use a finer grid",
+          "kJ/mol/nm; the force must equal minus the slope within {:g} %: check columns and units, "
+          "or use a finer grid",
           first + static_cast<double>(k) * spacing, f[k], -spline, 100 * max_deviation));
   }
   for (std::size_t k = 0; k + 1 < u.size(); ++k) {
@@ -76,12 +76,13 @@ void check(double sigma, double epsilon, const ShortRangeLaw& law) {
     refuse(fmt::format("sigma is {} nm and epsilon {} kJ/mol; both must be finite and 0 or more",
                        sigma, epsilon));
   if (epsilon > 0 && sigma == 0)
-    refuse(fmt::format("epsilon is {} kJ/mol but sigma is 0; the law needs both", epsilon));
+    refuse(fmt::format("epsilon is {} kJ/mol, but sigma is 0 nm; the law needs both parameters",
+                       epsilon));
   if (const auto* mie = std::get_if<MieLaw>(&law)) {
     if (!(mie->m > 3 && mie->n > mie->m && mie->n <= 100))
       refuse(fmt::format(
-          "the exponents are {} and {}; the attractive one must be above 3, so that the energy of "
-          "a fluid is finite, and the repulsive one larger, at most 100",
+          "the exponents are {} and {}; the attractive exponent must be above 3, so that the "
+          "energy of a fluid is finite, and the repulsive exponent must be larger, but at most 100",
           mie->n, mie->m));
   }
   if (const auto* exp6 = std::get_if<BuckinghamLaw>(&law)) {

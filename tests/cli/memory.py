@@ -57,13 +57,13 @@ class Memory(Sandbox):
         self.write("many.toml", argon(1_000_000, "40 nm"))
         process = self.within(620 * MB, "energy", "many.toml")
         self.assertEqual(process.returncode, 1, process.stderr)
-        self.assertIn("there is not enough memory: this process may use 0.65 GB", process.stderr)
+        self.assertIn("memory is exhausted: this process may use 0.65 GB", process.stderr)
         self.assertNotIn("bad_alloc", process.stderr)
 
     def test_boxes_beyond_all_bounds_are_refused(self):
         for edge in ("1e5 nm", "1e9 nm", "1e300 nm"):
             self.write("wide.toml", argon(27, edge))
-            self.refused(["energy", "wide.toml"], ["an edge of the box is", "at most 8192 nm", "positions are resolved"], edge)
+            self.refused(["energy", "wide.toml"], ["a box edge is", "at most 8192 nm", "the resolution of positions"], edge)
 
     def test_a_large_box_that_holds_little_is_small(self):
         """Cells of half the range in 400 nm would need 1.7 GB."""

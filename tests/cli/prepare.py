@@ -147,7 +147,7 @@ class Prepare(Sandbox):
         for path in self.folder.glob("out-*"):
             path.unlink()
         process = self.interrupted(*arguments, after="NPT for")
-        self.assertIn("'out-prepared.bin' is the checkpoint, and --resume continues", process.err)
+        self.assertIn("--resume continues the preparation from the checkpoint 'out-prepared.bin'", process.err)
         self.assertFalse((self.folder / "out-prepared.gro").exists())
         rest = self.polhode(*arguments, "--resume", "--json")
         self.assertEqual(rest.returncode, 0, rest.err)

@@ -238,14 +238,14 @@ run {evaluations * round(values["length"] / values["step"])}
         pme = base.replace("truncation molecule-switch electrostatics reaction-field", "electrostatics pme")
         cases = [
             (base.replace("fix rigid all", "#"), ["no such fix", "fix ID all polhode"]),
-            (base.replace("fix rigid all", "group part molecule < 9\nfix rigid part"), ["some atoms are in none"]),
+            (base.replace("fix rigid all", "group part molecule < 9\nfix rigid part"), ["some atoms are in no body"]),
             (base.replace("lj/coul 0 0 0", "lj/coul 0 0 0.5"), ["special_bonds"]),
             (base.replace("pair_modify mix", "pair_modify shift yes mix"), ["pair_modify shift"]),
             (base.replace("run 1", "neigh_modify exclude type 1 1\nrun 1"), ["neigh_modify exclude"]),
             (base.replace("run 1", "compute e all pe/atom\ncompute s all reduce sum c_e\n"
                                    "thermo_style custom step c_s\nrun 1"), ["pe/atom"]),
             (base.replace("run 1", "compute p all pair/local eng\ndump d all local 1 d.dump c_p\nrun 1"), ["does not support compute pair/local"]),
-            (base.replace("run 1", "set atom 5 charge 0.1\nrun 1"), ["has charges from 0.0", "atom types of their own"]),
+            (base.replace("run 1", "set atom 5 charge 0.1\nrun 1"), ["has charges from 0.0", "use other atom types"]),
             (base.replace("run 1", "kspace_style pppm 1e-4\nrun 1"), ["incompatible"]),
             (pme, ["needs a kspace style"]),
             (pme.replace("run 1", "kspace_style msm 1e-3\nrun 1"), ["incompatible"]),

@@ -153,16 +153,16 @@ class Particles(RunTest):
             (base.replace("run-1.molecule", "untyped.molecule"), ["no section Types"]),
             (base.replace("run-1.molecule", "labels.molecule"), ["labels.molecule:", "labels are not read"]),
             (base.replace("run-1.molecule", "many.molecule"), ["has sites of type 9"]),
-            (base.replace("run-1.molecule", "heavy.molecule"), ["both must be the same"]),
+            (base.replace("run-1.molecule", "heavy.molecule"), ["both masses must be equal"]),
             (base.replace("fix rigid all", "set atom 7 d2_orientation[2] 3\nfix rigid all"), ["particle 7 has an orientation of length"]),
             (base.replace(properties, "").replace(" fix orientations NULL Orientations", "").replace("run.data", "plain.data"),
              ["define 'fix ID all property/atom"]),
             (base.replace("orientation", "attitude").replace("Orientation", "Attitude").replace("run.data", "old.data"),
-             ["d2_attitude is called d2_orientation now"]),
+             ["d2_attitude has been renamed to d2_orientation"]),
             (base.replace("pair_style polhode", "pair_style lj/cut 5.8 #").replace("pair_coeff", "pair_coeff * * 0 1 #"),
              ["use pair_style polhode"]),
             (base.replace("electrostatics reaction-field", "electrostatics pme").replace("molecule-switch", "site-switch").replace("dielectric 78.5", ""),
-             ["knows no charges within particles"]),
+             ["does not support charges within particles"]),
         ]
         data = (self.folder / "run.data").read_text()
         self.write("plain.data", data[:data.index("\nOrientations")])

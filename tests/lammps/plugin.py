@@ -239,7 +239,7 @@ run {steps}
             (script.replace("run 60", "run 61"), ["the length of the run is 61", "multiple of 3"]),
             (script.replace("thermo 3", "thermo 4"), ["the interval of thermo is 4"]),
             (script.replace("run 60", "dump d all atom 5 d.dump\nrun 60"), ["the interval of a dump is 5"]),
-            (base.replace("run 60", "minimize 0 1e-3 10 10"), ["cannot minimize"]),
+            (base.replace("run 60", "minimize 0 1e-3 10 10"), ["cannot minimise"]),
             (base.replace("run 60", "run_style respa 2 2\nrun 60"), ["needs run_style verlet"]),
             (base.replace("run 60", "fix other all nve\nrun 60"), ["fix other (nve) integrates atoms"]),
             (script.replace("fix rigid all", "group ions id > 256\nfix other ions nve\nfix rigid all"), ["must be velocity-verlet"]),
@@ -261,7 +261,7 @@ run {steps}
         fields[4] = str(float(fields[4]) + 0.3)
         lines[atom] = " ".join(fields)
         self.write("run.data", "\n".join(lines) + "\n")
-        self.refused(base, ["molecule 7: atom ", "from its place in the shape of"], 2)
+        self.refused(base, ["molecule 7: atom ", "from its position in the shape of"], 2)
 
     def test_a_plugin_for_another_version(self):
         """The same plugin, but with the number of another version in its code."""
@@ -270,7 +270,7 @@ run {steps}
         code, number = engine.ENGINE.plugin.read_bytes(), version.to_bytes(4, "little")
         self.assertIn(number, code)
         (self.folder / "other.so").write_bytes(code.replace(number, other.to_bytes(4, "little")))
-        self.refused("plugin load ./other.so\n", [f"built for LAMMPS version {other}", f"this is version {version}", "build it again"])
+        self.refused("plugin load ./other.so\n", [f"built for LAMMPS version {other}", f"this is version {version}", "build the plugin again"])
 
     def test_without_the_packages(self):
         """Where LAMMPS cannot be installed, the reason is printed, and the exit code is that of a skipped test."""

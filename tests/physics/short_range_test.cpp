@@ -246,7 +246,7 @@ TEST_CASE("what a law cannot do is refused") {
               {"ends at 1.6 nm, but sites interact up to 1.7 nm", "shorter cutoff"});
   const Topology unlike{{{read_molecule("argon-ab-initio"), 2}, {read_molecule("argon"), 2}}};
   check_error([&] { ForceField(unlike, {.cutoff = 1.2, .switch_from = 1}, box); },
-              {"which no rule mixes", "[[pair]]"});
+              {"but no mixing rule applies", "[[pair]]"});
 }
 
 // Closer than the inner limit Buckingham's law falls to −∞: the energy is not a number, which ends
@@ -261,7 +261,7 @@ TEST_CASE("sites inside the inner limit have no energy") {
         ForceSettings settings{.cutoff = 1.2, .switch_from = 1};
         settings.precision = precision;
         CHECK(std::isnan(load_of(topology, settings, state).van_der_waals));
-        CHECK(inner_limit_note(topology).find("the inner limit of its law") != std::string::npos);
+        CHECK(inner_limit_note(topology).find("the inner limit of their law") != std::string::npos);
       });
   CHECK(inner_limit_note({{{read_molecule("tip4p"), 1}}}).empty());
 }

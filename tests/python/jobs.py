@@ -145,7 +145,7 @@ class Verbs(InFolder):
         self.assertEqual([file.name for file in files], ["d.data", "d-1.molecule", "d.in"])
         with self.assertRaisesRegex(polhode.Error, "pair_style"):
             polhode.export("lammps", WATER, pair_style="lj/cut")
-        with self.assertRaisesRegex(polhode.Error, "no export to 'gromacs'"):
+        with self.assertRaisesRegex(polhode.Error, "export to 'gromacs' is not supported"):
             polhode.export("gromacs", WATER)
 
     def test_study(self):

@@ -27,11 +27,11 @@ Fault fault_of_lengths(const ForceSettings& s) {
     return SettingFault{"cutoff", in_nm(s.cutoff),
                         "must be longer than 0 nm and finite; 0.9 to 1.2 nm is usual"};
   if (!(s.switch_from > 0 && s.switch_from < s.cutoff))
-    return SettingFault{"switch", in_nm(s.switch_from),
-                        fmt::format("must be longer than 0 nm and shorter than the cutoff, {} nm: "
-                                    "without a switching range the forces jump and no scheme has "
-                                    "its order",
-                                    s.cutoff)};
+    return SettingFault{
+        "switch", in_nm(s.switch_from),
+        fmt::format("must be longer than 0 nm and shorter than the cutoff, {} nm: without a "
+                    "switching range the forces are discontinuous, and no scheme reaches its order",
+                    s.cutoff)};
   if (!is_positive(s.skin))
     return SettingFault{"skin", in_nm(s.skin),
                         fmt::format("must be longer than 0 nm and finite, so that the neighbour "
@@ -44,19 +44,18 @@ Fault fault_of_truncation(const ForceSettings& s) {
   if (vanishes_at_cutoff(s.electrostatics) && s.truncation != Truncation::site_switch)
     return SettingFault{
         "truncation", fmt::format("\"{}\"", name_of(s.truncation)),
-        fmt::format("cannot be combined with electrostatics = \"{}\", whose charges have their own "
-                    "cutoff treatment; use \"site-switch\", which then applies to Lennard-Jones "
-                    "only",
-                    name_of(s.electrostatics))};
+        fmt::format(
+            "cannot be combined with electrostatics = \"{}\", since this method truncates charges "
+            "in its own way; use \"site-switch\", which then applies only to Lennard-Jones",
+            name_of(s.electrostatics))};
   if (s.smoothness < 1 || s.smoothness > 3)
     return SettingFault{
         "smoothness", fmt::format("{}", s.smoothness),
         "must be 1, 2 or 3, the number of continuous derivatives of the switching function"};
   if (s.dispersion_correction && s.truncation == Truncation::site_shift)
-    return SettingFault{
-        "dispersion_correction", "true",
-        "cannot be combined with truncation = \"site-shift\", which changes the law at "
-        "all distances; leave it out, or use \"site-switch\""};
+    return SettingFault{"dispersion_correction", "true",
+                        "cannot be combined with truncation = \"site-shift\", since shifting "
+                        "changes the law at all distances; leave it out, or use \"site-switch\""};
   return std::nullopt;
 }
 
@@ -68,17 +67,17 @@ Fault fault_of_electrostatics(const ForceSettings& s) {
       !(s.damping >= 0 && s.damping * s.cutoff <= max_damping))
     return SettingFault{
         "damping", fmt::format("{:g} 1/nm", s.damping),
-        fmt::format("must be 0 or more, and at most {:g} divided by the cutoff, {:.4g} 1/nm, where "
-                    "the charges are already screened completely; {:g} 1/nm is usual",
+        fmt::format("must be 0 or more, and at most {:g} divided by the cutoff, {:.4g} 1/nm, "
+                    "because this damping already screens charges completely; {:g} 1/nm is usual",
                     max_damping, max_damping / s.cutoff, ForceSettings{}.damping)};
   if (s.coulomb_cutoff && s.electrostatics != Electrostatics::pme)
     return SettingFault{"coulomb_cutoff", in_nm(*s.coulomb_cutoff),
                         fmt::format("has no meaning without electrostatics = \"{}\"; leave it out",
                                     name_of(Electrostatics::pme))};
   if (s.coulomb_cutoff && !is_positive(*s.coulomb_cutoff))
-    return SettingFault{"coulomb_cutoff", in_nm(*s.coulomb_cutoff),
-                        "must be longer than 0 nm and finite; leave it out to have the fastest one "
-                        "chosen"};
+    return SettingFault{
+        "coulomb_cutoff", in_nm(*s.coulomb_cutoff),
+        "must be longer than 0 nm and finite; without this setting the fastest cutoff is chosen"};
   if (s.electrostatics != Electrostatics::pme) return std::nullopt;
   if (!(s.pme_accuracy >= min_pme_accuracy && s.pme_accuracy <= max_pme_accuracy))
     return SettingFault{
@@ -87,10 +86,11 @@ Fault fault_of_electrostatics(const ForceSettings& s) {
                     "forces divided by their rms; {:g} is usual",
                     min_pme_accuracy, max_pme_accuracy, ForceSettings{}.pme_accuracy)};
   if (s.precision == Precision::mixed && s.pme_accuracy < min_pme_accuracy_in_mixed)
-    return SettingFault{"pme_accuracy", fmt::format("{:g}", s.pme_accuracy),
-                        fmt::format("must be {:g} or more in mixed precision, about the rounding "
-                                    "error of a mesh in float; or use precision = \"double\"",
-                                    min_pme_accuracy_in_mixed)};
+    return SettingFault{
+        "pme_accuracy", fmt::format("{:g}", s.pme_accuracy),
+        fmt::format("must be {:g} or more in mixed precision, about the rounding error of a "
+                    "single-precision mesh; or use precision = \"double\"",
+                    min_pme_accuracy_in_mixed)};
   return std::nullopt;
 }
 

@@ -52,10 +52,10 @@ std::size_t terms_needed(const std::array<Real, degree + 1>& c) {
 SmoothPolynomial gaussian_smooth_part(double cutoff, double alpha) {
   const double x = alpha * cutoff;
   if (!(x > 0 && x <= max_gaussian))
-    throw Error(
-        fmt::format("the Ewald parameter times the cutoff of the charges is {:.4g}; it must be "
-                    "above 0 and at most {:g}, so use a shorter cutoff or a less accurate mesh",
-                    x, max_gaussian));
+    throw Error(fmt::format(
+        "the Ewald parameter times the cutoff of the charges is {:.4g}; the product must be above "
+        "0 and at most {:g}, so use a shorter cutoff or a less accurate mesh",
+        x, max_gaussian));
   const auto c = chebyshev_series(x);
   const std::size_t count = terms_needed(c);
   // The recursion T_(n+1) = 2 (2 y − 1) T_n − T_(n−1), for coefficients of powers of y.

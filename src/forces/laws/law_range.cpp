@@ -22,7 +22,7 @@ std::string inner_limit_note(const Topology& topology) {
     for (const Site& site : part.molecule.sites)
       if (const double limit = inner_limit(site.law); limit > 0)
         return fmt::format(
-            "; a pair of {}.{} may have come closer than {:.4f} nm, the inner limit of its law",
+            "; two sites {}.{} may have come closer than {:.4f} nm, the inner limit of their law",
             part.molecule.name, site.name, limit);
   return {};
 }
@@ -39,7 +39,7 @@ void check_tables(const Topology& topology, const ForceSettings& settings) {
           "table '{}' ends at {:g} nm, but sites interact up to {:g} nm{}; extend the table, or "
           "use a shorter cutoff",
           tabulated->table->name(), tabulated->table->last(), range,
-          by_molecule && extent > 0 ? ", the cutoff and the extent of two molecules" : ""));
+          by_molecule && extent > 0 ? " (the cutoff plus the extent of two molecules)" : ""));
   };
   for (const auto& part : topology.parts)
     for (const Site& site : part.molecule.sites) check(site.law);

@@ -26,8 +26,8 @@ void check_site(const std::string& word, const Topology& topology) {
   if (std::find(names.begin(), names.end(), word) != names.end()) return;
   if (bare)
     throw Error(
-        fmt::format("site '{}' has no short-range law, so the pair loops skip it; give it "
-                    "sigma and epsilon in its molecule file, or leave the pair out",
+        fmt::format("site '{}' has no short-range law, so pairs with this site are skipped; set "
+                    "sigma and epsilon of the site in its molecule file, or leave the pair out",
                     word));
   const std::string near = did_you_mean(word, names);
   throw Error(fmt::format(
@@ -35,7 +35,7 @@ void check_site(const std::string& word, const Topology& topology) {
       !near.empty() ? near
       : names.empty()
           ? "; no site of this system has a short-range law, so leave the pair out"
-          : "; sites are written as molecule.site, and there are: " + join_names(names)));
+          : "; sites are written as molecule.site; the sites are: " + join_names(names)));
 }
 
 bool same_sites(const PairOverride& a, const PairOverride& b) {
@@ -52,7 +52,7 @@ void check(const Mixing& mixing, const Topology& topology) {
     const std::string what = fmt::format("pair of '{}' and '{}'", pair->first, pair->second);
     if (std::any_of(mixing.pairs.begin(), pair,
                     [&](const PairOverride& other) { return same_sites(other, *pair); }))
-      throw Error(fmt::format("the {} is given twice; delete one", what));
+      throw Error(fmt::format("the {} is given twice; delete one of the two", what));
     try {
       check(pair->sigma, pair->epsilon, pair->law);
     } catch (const Error& e) {

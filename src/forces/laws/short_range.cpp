@@ -34,11 +34,11 @@ void each_law(const F& f, const std::variant<Laws...>*) {
 using List = ShortRange<double>::Law;
 
 [[noreturn]] void refuse_to_mix(const Site& a, const Site& b) {
-  throw Error(fmt::format(
-      "sites '{}' and '{}' have the laws {} ({}) and {} ({}), which no rule mixes; give the pair "
-      "in a table [[pair]] of the run file",
-      a.name, b.name, name(a.law), parameters(a.sigma, a.epsilon, a.law), name(b.law),
-      parameters(b.sigma, b.epsilon, b.law)));
+  throw Error(
+      fmt::format("sites '{}' and '{}' have the laws {} ({}) and {} ({}), but no mixing rule "
+                  "applies to these laws; define the pair in a table [[pair]] of the run file",
+                  a.name, b.name, name(a.law), parameters(a.sigma, a.epsilon, a.law), name(b.law),
+                  parameters(b.sigma, b.epsilon, b.law)));
 }
 
 }  // namespace

@@ -214,10 +214,9 @@ double max_cutoff(const Topology& topology, const Box& box) {
 MeshChoice::MeshChoice(const Topology& topology, const ForceSettings& settings)
     : topology_(topology), settings_(settings) {
   if (!(settings.pme_accuracy >= 1e-7 && settings.pme_accuracy <= 0.1))
-    throw Error(
-        fmt::format("a relative force error of {} is requested of the mesh; it must be from 1e-7 "
-                    "to 0.1",
-                    settings.pme_accuracy));
+    throw Error(fmt::format(
+        "the requested relative force error of the mesh is {}; it must be from 1e-7 to 0.1",
+        settings.pme_accuracy));
   if (ChargeDistribution(topology).charges() == 0)
     throw Error(
         "no molecule has a charge, so PME has nothing to compute; use electrostatics = "
@@ -300,9 +299,8 @@ std::string MeshChoice::remedy(const Box& box, const MeshSettings& best) const {
   for (double cutoff = 1.25 * best.cutoff; cutoff < 0.45 * box.shortest_edge(); cutoff *= 1.25) {
     longer.coulomb_cutoff = cutoff;
     if (points_of(MeshChoice(topology_, longer).cheapest(box)) <= max_points)
-      return fmt::format(
-          "use a coulomb_cutoff of {:.2g} nm, within which there are still few pairs",
-          1.05 * cutoff);
+      return fmt::format("use a coulomb_cutoff of {:.2g} nm, which still includes few pairs",
+                         1.05 * cutoff);
   }
   return "use a smaller box, or a larger pme_accuracy";
 }
@@ -314,7 +312,7 @@ MeshSettings MeshChoice::operator()(const Box& box) {
   if (points_of(best) > max_points)
     throw Error(fmt::format(
         "a charge cutoff of {:g} nm and an accuracy of {:g} need {} x {} x {} mesh points for "
-        "{:.0f} charges; the limit for so few bodies is {:.2g} points, so {}",
+        "{:.0f} charges; the maximum for so few bodies is {:.2g} points, so {}",
         best.cutoff, settings_.pme_accuracy, best.points[0], best.points[1], best.points[2],
         charges, max_points, remedy(box, best)));
   return best;

@@ -29,8 +29,8 @@ void check(const MeshSettings& settings) {
   for (const std::size_t points : settings.points)
     if (points < MeshSettings::max_order || points % mesh_multiple != 0)
       throw Error(
-          fmt::format("the mesh has {} points along an edge; it must have a multiple of {}, and at "
-                      "least {}, so that a spline does not overlap with itself",
+          fmt::format("the mesh has {} points along an edge; the number must be a multiple of {} "
+                      "and at least {}, so that a spline does not overlap with itself",
                       points, mesh_multiple, MeshSettings::max_order));
   const auto [nx, ny, nz] = settings.points;
   // Memory per grid point: the charges or their potential, its Fourier coefficient, and half a

@@ -68,9 +68,9 @@ void check_count(const Topology& topology) {
     slots += std::ceil(count / slot_block) * slot_block;
   }
   if (slots > Neighbour::slot_mask)
-    throw Error(
-        fmt::format("{:.0f} molecules are more than the neighbour list can index ({}); use fewer",
-                    molecules, Neighbour::slot_mask));
+    throw Error(fmt::format(
+        "{:.0f} molecules are more than the neighbour list can index ({}); use fewer molecules",
+        molecules, Neighbour::slot_mask));
 }
 
 void check_edges(const Box& box) {
@@ -80,8 +80,8 @@ void check_edges(const Box& box) {
   for (std::size_t d = 0; d < 3; ++d)
     if (!(box.edge[d] <= max_range))
       throw Error(
-          fmt::format("an edge of the box is {:g} nm long; it must be at most {:g} nm, since "
-                      "positions are resolved to 2^-30 of an edge",
+          fmt::format("a box edge is {:g} nm long; it must be at most {:g} nm, since the "
+                      "resolution of positions is 2^-30 of an edge",
                       box.edge[d], max_range));
 }
 

@@ -114,8 +114,9 @@ Buckets::Buckets(const Topology& topology, const State& state) : edge_(state.box
                                                                molecule.sites.end(), can_overlap));
   }
   if (sites > std::numeric_limits<std::uint32_t>::max())
-    throw Error(fmt::format("{} sites are more than can be indexed ({}); run a smaller system",
-                            sites, std::numeric_limits<std::uint32_t>::max()));
+    throw Error(
+        fmt::format("the system has {} sites, more than can be indexed ({}); use a smaller system",
+                    sites, std::numeric_limits<std::uint32_t>::max()));
   mask_ = std::bit_ceil(std::max<std::size_t>(sites, 1)) - 1;
   ends_.resize(mask_ + 1);
   const auto bucket_of = [&](const Vec3<double>& r) {

@@ -23,8 +23,8 @@ InteractionSites::InteractionSites(const Molecule& molecule) {
                    [&](const Site& a, const Site& b) { return rank(a) < rank(b); });
   if (sites.size() > max_sites)
     throw Error(
-        fmt::format("molecule '{}' has {} interacting sites; the pair loops support at most {}, so "
-                    "join sites or split the molecule",
+        fmt::format("molecule '{}' has {} interacting sites; the maximum is {}, so join sites or "
+                    "split the molecule",
                     molecule.name, sites.size(), max_sites));
 }
 

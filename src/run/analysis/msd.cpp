@@ -51,7 +51,7 @@ Correction viscosity(const AllFrames& all) {
   if (!all.temperature || std::abs(*all.temperature - published_temperature) > near)
     return {{},
             fmt::format(
-                "the published viscosity of {}, {}, applies to {:g} K and 1 bar (gonzalez2010); "
+                "the published viscosity of {}, {}, applies to {:g} K and 1 bar [gonzalez2010]; "
                 "give the viscosity at {} as 'viscosity'",
                 known->model, known->value, published_temperature,
                 all.temperature ? fmt::format("{:.4g} K", *all.temperature) : "the temperature")};

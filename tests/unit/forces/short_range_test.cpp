@@ -174,7 +174,7 @@ TEST_CASE("laws of unlike sites are mixed within a kind and refused between kind
                         std::sqrt(argon.C * 2e-3) / std::pow(0.37, 6))
             .epsilon(1e-12));
   check_error([&] { mix(a, m, MixingRule::geometric); },
-              {"buckingham", "mie", "which no rule mixes", "[[pair]]"});
+              {"buckingham", "mie", "but no mixing rule applies", "[[pair]]"});
   const Site t = site(0, 0, lennard_jones_table(0.34, 1, 0.002));
   const Site other = site(0, 0, lennard_jones_table(0.35, 1, 0.002));
   CHECK(u(mix(t, t, MixingRule::geometric)) == u(short_range(0, 0, t.law)));
@@ -183,7 +183,7 @@ TEST_CASE("laws of unlike sites are mixed within a kind and refused between kind
 }
 
 TEST_CASE("parameters out of their domain are refused") {
-  check_error([] { check(0, 1, LennardJonesLaw{}); }, {"epsilon is 1 kJ/mol but sigma is 0"});
+  check_error([] { check(0, 1, LennardJonesLaw{}); }, {"epsilon is 1 kJ/mol, but sigma is 0 nm"});
   check_error([] { check(0.3, 1, MieLaw{14, 3}); }, {"14 and 3", "above 3"});
   check_error([] { check(0.3, 1, MieLaw{6, 12}); }, {"6 and 12"});
   check_error([] { check(0, 0, BuckinghamLaw{-1, 30, 0}); }, {"A = -1", "above 0"});

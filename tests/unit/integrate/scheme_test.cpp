@@ -231,7 +231,7 @@ TEST_CASE("incorrect definitions, names and expressions are refused with the pla
   check_error([] { scheme_of("free = 1; B(1) A(1)"); }, {"a new name of a constant"});
   check_error([] { scheme_of("sqrt = 1; B(1) A(1)"); }, {"a new name of a constant"});
   check_error([] { scheme_of("A = 1; B(1) A(1)"); }, {"'= 1; B(1) ' at character 3", "'('"});
-  check_error([] { scheme_of("hoa2: B(1) A(1)"); }, {"'hoa2' belongs to a built-in scheme"});
+  check_error([] { scheme_of("hoa2: B(1) A(1)"); }, {"'hoa2' is the name of a built-in scheme"});
   check_error([] { scheme_of("my scheme: B(1) A(1)"); }, {"'my scheme' must have 1 to 32 letters"});
   check_error([] { scheme_of(": B(1) A(1)"); }, {"scheme name ''"});
   check_error([] { scheme_of("mine: hoa2"); }, {"'hoa2' at character 7", "A(...) for a drift"});

@@ -183,12 +183,13 @@ TEST_CASE("errors in topologies give the line, what was found and what was expec
   refused(replaced(spce, "SOL 3\n", "SOL -3\n"),
           {"found '-3' where the count must be a whole number"});
   refused(replaced(spce, "0.16330", "0.3"),
-          {"molecule type 'SOL' is not held rigid", "follows from the others"});
+          {"molecule type 'SOL' is not held rigid", "the other distances give"});
   refused(replaced(spce, "[ settles ]\n1 1", "[ settles ]\n2 1"),
           {"atom 2 must be followed by two hydrogen atoms"});
-  refused(replaced(spce, "[ settles ]\n1 1 0.1 0.16330\n", "[ bonds ]\n1 2 1 0.1\n"),
-          {"not held rigid by settles or constraints: 0 distances do not determine 3 points",
-           "topol.top:14"});
+  refused(
+      replaced(spce, "[ settles ]\n1 1 0.1 0.16330\n", "[ bonds ]\n1 2 1 0.1\n"),
+      {"not held rigid by settles or constraints: 0 distances do not determine the positions of 3",
+       "topol.top:14"});
   refused(
       replaced(spce, "[ settles ]", "[ position_restraints ]\n1 1 1 1 1\n[ settles ]"),
       {"has a section [ position_restraints ], but rigid bodies cannot have one", "topol.top:14"});

@@ -160,7 +160,7 @@ TEST_CASE("wrong dump files of particles") {
   };
   for (const auto& [from, to] :
        {std::pair{"d2_orientation[3]", "d2_orientation[9]"}, {"d2_orientation[1] ", "c_1 "}})
-    check_error([&] { read(replaced(text, from, to), topology); }, {"particles have orientations"});
+    check_error([&] { read(replaced(text, from, to), topology); }, {"particles need orientations"});
   std::string old = text;  // the name up to version 0.1 is read
   for (char d = '1'; d <= '4'; ++d)
     old = replaced(old, fmt::format("d2_orientation[{}]", d), fmt::format("d2_attitude[{}]", d));

@@ -61,7 +61,7 @@ TEST_CASE("settings of an ensemble that contradict each other or the scheme are 
   refused(hybrid + barostat + "time_constant = \"120 fs\"\n[run]\nlength = \"1 ps\"\n",
           {"time_constant of 120 fs", "interval of its moves, 150 fs", "whole trajectories"},
           "90 K", "hoa2", "15 fs");
-  refused(hybrid, {"without the stages O"}, "90 K", "baoab");
+  refused(hybrid, {"without stages O"}, "90 K", "baoab");
   refused("", {"needs a thermostat", "[thermostat]"}, "90 K", "baoab");
   refused(thermostat + "type = \"rescaling\"\ntime_constant = \"1 fs\"\n",
           {"time_constant of 1 fs", "step of 2 fs", "100 to 1000 fs"});
