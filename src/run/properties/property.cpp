@@ -78,11 +78,11 @@ constexpr std::array all = {
     Property{"enthalpy", "kJ/mol", In::averages,
              "mean potential and kinetic energy of rigid molecules, plus pressure times volume",
              "allen2017", false, false, enthalpy},
-    Property{
-        "enthalpy-of-vaporization", "kJ/mol", In::averages,
-        "enthalpy of the ideal gas of rigid molecules minus the enthalpy of the liquid; without "
-        "polarization, vibration or quantum terms",
-        "horn2004", false, false, enthalpy_of_vaporization},
+    Property{"enthalpy-of-vaporization", "kJ/mol", In::averages,
+             "enthalpy of an ideal gas of the rigid molecules, minus the enthalpy of the liquid; "
+             "without "
+             "polarization, vibration or quantum terms",
+             "horn2004", false, false, enthalpy_of_vaporization},
     Property{"heat-capacity", "J/mol/K", In::averages,
              "heat capacity at constant pressure of classical rigid molecules, from the "
              "fluctuations of the enthalpy",
@@ -110,7 +110,7 @@ constexpr std::array all = {
              "slowest molecular axis",
              "allen2017", false, true},
     Property{"second-virial-coefficient", "cm3/mol", In::pair,
-             "minus half of the integral of the Mayer function of two molecules, without a cutoff",
+             "integral of the Mayer function of two molecules, times −1/2, without a cutoff",
              "allen2017", false, false}};
 
 }  // namespace
