@@ -107,7 +107,7 @@ RUN_FILE = [
 
 # Name of the case, the initial configuration, what the message must contain.
 START_FILE = [
-    ("empty file", "", ["start.gro:1", "first frame"]),
+    ("empty file", "", ["start.gro:1", "at least one frame"]),
     ("binary garbage", bytes(range(256)) * 20, ["start.gro:"]),
     ("truncated atoms", ATOMS[:90], ["start.gro:4"]),
     ("no box", "\n".join(ATOMS.splitlines()[:4]) + "\n", ["start.gro:5", "box"]),

@@ -144,7 +144,7 @@ class Ensembles(Sandbox):
         barostat = json.loads(self.done("run", HYBRID + tables, "--json", "--force").out)["ensemble"]["barostat"]
         self.assertEqual((barostat["moves"], round(barostat["interval_fs"], 9), barostat["beyond_shape"]), (45, 90, 0))
         process = self.done("run", HYBRID + tables + 'edges = ["xy", "z"]\n', "--force")
-        self.assertIn('for a fluid use edges = ["xyz"]', process.err)
+        self.assertIn('For a fluid use edges = ["xyz"]', process.err)
 
     def test_zero_friction_is_constant_energy(self):
         """The same numbers to the last digit of the files, and no heat."""

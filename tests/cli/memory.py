@@ -34,7 +34,7 @@ class Memory(Sandbox):
         self.write("many.toml", argon(5_000_000, "80 nm"))
         process = self.within(2000 * MB, "energy", "many.toml")
         self.assertEqual(process.returncode, 2, process.stderr)
-        for word in ("5000000 molecules need at least 2.6", "GB of memory", "may use 2.1", "use fewer of them",
+        for word in ("5000000 molecules need at least 2.6", "GB of memory", "may use only 2.1", "use fewer of them",
                      "many.toml"):
             self.assertIn(word, process.stderr)
 

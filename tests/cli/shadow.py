@@ -126,7 +126,7 @@ class Shadow(Sandbox):
             self.refused(("tune-scheme", "run.toml", *options), words)
         self.refused(("tune-scheme", "nowhere.toml"), ["nowhere.toml"])
         self.write("one.toml", edited(SMALL, ("count = 27", "count = 1")))
-        self.refused(("tune-scheme", "one.toml", *TUNE[2:]), ["no forces act", "nothing to tune", "one.toml"])
+        self.refused(("tune-scheme", "one.toml", *TUNE[2:]), ["no forces act", "molecules interact", "one.toml"])
         process = self.polhode("tune-scheme", "run.toml", "--step", "1 ps", "--runs", "2", "--length", "400 ps", "--decorrelate", "0.1 ps",
                                "--sample", "2 ps")
         self.assertEqual(process.returncode, 1, process.err)

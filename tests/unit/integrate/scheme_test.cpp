@@ -238,7 +238,7 @@ TEST_CASE("incorrect definitions, names and expressions are refused with the pla
   check_error([] { scheme_of("B(" + std::string(1000, '(')); }, {"at most 32 levels"});
   check_error([] { scheme_of("B(" + std::string(1000, '-') + "1) A(1)"); }, {"at most 32 levels"});
   check_error([] { scheme_of("B(" + std::string(5000, ' ')); },
-              {"5002 characters", "4096 at most"});
+              {"5002 characters", "the maximum is 4096"});
 }
 
 TEST_CASE("incorrect scheme texts are refused with the place and what is expected") {

@@ -68,15 +68,17 @@ TEST_CASE("errors in GRO files give the line, what was found and what was expect
   check_text(replaced(water, "\n3\n", "\n-3\n"), {"found '-3' where the number of atoms"});
   check_text(replaced(water, "\n3\n", "\n4\n"),
              {"where atom 4 of the 4 that the second line gives must be", "a.gro:6"});
-  check_text(replaced(water, "\n3\n", "\n2\n"), {"another atom", "gives 2 atoms", "a.gro:5"});
+  check_text(replaced(water, "\n3\n", "\n2\n"),
+             {"another atom", "the frame has 2 atoms", "a.gro:5"});
   check_text("water\n3\n" + atoms, {"the file ends where the box must be", "a.gro:6"});
   check_text("water\n3\n" + atoms.substr(0, 90),
              {"the file ends where atom 3 of the 3 that the second line gives must", "a.gro:5"});
   check_text("water\n3\n" + atoms.substr(0, 87),
              {"the line ends after 42 characters; with three coordinates of 8 characters each",
-              "need 44", "a.gro:4"});
+              "must have 44 characters", "a.gro:4"});
   check_text(replaced(water, "0.200   0.300\n", "0.200   0.300  0.1\n"),
-             {"ends after 49 characters; with three coordinates and three velocities", "need 68"});
+             {"ends after 49 characters; with three coordinates and three velocities",
+              "must have 68 characters"});
   check_text(replaced(water, "0.067", "  nan"), {"x coordinate is nan", "finite", "a.gro:5"});
   check_text(replaced(water, "0.067", "0.O67"), {"found '0.O67' where the x coordinate"});
   check_text(replaced(water, "    1SOL    HW2", "    xSOL    HW2"),
@@ -119,8 +121,9 @@ TEST_CASE("atoms that do not match the model are refused") {
             {"atom 1 (1 SOL) is 'N' where site 'OW' of molecule 'tip4p' must be", "a.gro"});
   check_fit(water, 2, {"the 3 atoms form only 1 of 2 molecules", "set the number of molecules"});
   check_fit(water, 0, {"the file has 3 atoms, but the 0 molecules have 0"});
-  check_fit(replaced(water, "0.067   0.294", "0.001   0.200"), 1,
-            {"nm from its site in the rigid model 'tip4p'", "within 0.02 nm", "molecule 1"});
+  check_fit(
+      replaced(water, "0.067   0.294", "0.001   0.200"), 1,
+      {"nm from its site in the rigid model 'tip4p'", "must be at most 0.02 nm", "molecule 1"});
   check_fit(replaced(water, "2.00000   2.00000   2.00000", " 0.3 3 3"), 1,
             {"nm long", "shorter than half of the shortest box edge (0.300 nm)"});
 }

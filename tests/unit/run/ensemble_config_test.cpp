@@ -165,7 +165,7 @@ TEST_CASE("an interval between moves of the box that differs from what was asked
   CHECK(longer.find("80 steps of 2 fs") != std::string::npos);
   CHECK(notes(barostat + hybrid).find("rounded") == std::string::npos);
   CHECK(notes(barostat + thermostat).find("note") == std::string::npos);
-  CHECK(notes(thermostat + barostat + "edges = [\"xy\", \"z\"]\n").find("for a fluid use edges") !=
+  CHECK(notes(thermostat + barostat + "edges = [\"xy\", \"z\"]\n").find("For a fluid use edges") !=
         std::string::npos);
 }
 

@@ -157,7 +157,7 @@ TEST_CASE("the checkpoint of another configuration is refused, and so is one wit
         parse_config(replaced(argon, "density", "checkpoint = \"out-prepared.bin\"\ndensity"),
                      folder / "run.toml");
       },
-      {"initial_configuration", "there is none", "system.checkpoint"});
+      {"initial_configuration", "there is no initial configuration", "system.checkpoint"});
   check_error(
       [&] { parse_config(replaced(text, "out-prepared.bin", "no.bin"), folder / "run.toml"); },
       {"is not a file", "no.bin"});

@@ -123,7 +123,7 @@ TEST_CASE("existing outputs are refused, unless they are to be replaced") {
               {"out-checkpoint.bin", "resume it", "start over"});
   std::filesystem::remove(folder / "out-checkpoint.bin");
   check_error([&] { Simulation(config_in(folder)).run(); },
-              {"exists and would be overwritten", "replace it"});
+              {"exists and would be overwritten", "delete the file"});
   CHECK(Simulation(config_in(folder)).run({.existing = ExistingFiles::replace}).end ==
         RunEnd::complete);
   CHECK(bytes(folder / "out-energies.csv") == energies);
