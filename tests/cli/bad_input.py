@@ -49,7 +49,7 @@ RUN_FILE = [
      ["has a bath", "run.toml:10", "integrator.scheme"]),
     ("baths that do not sum to one", [('"hoa2"', '"B(1/2) A(1) O(1/2) B(1/2)"')], ["baths O to 0.5", "sum to 1", "run.toml:10"]),
     ("unknown inner scheme", [('"hoa2"', '"hoa2 / hoa x 2 within 0.5 nm"')], ["'hoa'", "'hoa2'", "run.toml:10"]),
-    ("no inner steps", [('"hoa2"', '"hoa2 / hoa2 x 0 within 0.5 nm"')], ["0 steps", "from 1 to 1000", "run.toml:10"]),
+    ("no inner steps", [('"hoa2"', '"hoa2 / hoa2 x 0 within 0.5 nm"')], ["outer scheme is 0", "from 1 to 1000", "run.toml:10"]),
     ("near forces without a unit", [('"hoa2"', '"hoa2 / hoa2 x 2 within 0.5"')], ["hoa2 x 2 within 0.5", "run.toml:10"]),
     ("near forces with a switching distance beyond their cutoff", [('"hoa2"', '"hoa2 / hoa2 x 2 within 0.6 to 0.5 nm"')],
      ["0.6 to 0.5 nm", "and a longer cutoff", "run.toml:10"]),
