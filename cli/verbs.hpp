@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The verbs of the command line. A verb declares its options on its own subcommand and returns a
-// function to call after parsing, whose return value is the exit code.
+// The verbs of the command line. A verb declares its options on a subcommand, and returns a
+// function to call after parsing. The return value of this function is the exit code.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What LAMMPS expects of a plugin, as its documentation describes it.
+// The interface between LAMMPS and a plugin, as in the LAMMPS documentation.
 #pragma once
 
 namespace LAMMPS_NS {
@@ -10,13 +10,14 @@ class Pair;
 
 extern "C" {
 
-/// Functions that make an object of a style. The kind of style determines which of them is called.
+/// Functions that make an object of a style. The kind of the style determines which function is
+/// called.
 union LammpsFactory {
   LAMMPS_NS::Pair* (*pair)(LAMMPS_NS::LAMMPS* lammps);
   LAMMPS_NS::Fix* (*fix)(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments);
 };
 
-/// A style of a plugin, with its kind ("fix" or "pair") and its name.
+/// A style of a plugin: its kind ("fix" or "pair"), name and factory.
 struct LammpsPlugin {
   const char *version, *style, *name, *info, *author;
   LammpsFactory create;

@@ -27,7 +27,7 @@ class Arguments {
   /// Reads the next word as a number.
   /// @throws Error  if the number is not above 0
   double positive(std::string_view meaning);
-  /// Calls the reader of each keyword, which reads the values that follow it.
+  /// Calls the reader of each keyword. The reader parses the values after the keyword.
   /// @throws Error  if a keyword does not exist
   void each_keyword(const std::map<std::string, std::function<void()>, std::less<>>& readers);
 

@@ -120,7 +120,7 @@ std::vector<Assembled> molecules_of(const std::vector<AtomMessage>& messages,
   return molecules;
 }
 
-// The index of the kind of a molecule, or the number of kinds if its kind is new.
+// The index of a molecule's kind, or the number of kinds if the kind is new.
 std::size_t index_of_kind(const std::vector<Kind>& kinds, const std::vector<SiteAtom>& atoms) {
   const auto found =
       std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return matches(k, atoms); });

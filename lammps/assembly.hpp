@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Assembles molecules whose atoms belong to several processes: every molecule is dealt with by the
-// process that its number selects, which receives all its atoms, and answers to where they are.
+// Assembles molecules with atoms on several processes. The number of a molecule selects a process.
+// This process receives all atoms of the molecule, and sends the result back to the processes of
+// the atoms.
 #pragma once
 
 #include <mpi.h>
@@ -41,8 +42,8 @@ struct AssemblySettings {
   std::function<Vec3<double>(const Vec3<double>&)> minimum_image;
 };
 
-/// Finds the kinds of all molecules with an atom in the group, adds new kinds to the known ones,
-/// and gives each molecule a body. All processes of the communicator must call this function
+/// Finds the kinds of all molecules with an atom in the group, adds new kinds to the list, and
+/// creates a body for each molecule. All processes of the communicator must call this function
 /// together.
 /// @param kinds  known kinds; the same on all processes, before and after the call
 /// @return  messages for the atoms of this process that belong to bodies

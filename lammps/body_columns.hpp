@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rigid bodies of one process in columns, and one of them as a record that travels between
-// processes and through restart files.
+// The rigid bodies of a process in columns, and a single body as a record for messages between
+// processes and for restart files.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ struct Pose {
   Quaternion<double> orientation;
 };
 
-/// The data of a body on which the rest of its trajectory depends, in LAMMPS units: momenta are
-/// mass × velocity, and angular momenta are mass × length × velocity.
+/// The data of a body that determine the rest of its trajectory, in LAMMPS units: momenta are mass
+/// × velocity, and angular momenta are mass × length × velocity.
 struct BodyRecord {
   Pose pose;
   Vec3<double> p{}, ell{};

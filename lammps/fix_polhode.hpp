@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // fix polhode: rigid molecules advanced by the exact free rotation and any splitting scheme, with
-// the forces of LAMMPS. A step of LAMMPS is one force evaluation of the scheme.
+// the forces of LAMMPS. A LAMMPS step is a force evaluation of the scheme.
 //
 // Every atom knows its site and the id of the atom that owns its body; the process of the owner
 // advances the body. Poses travel forward from owners to their ghosts, forces and torques back.
@@ -76,7 +76,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
     int process = 0, body = 0;   ///< process of the body, and its index there
     std::array<int, 3> image{};  ///< number of box edges by which the ghost is shifted
     Vec3<double> shift{};        ///< shift by these edges
-    int base = -1;               ///< ghost of which this is another image; −1 for none
+    int base = -1;               ///< ghost with this other image; −1 for none
     // Bodies of other processes, unless they are images of other ghosts:
     Pose pose{};
     Motion motion{};
@@ -172,8 +172,8 @@ class FixPolhode : public LAMMPS_NS::Fix {
                                 // momentum
   bool virial_is_old_ = false;  // whether forces were computed without a call of setup()
   std::vector<AtomInfo> info_;  // links of local atoms to their bodies
-  // For each owner atom, the index of its body in the columns, or after these in arrivals_, or for
-  // ghosts in ghosts_. It is −1 for other atoms.
+  // For each owner atom, the index of its body. The body is in the columns, in arrivals_ (with
+  // indices after the columns), or for ghosts in ghosts_. It is −1 for other atoms.
   std::vector<int> body_of_;
   std::vector<Kind> kinds_;
   std::unique_ptr<BodyColumns> columns_;
@@ -183,8 +183,8 @@ class FixPolhode : public LAMMPS_NS::Fix {
   std::vector<Owner> owners_;    // body of each local atom; −1 if it does not belong to a body
   std::vector<Motion> motions_;  // motions of the bodies, during set_velocities()
   Message message_ = Message::owners;
-  // Swaps of a process with itself, by which it makes images in directions with only one process:
-  // the lists of atoms to send, and the first ghosts that are received. Such images are computed
+  // Swaps of a process with itself, which make images in directions with only one process. They
+  // hold the lists of atoms to send, and the first received ghosts. Such images are computed
   // without messages.
   std::vector<const int*> own_lists_;
   std::vector<int> own_firsts_;

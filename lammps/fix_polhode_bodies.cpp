@@ -72,8 +72,8 @@ Vec3<double> FixPolhode::edges_of_box(const std::array<int, 3>& count) const {
           n(1) * domain->yprd + n(2) * domain->yz, n(2) * domain->zprd};
 }
 
-/// Assembles the molecules, gives each a body that agrees with its atoms, and moves the atoms to
-/// their sites.
+/// Assembles the molecules, creates for each a body that agrees with the atoms, and moves the atoms
+/// to the sites.
 void FixPolhode::recognise() {
   std::vector<AtomMessage> messages;
   std::vector<std::pair<int, BodyRecord>> particles;

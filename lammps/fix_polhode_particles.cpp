@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// fix polhode: particles, each of which is a whole molecule. LAMMPS has their centres and
-// velocities as those of atoms, and their orientations and angular momenta as columns of fix
-// property/atom.
+// fix polhode: particles, each of which is a whole molecule. LAMMPS stores centres and velocities
+// as for atoms, and orientations and angular momenta in columns of fix property/atom.
 #include <algorithm>
 #include <cmath>
 #include <string>

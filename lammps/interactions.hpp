@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kinds of molecules with the charges and Lennard-Jones parameters of an input of LAMMPS, as
-// the library needs them: lengths in nm, energies in the unit of the input.
+// The kinds of molecules in a LAMMPS input, with charges and Lennard-Jones parameters in the form
+// that the library needs. Lengths are in nm, and energies in the unit of the input.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The kinds of rigid molecules of a LAMMPS system: molecules whose atoms have the same types and
-// masses in the order of their ids, or particles of one type, each of which is a molecule.
+// The kinds of rigid molecules of a LAMMPS system. In a kind, all molecules have the same atom
+// types and masses in the order of the ids. All particles of the same type are also a kind, because
+// each particle is a molecule.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace polhode::lammps {
 
-/// An atom of a molecule in LAMMPS. It is massless if it only carries a charge.
+/// An atom of a molecule in LAMMPS. A site that only carries a charge is massless.
 struct SiteAtom {
   std::int64_t id = 0;
   int type = 0;
@@ -30,8 +31,8 @@ struct Kind {
   std::vector<int> types;  ///< atom types of its sites, in the order of atom ids
   Molecule molecule;       ///< molecule with its sites in the same order
   int particle = 0;        ///< type of its particles; 0 if each site is an atom
-  // Only for particles: the charges of their sites, and the rotation from the principal frame to
-  // the frame of the molecule file, which LAMMPS orientations refer to.
+  // Only for particles: the charges of the sites, and the rotation from the principal frame to the
+  // frame of the molecule file. LAMMPS orientations refer to the latter.
   std::vector<double> charges;
   Quaternion<double> frame{};
   std::int64_t first = 0;  ///< number of the molecule from which the shape was taken
@@ -77,9 +78,9 @@ void check_shape(const Kind& kind, std::int64_t number, const std::vector<SiteAt
                  const BodyRecord& body, double tolerance);
 
 /// A body that agrees with the atoms. If the sites of the given body and their velocities agree
-/// with the atoms to 1e-9, which is well above round-off, it is the given body in the image of the
-/// atoms. Otherwise, for example after commands that set positions or velocities, it is the fitted
-/// body.
+/// with the atoms to 1e-9, the result is the given body in the image of the atoms. This tolerance
+/// is well above round-off. Otherwise, for example after commands that set positions or velocities,
+/// it is the fitted body.
 BodyRecord updated_body(const Kind& kind, const std::vector<SiteAtom>& atoms,
                         const BodyRecord& before);
 

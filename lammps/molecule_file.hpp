@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Molecule files of LAMMPS, as its command `molecule` reads them.
+// LAMMPS molecule files, in the format of the command `molecule`.
 #pragma once
 
 #include <string>

@@ -98,7 +98,7 @@ void PairPolhode::init_style() {
   forces_.reset();
 }
 
-/// Finds the maximum distance between atoms that own interacting bodies.
+/// Finds the maximum distance between the owner atoms of interacting bodies.
 void PairPolhode::find_range() {
   double extent = 0, owner = 0;
   for (const Kind& kind : fix_->kinds()) {
@@ -163,8 +163,8 @@ KindCharges PairPolhode::charges_of_kinds() const {
   return charges;
 }
 
-/// The box edges in directions with only one process, where images of its bodies need not be ghosts
-/// [nm]; 0 in other directions.
+/// The box edges [nm] in directions with only one process. Images of bodies need not be ghosts in
+/// these directions; 0 in other directions.
 Vec3<double> PairPolhode::period(const Topology& topology) const {
   Vec3<double> edges;
   if (domain->triclinic != 0) return edges;

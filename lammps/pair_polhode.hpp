@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // pair_style polhode: the forces of the library, molecule by molecule, on the bodies of fix
-// polhode. Each process computes its bodies with all bodies near them; forces on ghosts are those
-// that the processes of their owners compute. Images in directions that are not divided among
-// processes are those of a periodic box, without ghosts.
+// polhode. Each process computes the forces on its bodies, exerted by all nearby bodies. The owner
+// processes compute the forces on ghosts. In directions that are not divided among processes, the
+// box is periodic, without ghosts.
 #pragma once
 
 #include <cstdint>
@@ -51,8 +51,7 @@ class PairPolhode : public LAMMPS_NS::Pair {
   KindCharges charges_;
   std::optional<DomainForces> forces_;  // forces for the present arrangement of bodies
   std::uint64_t arrangement_ = 0;
-  std::vector<std::size_t> counts_;       // numbers of own bodies and ghosts of each kind in
-                                          // forces_
+  std::vector<std::size_t> counts_;  // numbers of local bodies and ghosts of each kind in forces_
   std::vector<std::size_t> ghost_order_;  // indices of the ghosts of the fix, sorted by kind
   Load load_;
 };

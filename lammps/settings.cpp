@@ -23,7 +23,7 @@ namespace {
 
 constexpr int largest_molecule_file = 1 << 20;  // maximum size in bytes
 
-// The text of a file, which one process reads and sends to all others.
+// The text of a file. One process reads the file and sends the text to all other processes.
 std::string text_of_file(const std::string& path, MPI_Comm world) {
   int process = 0;
   MPI_Comm_rank(world, &process);

@@ -23,7 +23,7 @@ struct LangevinArguments {
   std::uint64_t seed = 0;
 };
 
-/// The arguments for particles of a type, each of which is a molecule with the sites of a molecule
+/// The arguments for particles of a type. Each particle is a molecule with the sites of a molecule
 /// file.
 struct ParticleArguments {
   int type = 0;
@@ -32,7 +32,7 @@ struct ParticleArguments {
 };
 
 struct FixSettings {
-  Scheme scheme;      ///< scheme, which includes the stages of the bath if there is one
+  Scheme scheme;      ///< scheme, including the stages of an optional bath
   double lambda = 1;  ///< displacement factor of finite differences; it is large because forces of
                       ///< other pair styles are not smooth
   double tolerance = default_tolerance;

@@ -14,7 +14,7 @@ from lib.slopes import check
 from lib.statistics import correlated_mean, rms
 
 TEMPERATURES = 300, 340  # [K]: potential energies of small systems overlap
-SHORT = {"cutoff": "0.52 nm", "switch": "0.46 nm"}  # small boxes, because every law is sampled exactly, also a short-range law
+SHORT = {"cutoff": "0.52 nm", "switch": "0.46 nm"}  # small boxes; sampling is exact for any potential, also with a short cutoff
 FIELD, PME = ({**SHORT, "electrostatics": kind} for kind in ("reaction-field", "pme"))
 SYSTEMS = {  # molecules, density [g/cm³], pressures [bar], [forces], compressibility [1/bar]
     "water, reaction field": (("spce", 64), 0.98, (1, 1200), FIELD, 4.5e-5),

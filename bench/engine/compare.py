@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Time of a step of two builds of polhode, in alternating runs: the program of an earlier commit, which is built first
-if necessary, and the current one. The ratio of two times of one round hardly depends on what else the computer does."""
+"""Compares the time per step of two builds of polhode in alternating runs: the current program, and the program of an
+earlier commit. The earlier program is built if necessary. The ratio of the two times in a round hardly depends on other
+load of the computer."""
 
 import argparse
 import datetime
@@ -28,7 +29,7 @@ STEP = 0.002  # [ps]
 
 
 class Case(NamedTuple):
-    forces: str  # or the path of a run file, which has its own precision and molecules
+    forces: str  # or the path of a run file, which then sets precision and molecules
     precision: str
     molecules: int
     instruction_set: str
@@ -69,7 +70,7 @@ def arguments():
 
 
 def copies(size):
-    """Number of copies of the box of 512 waters along each edge."""
+    """Number of copies of the 512-water box along each edge."""
     return round((size / 512) ** (1 / 3))
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Performance of the engine from small systems to large ones: time of a force evaluation, of the neighbour list and
-of a step with its parts, by `polhode bench`; peak memory and the time to the first energies, each in a separate process."""
+"""Performance of the engine for small to large systems: times of a force evaluation, of the neighbour list, and of a
+step with its parts, by `polhode bench`; peak memory and the time to the first energies, each in a separate process."""
 
 import argparse
 import datetime
@@ -41,8 +41,8 @@ def arguments():
 
 
 def outcome(command, folder=None, memory=False):
-    """The output of a process, its wall-clock seconds and, if requested, its peak memory [bytes], sampled every ms while it
-    runs, because the value from wait4(2) includes the memory of the parent process."""
+    """The output of a process, its wall-clock seconds and, if requested, its peak memory [bytes], sampled every ms
+    during the run, because the value from wait4(2) includes the memory of the parent process."""
     start, peak = time.perf_counter(), 0
     with tempfile.TemporaryFile() as said, tempfile.TemporaryFile() as complaint:
         with subprocess.Popen(command, cwd=folder, stdout=said, stderr=complaint) as process:

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Time of a step with a thermostat and a barostat, relative to constant energy with the same scheme and step: user time of
-alternating runs of 512 TIP4P waters in mixed precision, without the first quarter of their steps."""
+"""Time per step with a thermostat and a barostat, relative to constant energy with the same scheme and step. The user
+times of alternating runs are measured, without the first quarter of the steps. The system is 512 TIP4P waters in mixed
+precision."""
 
 import argparse
 import os

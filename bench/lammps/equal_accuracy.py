@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Seconds per nanosecond of rigid water in LAMMPS at equal R: schemes of fix polhode with pair_style polhode, with atoms or with
-one particle per molecule, against fix rigid/nve/small with the same law as a table. The schemes are also measured with polhode's
+"""Seconds per nanosecond of rigid water in LAMMPS at equal R. Schemes of fix polhode with pair_style polhode, with
+atoms or with one particle per molecule, are compared with fix rigid/nve/small. The latter uses a table of the same
+potential. The schemes are also measured with polhode's
 default truncation by molecules, which LAMMPS pair styles do not have.
 
     bench/lammps/equal_accuracy.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so --output RESULT.json
@@ -46,7 +47,7 @@ SAMPLE = 12.0  # about the time between samples [fs]
 WANTED = (1.5, 0.4)  # R [%]
 
 LAWS = ("site-switch", "molecule-switch")
-# The representation of molecules in LAMMPS: the style of the export, the precision and the law.
+# The representation of molecules in LAMMPS: the style of the export, the precision and the potential.
 FORMS = {
     f"{OTHER}, table": ("table", "double", LAWS[0]),
     f"{OTHER}, lj/cut/coul/cut": ("table", "double", LAWS[0]),
@@ -150,7 +151,7 @@ def seconds_per_ns(result, scheme, form, ranks, step):
 
 
 def curve_of(result, scheme, form):
-    """(step, R) with the law of a form."""
+    """(step, R) with the potential of a form."""
     return [(h, statistics.fmean(values)) for h, values in result["R_percent"][f"{scheme}, {FORMS[form][2]}"]]
 
 

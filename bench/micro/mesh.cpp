@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The particle mesh of 512 TIP4P waters, on every instruction set, in both precisions: its parts,
 // charges to the grid, transforms and product, forces from it, and the whole, forces alone and with
-// energies; then a mesh chosen for an accuracy, and larger boxes of water, whose time per charge
+// energies; then a mesh chosen for an accuracy, and larger boxes of water. The time per charge
 // should be constant.
 #include <benchmark/benchmark.h>
 
@@ -57,7 +57,7 @@ void mesh(benchmark::State& loop, InstructionSet instruction_set, What what, std
       case What::spread:
         mesh.spread(slots, placed.records);
         break;
-      case What::convolve:  // acts on its previous result, which then neither grows nor vanishes
+      case What::convolve:  // acts on the previous result, so that it neither grows nor vanishes
         loop.PauseTiming();
         mesh.spread(slots, placed.records);
         loop.ResumeTiming();

@@ -8,7 +8,7 @@
 
 namespace polhode::bench {
 
-/// A system of `copies` of the box of 512 TIP4P waters along each edge.
+/// A system with `copies` copies of the box of 512 TIP4P waters along each edge.
 inline System waters(std::size_t copies) {
   const System one = build_system(default_config());
   System all = one;

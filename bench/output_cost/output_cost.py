@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The cost of writing files in a run: trajectories of 512 TIP4P waters in each format, and checkpoints of a large system.
 
-The time for energies and output in the summary of a run is divided by that of everything else, and the same ratio of a run
-without trajectory (or with no checkpoint between its steps) in the same round is subtracted: other load on the
-machine slows all parts of a run equally. Medians over the rounds, with the quartiles."""
+The time for energies and output in the summary of a run is divided by the time for everything else. The same ratio of a
+run without trajectory (or without checkpoints between steps) in the same round is subtracted. Other load on the machine
+slows all parts of a run equally. Medians over the rounds, with the quartiles."""
 
 import argparse
 import json
@@ -22,7 +22,7 @@ NEVER = 1e6  # [s]
 
 
 def seconds(o, waters, length, form="xtc", every=0.0, checkpoint=NEVER):
-    """The parts of the time of a run, and the bytes of the files whose names contain a word."""
+    """The parts of the time of a run, and the number of bytes in files with a word in their names."""
     with tempfile.TemporaryDirectory(dir=o.folder) as folder:
         on_lattice = waters != 512
         Path(folder, "run.toml").write_text(water.run_file(

@@ -55,7 +55,7 @@ def slope(times, values):
 
 
 def point(step, samples, interval_fs):
-    """The results of a run at one step, from its samples at every `interval_fs`."""
+    """The results of a run at a given step, from samples at every `interval_fs`."""
     if not all(isfinite(s.total) and isfinite(s.potential) for s in samples) or len(samples) < 2 * BLOCKS:
         return Point(step, float("nan"), float("nan"), float("nan"), True, float("nan"), float("nan"))
     parts = blocks(samples)

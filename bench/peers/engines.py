@@ -38,7 +38,7 @@ def complaint(error):
 
 @dataclass
 class Case:
-    """An initial configuration in its own folder, and the cutoff treatment."""
+    """An initial configuration in a separate folder, and the cutoff treatment."""
 
     start: gro.Start
     folder: Path
@@ -75,7 +75,7 @@ def steps_between(interval, step):
 
 
 class Engine:
-    """One program with one integrator, which has `evaluations` force evaluations per step."""
+    """A program with an integrator that has `evaluations` force evaluations per step."""
 
     evaluations = 1
     start_step = 2.0  # [fs], for the first table of times

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""polhode compared with GROMACS, LAMMPS and OpenMM on the same rigid water: time of a step, R of a step, and from both
-the wall-clock seconds per nanosecond at a required R. README.md describes the method, and the remaining differences."""
+"""Compares polhode with GROMACS, LAMMPS and OpenMM for the same rigid water. The time per step and R are measured. Both
+give the wall-clock seconds per nanosecond at a required R. README.md describes the method, and the remaining
+differences."""
 
 import argparse
 import datetime
@@ -22,7 +23,7 @@ sys.path += [str(ROOT / "bench"), str(ROOT / "studies")]
 from lib import study  # noqa: E402
 
 TARGETS = (1.5, 0.4, 0.1)  # R [%]
-SCANNED = 512  # molecules in the runs for R, which does not depend on their number
+SCANNED = 512  # molecules in the runs for R, which does not depend on the number of molecules
 INTERVAL = 4.0  # [fs], largest interval between energies unless the step is longer
 
 

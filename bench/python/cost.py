@@ -5,8 +5,8 @@
     bench/python/cost.py --polhode ./polhode     # by a Python in which the package is installed
 
 The system is 512 TIP4P waters in mixed and double precision on one thread, in alternating runs of program and package. Times of steps are
-processor times. For the program they are the difference of two runs of different lengths. The ratio of two times of one round hardly depends
-on other load of the computer. Medians over the rounds are printed, with minimum and maximum.
+processor times. For the program they are the difference of two runs of different lengths. The ratio of the two times in
+a round hardly depends on other load of the computer. Medians over the rounds are printed, with minimum and maximum.
 """
 
 import argparse

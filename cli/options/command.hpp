@@ -31,14 +31,15 @@ class CommandOption {
   CLI::Option* option_;
 };
 
-/// A verb on the command line. It refers to a command object of the parser, which outlives it.
+/// A verb on the command line. It refers to a command object of the parser. That object has a
+/// longer lifetime.
 class Command {
  public:
   /// @param typed  whole command as a user could type it
   Command(CLI::App& app, std::string typed)
       : app_(&app), typed_(std::move(typed)), overlay_(std::make_shared<Overlay>()) {}
 
-  /// The command as a user could type it, with all options that have an effect on its files.
+  /// The command as a user could type it, with all options that affect the output files.
   const std::string& typed() const { return typed_; }
   /// The name of the verb, such as "run".
   std::string verb() const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The progress of a job on standard error, with its expected end: one line that changes on a
-// terminal, a line now and then in a log.
+// The progress of a job on standard error, with the expected end. On a terminal a single line is
+// updated, and in a log a line is added now and then.
 #pragma once
 
 #include <string>

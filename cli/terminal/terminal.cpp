@@ -21,8 +21,8 @@ std::size_t columns(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xc0) != 0x80; }));
 }
 
-/// The column at which a wrapped line continues: the column of its text after a label and two
-/// blanks, or the column where the line begins.
+/// The column at which a wrapped line continues. This is the column of the text after a label and
+/// two blanks, or otherwise the column at which the line begins.
 std::size_t indent_of(std::string_view line, std::size_t width) {
   const auto begin = line.find_first_not_of(' ');
   const auto text = line.find_first_not_of(' ', line.find("  ", begin));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode bench: how fast this computer simulates water, and what limits it.
+// polhode bench: how fast this computer simulates water, and what limits the speed.
 #include <fmt/format.h>
 
 #include <fstream>

@@ -37,7 +37,7 @@ Action export_verb(Command& command) {
   o->declare_file(command).required();
   command.add_option(
       "--pair-style", o->pair_style,
-      "table: the pair laws as tables; polhode: pair_style polhode of the plugin; "
+      "table: the pair potentials as tables; polhode: pair_style polhode of the plugin; "
       "polhode-particles: pair_style polhode with one particle per molecule; default: table");
   command.add_settings();
   o->declare_force(command);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode top: the rotation of one free top, exact and with NO_SQUISH, or a table of tops.
+// polhode top: the rotation of a free top, exact and with NO_SQUISH, or of all tops in a table.
 #include "polhode/run/top/top.hpp"
 
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// polhode tune-scheme [FILE]: the best η for hoa2's family and η, ξ for gier4's, or the best free
-// parameters of a scheme, for one system and step.
+// polhode tune-scheme [FILE]: finds the best η of the hoa2 family, the best η and ξ of the gier4
+// family, or the best free parameters of a scheme, for a given system and step.
 #include <fmt/core.h>
 
 #include <memory>

@@ -62,7 +62,7 @@ def _frame(core):
 
 
 def read_frames(path: Path, names: Path | None = None) -> Iterator[Frame]:
-    """Yields the frames of a file one after the other. Only one frame is in memory at a time.
+    """Yields the frames of a file one after the other. A single frame is in memory at a time.
 
     Args:
         path: in any format of the program: gro, pdb, xyz, xtc, trr, dcd, h5md, a LAMMPS data file.
@@ -97,7 +97,7 @@ def _array(values, n, name):
 
 
 def _writable(frame):
-    """The library's frame with the names of this one."""
+    """The library's frame with the names of this frame."""
     kinds, index = {}, np.empty(len(frame), dtype=np.int64)
     for i, kind in enumerate(zip(frame.residues, frame.names, frame.elements, strict=True)):
         index[i] = kinds.setdefault(tuple(map(str, kind)), len(kinds))
@@ -107,7 +107,7 @@ def _writable(frame):
 
 
 def write(path: Path, frames: Frame | Iterable[Frame], force: bool = False) -> None:
-    """Writes frames to a file, whose extension selects the format.
+    """Writes frames to a file. The extension selects the format.
 
     Args:
         path: file to write.

@@ -51,7 +51,7 @@ class Guarded:
 
 
 class Record(Guarded):
-    """A base of objects whose attributes are the keys of a dict."""
+    """A base class of objects that have the keys of a dict as attributes."""
 
     __slots__ = ("_data",)
 

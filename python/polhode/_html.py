@@ -65,7 +65,7 @@ def molecule_html(m):
 
 
 def simulation_html(s):
-    """A simulation: its system, and its progress."""
+    """A simulation: the system, and the progress of the run."""
     names = ", ".join(f"{n} {name}" for name, n in s.molecules)
     integrator = s.settings.tables.get("integrator") or {}
     box = " × ".join(f"{x:.4g}" for x in s.state.box)

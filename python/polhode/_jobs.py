@@ -90,7 +90,7 @@ def new(kind: str, path: Path | None = None, *, ensemble: str | None = None,
 
     Args:
         kind (str): "water", "nvt", "npt", "mixture", "gromacs" or "lammps".
-        path: file to write; default: KIND.toml. An existing one is never overwritten.
+        path: file to write; default: KIND.toml. An existing file is never overwritten.
         ensemble (str): ensemble of a kind without one (gromacs, lammps, water, mixture): nvt adds a
             thermostat, npt a barostat, too.
         mdp: run parameters of GROMACS to translate; those without counterpart are listed.
@@ -282,14 +282,14 @@ def export(program: str, source: Source = None, *, pair_style: str = "table",
     Args:
         program (str): "lammps".
         source, **keywords: as in settings(); the other arguments have precedence.
-        pair_style (str): table: the pair laws as tables; polhode: pair_style polhode of the plugin;
+        pair_style (str): table: the pair potentials as tables; polhode: pair_style polhode of the plugin;
             polhode-particles: pair_style polhode with one particle per molecule; default: table.
         output: prefix of the output files, which must not end in /.
         force (bool): overwrite output files that exist.
         progress, messages: see Progress.
 
     Returns:
-        list of Path: data file, tables of the pair laws if there are any, input script.
+        list of Path: data file, tables of the pair potentials if there are any, input script.
     """
     if program != "lammps":
         raise Error(f"export to {program!r} is not supported; the program must be \"lammps\"")

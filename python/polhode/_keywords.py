@@ -2,7 +2,7 @@
 """The keywords of settings, which are the keys of run files.
 
 With its table every key is a keyword: barostat_time_constant, study_runs; or as a path,
-"barostat.time_constant". A key of one table only is a keyword without it, too.
+"barostat.time_constant". A key that occurs in a single table is also a keyword without the table.
 """
 
 import inspect
@@ -11,7 +11,7 @@ from . import _core
 
 __all__ = ["CHOICES_OF", "KEYWORDS", "LISTS", "PATH_OF", "TABLES", "stub", "takes_settings"]
 
-# Tables whose keys are keywords only with the table: lengths and steps of several runs.
+# Tables with keys that are keywords only together with the table: lengths and steps of several runs.
 OF_TABLES = ("study", "prepare")
 LISTS = ("pair", "shape")  # of tables
 # Keys with another keyword, or with none: thermostat="langevin" is the type of a thermostat.

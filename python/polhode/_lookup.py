@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Schemes and molecules: built-in and user-defined ones."""
+"""Built-in and user-defined schemes and molecules."""
 
 from __future__ import annotations
 

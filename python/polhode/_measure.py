@@ -19,7 +19,7 @@ __all__ = ["measure", "merge"]
 
 
 def _words(properties):
-    """The words of the command line: names of properties, each of which may be followed by its error."""
+    """The words of the command line: names of properties, optionally with requested errors."""
     if isinstance(properties, str):
         return [properties]
     if isinstance(properties, Mapping):

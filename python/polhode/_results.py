@@ -29,8 +29,8 @@ class EnergySeries(Guarded):
 
     @property
     def conserves(self) -> bool:
-        """bool: whether "conserved" is a conserved energy. With hybrid Monte Carlo it is not: it performs a
-        random walk of the energy errors of all trajectories, which rejections correct."""
+        """bool: whether "conserved" is a conserved energy. With hybrid Monte Carlo it performs a random walk, the sum
+        of the energy errors of all trajectories. Rejections compensate for these errors."""
         return self._conserves
 
     @property
@@ -84,7 +84,7 @@ class EnergySeries(Guarded):
 
 
 class Report(Record, Mapping):
-    """The report of a job. It has the keys of its JSON, as ``report["R"]`` or ``report.R``. Names contain
+    """The report of a job. Its keys are the keys of the JSON output, as in ``report["R"]`` or ``report.R``. Names contain
     units, as in "length_ps"."""
 
     __slots__ = ("_job", "_files", "_complete", "_rows")
@@ -192,9 +192,9 @@ class Run(Guarded):
 
     @property
     def ratio(self) -> float | None:
-        """R of these samples, the rms fluctuation of the conserved energy divided by the rms fluctuation
-        of the potential energy. It is None for hybrid Monte Carlo, whose summary has the acceptance and
-        the number of effective samples."""
+        """R of these samples: the rms fluctuation of the conserved energy, divided by the rms fluctuation of the
+        potential energy. It is None for hybrid Monte Carlo. The summary then has the acceptance and the number of
+        effective samples."""
         return self.energies.ratio
 
     def to_pandas(self):

@@ -43,7 +43,7 @@ def _string(text):
 
 
 def _value(value, name, depth=0):
-    """A value as TOML on one line."""
+    """A value as TOML on a single line."""
     value = text_of(value)
     if depth > 20:
         raise Error(f"{name} is nested more than 20 levels deep; run files have at most 4")

@@ -57,7 +57,7 @@ class Simulation(Guarded):
     Raises:
         Error: if a setting or the initial configuration is invalid.
 
-    Only one thread at a time may use a simulation. Several simulations can run in several threads.
+    A simulation may be used by only one thread at a time. Several simulations can run in several threads.
 
     Between steps, temperature, pressure, time_step, scheme, thermostat and barostat can be set; see
     change().
@@ -298,8 +298,7 @@ class Simulation(Guarded):
         self._core.resume(os.fspath(path))
 
     def write(self, path: Path, massless: bool = True, velocities: bool = True) -> None:
-        """Writes the state to a coordinate file, whose extension selects the format; an existing
-        one is replaced."""
+        """Writes the state to a coordinate file. The extension selects the format, and an existing file is replaced."""
         self._core.write(os.fspath(path), massless, velocities)
 
     def cite(self) -> str:
@@ -321,8 +320,8 @@ class Simulation(Guarded):
         return mdtraj_trajectory(self, [self._frame()])
 
     def view_3d(self, width: int = 640, height: int = 480, js: str | None = None):
-        """A three-dimensional view of the atoms for notebooks, which can be rotated and zoomed. For a Run
-        it is an animation of its frames.
+        """A three-dimensional view of the atoms for notebooks, which can be rotated and zoomed. For a Run the view is
+        an animation of the frames.
 
         The browser of the notebook loads the script 3Dmol.js from the network.
 

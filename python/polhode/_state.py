@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The state of a simulation: views of its numbers, and a way to change them."""
+"""The state of a simulation: views of the numbers, and methods that change them."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ __all__ = ["State"]
 class State(Guarded):
     """The state of a simulation, as views of its numbers without a copy.
 
-    A view always shows the present state, also after further steps. It is read-only, and
-    stays valid as long as it exists. To change the state, use change()::
+    A view always shows the present state, also after further steps. Views are read-only, and stay valid as long as they
+    exist. To change the state, use change()::
 
         with simulation.state.change() as state:
             state.positions[0] += [0.1, 0, 0]

@@ -20,7 +20,7 @@ METHODS = ("series", "closed", "theta", "recursive", "no-squish", "symmetric-pro
 
 
 def _vectors(values, name):
-    """An array of doubles whose last axis has 3 components."""
+    """An array of doubles with 3 components along the last axis."""
     array = reals(values, name)
     if array.ndim < 1 or array.shape[-1] != 3:
         raise Error(f"{name} has the shape {array.shape}, and its last axis must have 3 components")
@@ -78,7 +78,7 @@ def _triple(values, name):
 
 def top(J: ArrayLike, L: ArrayLike, step: float | None = None, length: float | None = None, *,
         output: Path | None = None, force: bool = False, messages: Messages = None) -> np.ndarray:
-    """The trajectory of one free top, computed exactly and by two integrators, as ``polhode top``.
+    """The trajectory of a free top, computed exactly and by two integrators, as ``polhode top``.
 
     Args:
         J: principal moments of inertia in any consistent units: "1, 2, 3".

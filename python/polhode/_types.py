@@ -22,7 +22,7 @@ class OpenMMQuantity(Protocol):
 
 
 Path: TypeAlias = str | os.PathLike[str]
-Text: TypeAlias = str | os.PathLike[str]  # of a setting; a path where it is the name of a file
+Text: TypeAlias = str | os.PathLike[str]  # of a setting; a path if the text is the name of a file
 Quantity: TypeAlias = str | PintQuantity | OpenMMQuantity
 Texts: TypeAlias = str | list[str] | tuple[str, ...]
 Source: TypeAlias = "Settings | Mapping[str, Any] | str | os.PathLike[str] | None"

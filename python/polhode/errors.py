@@ -41,5 +41,5 @@ class OutputError(Error):
 
 
 class RunError(RuntimeError):
-    """A run that cannot continue although its input was valid, for example because it blows up. The command
+    """A run cannot continue although the input was valid, for example because it blows up. The command
     line exits with code 1."""

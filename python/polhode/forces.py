@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""External forces, which a Python function computes and which are added to the force field.
+"""External forces that a Python function computes. They are added to the force field.
 
 A function ``f(q, orientation)``, or ``f(q, orientation, box)``, is called with
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The parts of the module `polhode._core`. Each declares the functions of one subject; what they
-// mean is said in the Python files that call them.
+// The parts of the module `polhode._core`. Each declares the functions of one subject. The Python
+// files that call these functions document them.
 #pragma once
 
 #include <nanobind/nanobind.h>

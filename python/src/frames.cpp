@@ -20,7 +20,7 @@ namespace {
 
 namespace nb = nanobind;
 
-/// A reader, with the frame into which it reads.
+/// A reader together with a frame buffer.
 struct OpenFrames {
   std::unique_ptr<FrameReader> reader;
   Frame frame;

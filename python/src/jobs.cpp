@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The jobs of the command line that compute and write files, each by the library function that its
-// verb calls, with the same requests of texts. They return their reports as JSON.
+// The jobs of the command line that compute and write files. Each job calls the same library
+// function as its verb, with the same requests as texts. They return their reports as JSON.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>

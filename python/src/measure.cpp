@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measurements of properties, whose replicas may be computed by an executor of Python.
+// Measurements of properties. A Python executor may compute the replicas.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>

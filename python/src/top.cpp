@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Free rotation of many tops, and of one.
+// Free rotation of arrays of tops, and of a single top.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
 

@@ -14,8 +14,8 @@ constexpr std::size_t blocks(std::size_t size, std::size_t block) {
 }
 
 /// Calls task(first, end) for every block of 0 ≤ i < size, in parallel; the last block ends at
-/// `size`. A block should take a few µs, which is several times the cost of a fork and a join, and
-/// its size should be a multiple of the pack width.
+/// `size`. A block should take a few µs, which is several times the cost of a fork and a join. Its
+/// size should be a multiple of the pack width.
 template <class Task>
 void each_block(std::size_t size, std::size_t block, Workers& workers, const Task& task) {
   workers.each(blocks(size, block),

@@ -14,8 +14,8 @@
 
 namespace polhode {
 
-POLHODE_DECLARE_LOOPS(struct Loops;)  // if a set is an alias, this is the same type as the scalar
-                                      // one
+POLHODE_DECLARE_LOOPS(
+    struct Loops;)  // if a set is an alias, this is the same type as for the scalar set
 
 namespace {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Instruction sets: loops over packs are compiled once for each, and one is chosen at start-up.
+// Instruction sets. Loops over packs are compiled once for each set, and a set is chosen at
+// start-up.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,7 @@ const char* name(InstructionSet instruction_set);
 /// The instruction sets that were compiled in and that this processor supports, slowest first.
 std::vector<InstructionSet> available_instruction_sets();
 
-/// The instruction set in use: the fastest available one, unless the environment variable
+/// The current instruction set: the fastest available set, unless the environment variable
 /// POLHODE_INSTRUCTION_SET or force_instruction_set() selects another.
 /// @throws Error  if POLHODE_INSTRUCTION_SET names an instruction set that does not exist or that
 ///   this processor does not support
@@ -26,8 +27,8 @@ InstructionSet current_instruction_set();
 /// compute.
 void force_instruction_set(InstructionSet instruction_set);
 
-// A file in a `kernels` folder defines its functions in namespace polhode::POLHODE_LOOPS, which the
-// build defines as loops_scalar, loops_sse4 and so on. POLHODE_DECLARE_LOOPS declares these
+// A file in a `kernels` folder defines functions in namespace polhode::POLHODE_LOOPS. The build
+// defines POLHODE_LOOPS as loops_scalar, loops_sse4 and so on. POLHODE_DECLARE_LOOPS declares these
 // functions for all instruction sets. POLHODE_CURRENT_LOOPS selects the functions of the current
 // set. POLHODE_CURRENT_OVERLOAD selects an overloaded function, given the type of a function
 // pointer. An instruction set that was not compiled in is an alias of the scalar set and is never
@@ -83,7 +84,7 @@ void force_instruction_set(InstructionSet instruction_set);
   (::polhode::pick<__VA_ARGS__>(::polhode::current_instruction_set(), \
                                 POLHODE_LOOPS_OF_SETS(function)))
 
-/// Selects one of several functions, which are in the order of InstructionSet.
+/// Selects a function from an array in the order of InstructionSet.
 template <class Function>
 constexpr Function pick(InstructionSet instruction_set, std::initializer_list<Function> functions) {
   return functions.begin()[static_cast<std::size_t>(instruction_set)];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Packs: a SIMD vector of as many numbers as the instruction set processes at once, with the
-// interface of a single Real. The only file that uses vector types. It is included by files that
-// are compiled once per instruction set (the `kernels` folders), each with its own compiler flags.
+// interface of a single Real. The only file that uses vector types. Only files in `kernels` folders
+// include it. They are compiled once per instruction set, with separate compiler flags.
 #pragma once
 
 #include <hwy/highway.h>

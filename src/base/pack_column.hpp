@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Packs of the values of a column: as many bodies at once as a pack has lanes.
+// Loads and stores packs of column values, with one body per lane.
 #pragma once
 
 #include "polhode/base/column.hpp"

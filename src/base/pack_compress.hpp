@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Storing the lanes of packs that a mask selects, one after the other.
+// Stores the lanes of packs that a mask selects contiguously.
 #pragma once
 
 #include <bit>
@@ -21,8 +21,8 @@ struct SelectedLanes {
         if (mask >> lane & 1) of[mask][n++] = static_cast<std::uint8_t>(lane);
   }
 };
-static constexpr SelectedLanes selected_lanes{};  // a member of each object, because it belongs to
-                                                  // one instruction set
+static constexpr SelectedLanes
+    selected_lanes{};  // a member of each object, because it depends on the instruction set
 
 /// Moves the lanes of packs of 32-bit numbers that a mask selects to the front.
 class Compression {

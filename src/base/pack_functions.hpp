@@ -10,8 +10,8 @@
 namespace polhode {
 inline namespace HWY_NAMESPACE {
 
-/// The format of a floating-point number, and ln 2 as a sum whose first part has so few bits that
-/// its products with exponents are exact.
+/// The format of a floating-point number, and ln 2 as a sum of two parts. The first part has so few
+/// bits that its products with exponents are exact.
 template <class T>
 struct FloatFormat;
 template <>
@@ -64,8 +64,8 @@ Pack<T> exp(Pack<T> x) {
          Real(hn::BitCast(typename Real::Tag(), hn::ShiftLeft<Format::fraction_bits>(exponent)));
 }
 
-/// The natural logarithm ln x = k ln 2 + ln m with an integer k and m from √½ to √2, where ln m is
-/// the series of 2 artanh((m − 1)/(m + 1)). Lane types: float, double. Largest error: 2.5 ULP
+/// The natural logarithm ln x = k ln 2 + ln m with an integer k and m from √½ to √2. The series of
+/// 2 artanh((m − 1)/(m + 1)) gives ln m. Lane types: float, double. Largest error: 2.5 ULP
 /// (tests/unit/pack_functions_test.cpp). Valid range: positive normal numbers.
 template <class T>
 Pack<T> log(Pack<T> x) {

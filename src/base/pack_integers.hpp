@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Packs and integers: coordinates in fixed point, whose differences are exact, and indices.
+// Packs of integers: indices, and coordinates in fixed point with exact differences.
 #pragma once
 
 #include <cstdint>

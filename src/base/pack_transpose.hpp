@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Conversion between records and packs. A record holds the numbers of one body, contiguous in
-// memory; a pack holds one number of each of several bodies. Records at arbitrary addresses are
-// read as rows, one vector load each, and transposed in registers by shuffles, because a gather
+// memory; a pack holds one number of each of several bodies. Each record is read by a vector load
+// from an arbitrary address, and the records are transposed in registers by shuffles. A gather
 // would fetch the numbers one by one. The way back adds packs to records.
 #pragma once
 
@@ -153,8 +153,8 @@ void add_to_record(RecordPart<T> what, T* part) {
   hn::Store(hn::Add(hn::Load(tag, part), what), tag, part);
 }
 
-/// Adds lane i of column k to number k of record i, one record after the other, because two lanes
-/// may refer to the same record. `record(i)` is a pointer to a record, aligned to the record
+/// Adds lane i of column k to number k of record i. Records are processed in sequence, because two
+/// lanes may refer to the same record. `record(i)` is a pointer to a record, aligned to the record
 /// stride.
 template <std::size_t columns, class T, class Records>
 POLHODE_INLINE inline void add_to_records(const std::array<Pack<T>, columns>& value,

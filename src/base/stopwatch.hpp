@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Elapsed time, read in one way everywhere: from a clock that never goes back.
+// Elapsed time, always measured by a monotonic clock.
 #pragma once
 
 #include <chrono>
 
 namespace polhode {
 
-/// Measures the time since its construction or its last lap.
+/// Measures the time since construction or since the last lap.
 class Stopwatch {
  public:
   /// Time since the construction or the last lap [s].

@@ -13,10 +13,10 @@ namespace polhode {
 /// word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The name that is most similar to a word. It is the name that differs only in case and
-/// punctuation, such as spce for "SPC/E", if there is one. Otherwise it is the name with the
-/// smallest edit distance. The result is empty if this distance exceeds about a third of the word
-/// (one letter of a short word).
+/// The name that is most similar to a word. A name that differs only in case and punctuation has
+/// precedence, such as spce for "SPC/E". Otherwise it is the name with the smallest edit distance.
+/// The result is empty if this distance exceeds about a third of the word (one letter of a short
+/// word).
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> names);
 
 /// A suggestion to be appended to an error message, such as "; did you mean 'gier4'?". It is empty

@@ -8,7 +8,7 @@ namespace polhode {
 inline namespace HWY_NAMESPACE {
 
 /// Words of 32 bits, one for each lane of a pack of doubles. They are the lower halves of 64-bit
-/// lanes, whose upper halves are arbitrary.
+/// lanes. The upper halves are arbitrary.
 class WordPack {
  public:
   static constexpr std::size_t width = Pack<double>::width;

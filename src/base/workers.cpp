@@ -79,11 +79,11 @@ struct Futex {
   }
 };
 
-// The gate is one number that encodes whether there is work, how many threads of the pool are
-// inside, and to which call the work belongs. A thread joins by one compare-and-exchange of the
-// whole number, which succeeds only while the gate is open. Once the gate is closed and no thread
-// is inside, the work belongs to the caller again. The call counter wraps around, so a thread that
-// slept through exactly 2¹⁶ calls misses one.
+// The gate is a number with three parts: whether there is work, how many threads of the pool are
+// inside, and the number of the call. A thread joins by a compare-and-exchange of the whole number.
+// This succeeds only while the gate is open. Once the gate is closed and no thread is inside, the
+// work belongs to the caller again. The call counter wraps around, so a thread that slept through
+// exactly 2¹⁶ calls misses the next call.
 using Gate = std::uint32_t;
 constexpr Gate over = 1, open = 2, one_inside = 4, one_call = Gate{1} << 16;
 constexpr Gate inside(Gate gate) { return gate / one_inside % (one_call / one_inside); }

@@ -61,8 +61,8 @@ void scale_momenta(State& state, double factor) {
   }
 }
 
-/// The factor by which a momentum is reduced if it would move a body by `distance`, and the limit
-/// is `max_move`.
+/// The factor by which a momentum is reduced if it would move a body by `distance`, with the limit
+/// `max_move`.
 double share(double distance, double max_move) {
   return distance > max_move ? max_move / distance : 1;
 }

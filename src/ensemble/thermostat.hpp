@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bath of a scheme, which keeps a temperature: the flow O of its stages.
+// The bath of a scheme: the flow of its O stages, which controls the temperature.
 #pragma once
 
 #include <cstdint>
@@ -42,8 +42,8 @@ class Thermostat {
   double act(const SeparateRescaling& type, State& state, double t, StageNumber at) const;
 
   Motions motions(const State& state) const;
-  /// The factor by which momenta are scaled, given their kinetic energy and n degrees of freedom.
-  /// The time is in units of the time constant.
+  /// The factor by which momenta are scaled, from the kinetic energy and the number n of degrees of
+  /// freedom. The time is in units of the time constant.
   double factor(double kinetic, double n, double time, std::uint64_t stream) const;
 
   ThermostatSettings settings_;

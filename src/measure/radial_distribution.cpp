@@ -61,8 +61,9 @@ std::vector<double> smoothed(std::span<const double> g) {
   return smooth;
 }
 
-// The bin of the first peak. The search begins where g first comes near its largest value. It ends
-// where g has fallen to half of the peak, because a second peak may be as high.
+// The bin of the first peak. The search begins at the first distance at which g is close to its
+// maximum. It ends where g has fallen to half of the peak height, because a second peak may be
+// equally high.
 std::ptrdiff_t first_summit(std::span<const double> g) {
   constexpr double near = 0.75, fallen = 0.5;
   const double largest = *std::max_element(g.begin(), g.end());
@@ -84,9 +85,9 @@ Bins about_summit(std::span<const double> g, std::ptrdiff_t top) {
           std::min(last, std::max(high, top + 2))};
 }
 
-// The bins around the smallest g between a maximum and 1.6 times its distance, with 10 % of this
-// distance on each side. The result is empty if g is smallest in the last bin, because the minimum
-// may lie beyond it.
+// The bins around the smallest g between the distance r of a maximum and 1.6 r, with 10 % of r on
+// each side. The result is empty if g is smallest in the last bin, because the minimum may lie
+// beyond it.
 std::optional<Bins> about_minimum(std::span<const double> g, std::ptrdiff_t top) {
   constexpr double search_end = 1.6, part = 0.1;
   const auto last = static_cast<std::ptrdiff_t>(g.size()) - 1;
@@ -108,8 +109,8 @@ double value(const Cubic& c, double x) { return c[0] + x * (c[1] + x * (c[2] + x
 
 // The least-squares cubic through `sign` times g at x = −half, −half + 1, ..., half, with a lower
 // degree for fewer than four points. It is a sum of polynomials that are orthogonal on these
-// points. Because the points are symmetric about 0, each polynomial is x times the previous one
-// minus a multiple of the one before.
+// points. The points are symmetric about 0, so each polynomial is x times the previous polynomial,
+// minus a multiple of the polynomial before.
 Cubic fitted_cubic(std::span<const double> g, double sign) {
   const double half = static_cast<double>(g.size() - 1) / 2;
   Cubic sum{}, polynomial{1}, last{};
@@ -231,7 +232,7 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
       throw Error(fmt::format("no site is named '{}'{} (there are: {})", words[w],
                               did_you_mean(words[w], all_names), join_names(all_names)));
 
-  // Weight of a pair of sites of two kinds: 1 if both selections are the same, else 1 for each
+  // Weight of a pair of sites of two kinds: 1 if both selections are the same, otherwise 1 for each
   // direction.
   counts_.assign(kinds.size(), std::vector<std::vector<Count>>(kinds.size()));
   for (std::size_t a = 0; a < kinds.size(); ++a)

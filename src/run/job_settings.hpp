@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The settings of the run file that a job takes by names of its own, as options of its verb and as
-// keywords of its function in Python.
+// Run-file settings for which a job has options with separate names. They are options of its verb
+// and keywords of its Python function.
 #pragma once
 
 #include <span>
@@ -20,7 +20,7 @@ struct JobSetting {
 
   /// The meaning of the setting in a few words: the meaning of its key, and the note.
   std::string meaning() const;
-  /// Whether the setting takes one or more texts.
+  /// Whether the value of the setting is a list of texts.
   bool is_list() const;
 };
 

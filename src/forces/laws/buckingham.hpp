@@ -10,9 +10,9 @@
 
 namespace polhode {
 
-/// The Buckingham law u = A exp(−B r) − c6/r⁶ [buckingham1938]. It has a maximum at a short
-/// distance, the inner limit, and falls to −∞ below it. Sites closer than the inner limit would
-/// fall into each other. There u and s are NaN, so that the run stops.
+/// The Buckingham potential u = A exp(−B r) − c6/r⁶ [buckingham1938]. The potential has a maximum
+/// at a short distance, the inner limit. Below this distance it falls to −∞. Sites closer than the
+/// inner limit would fall into each other. There u and s are NaN, so that the run stops.
 template <class T = double>
 struct Buckingham {
   T A = 0;             ///< [kJ/mol]

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The damped shifted force: Coulomb's law damped by erfc and truncated at the cutoff a, pair by
-// pair [wolf1999; fennell2006]. Originally, the value and slope of erfc(α r)/r at a are subtracted
-// as a line in r; here its Taylor polynomial in y = 1 − r²/a² up to y^n is subtracted, so that the
-// energy goes to zero with n continuous derivatives and schemes keep their order.
+// The damped shifted force: a Coulomb potential damped by erfc and truncated at the cutoff a, pair
+// by pair [wolf1999; fennell2006]. Originally, the value and slope of erfc(α r)/r at a are
+// subtracted as a line in r; here its Taylor polynomial in y = 1 − r²/a² up to y^n is subtracted.
+// The energy then goes to zero with n continuous derivatives, and schemes keep their order.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Splits of 1/r into a short-range part, summed over pairs, and a smooth part, summed over wave
-// vectors: 1/r = u(r) + smooth(r). The smooth part is the potential of a unit charge spread over
-// the density that names the split; transform(k) is the density's Fourier transform, 1 at k = 0.
+// Splits of 1/r into two parts, 1/r = u(r) + smooth(r). The short-range part u is summed over
+// pairs, and the smooth part over wave vectors. The smooth part is the potential of a unit charge
+// spread over the density that names the split; transform(k) is the density's Fourier transform, 1
+// at k = 0.
 #pragma once
 
 #include <cmath>
@@ -80,7 +81,7 @@ class CompactSplit {
   struct ReducedBessel {
     double now, next;  // functions of degrees n and n + 1
   };
-  // Computes (2n+1)!! j_n(x)/xⁿ by its power series if this loses no digits, and otherwise by
+  // Computes (2n+1)!! j_n(x)/xⁿ, by the power series if this loses no digits, and otherwise by
   // upward recurrence in n.
   static ReducedBessel reduced_bessel(int n, double x) {
     if (x < n + 1) return {bessel_series(n, x), bessel_series(n + 1, x)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The distances at which short-range laws are defined.
+// The distances at which short-range potentials are defined.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// The distance below which a law is not defined [nm]: the maximum of the Buckingham law, or the
-/// start of a table. It is 0 for other laws.
+/// The distance below which a law is not defined [nm]: the maximum of the Buckingham potential, or
+/// the start of a table. It is 0 for other laws.
 double inner_limit(const ShortRangeLaw& law);
 
 /// A note on a possible cause of an energy that is not finite, such as "; a pair of argon.Ar may
@@ -18,7 +18,7 @@ double inner_limit(const ShortRangeLaw& law);
 /// defined at all distances.
 std::string inner_limit_note(const Topology& topology);
 
-/// Checks that tabulated laws cover all distances up to the cutoff.
+/// Checks that tabulated potentials cover all distances up to the cutoff.
 /// @throws Error  if a table ends before the cutoff or, with a molecule switch, before the largest
 ///   distance between two sites of molecules within the cutoff
 void check_tables(const Topology& topology, const ForceSettings& settings);

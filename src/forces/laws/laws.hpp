@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The laws of charges, and what all pair laws have in common, each written once for every Real:
+// The potentials of charges, and code shared by all pair potentials, written once for every Real:
 // numbers, packs, dual numbers. A law is a function of the distance r between two sites and returns
 // u and s = −u'(r)/r; the force of the first site on the second is s (r₂ − r₁).
 #pragma once
@@ -16,9 +16,10 @@
 
 namespace polhode {
 
-/// Coulomb's law with the reaction field of a dielectric continuum beyond the cutoff: u = K q₁ q₂
-/// (1/r + k r² − c). The constants are k = (ε − 1)/((2 ε + 1) r_c³) and c = 1/r_c + k r_c²
-/// [tironi1995]. The plain Coulomb law has k = c = 0. The caller multiplies by the factor K q₁ q₂.
+/// The Coulomb potential with the reaction field of a dielectric continuum beyond the cutoff: u = K
+/// q₁ q₂ (1/r + k r² − c). The constants are k = (ε − 1)/((2 ε + 1) r_c³) and c = 1/r_c + k r_c²
+/// [tironi1995]. The plain Coulomb potential has k = c = 0. The caller multiplies by the factor K
+/// q₁ q₂.
 template <class T = double>
 struct ReactionField {
   T k = 0;  ///< [1/nm³]
@@ -38,11 +39,12 @@ struct ReactionField {
   }
 };
 
-/// The switching function w, which is 1 up to `from` and 0 beyond `to`. In between, it is the
-/// polynomial of lowest degree in x = (r − from)/(to − from) whose first `smoothness` derivatives
-/// vanish at both ends. With y = x − ½ and b = ¼ − y² = x (1 − x), w = ½ − y Σ B_k bᵏ for k from 0
-/// to n, and dw/dx = −(2n + 1) B_n bⁿ. Here B_k = (2k)!/k!² is 1, 2, 6, 20. This form needs the
-/// same operations for all n and no branches. It is exact at both ends, where b = 0.
+/// The switching function w, which is 1 up to `from` and 0 beyond `to`. In between, it is a
+/// polynomial in x = (r − from)/(to − from). It has the lowest degree for which the first
+/// `smoothness` derivatives vanish at both ends. With y = x − ½ and b = ¼ − y² = x (1 − x), w = ½ −
+/// y Σ B_k bᵏ for k from 0 to n, and dw/dx = −(2n + 1) B_n bⁿ. Here B_k = (2k)!/k!² is 1, 2, 6, 20.
+/// This form needs the same operations for all n and no branches. It is exact at both ends, where b
+/// = 0.
 template <class T = double>
 class Switch {
  public:
@@ -84,7 +86,7 @@ class Switch {
 /// a. The caller multiplies by the factor K q₁ q₂.
 template <class T = double>
 struct SmoothPart {
-  std::size_t degree = 0;  ///< degree of −u'/r; the degree of u is one higher
+  std::size_t degree = 0;  ///< degree of −u'/r; the degree of u is larger by one
   T inverse_a2 = 0;        ///< 1/a² [1/nm²]
   std::array<T, SmoothPolynomial::max_degree + 1> u{}, s{};  ///< coefficients of u [1/nm] and of
                                                              ///< −u'/r [1/nm³]
@@ -118,7 +120,7 @@ struct PairLaws {
   ReactionField<T> reaction_field;
   SmoothPart<T> smooth;
   Switch<T> switching;
-  T cutoff;             ///< cutoff of the short-range laws [nm]
+  T cutoff;             ///< cutoff of the short-range potentials [nm]
   T cutoff_of_charges;  ///< cutoff between charges [nm]
 
   explicit PairLaws(const ForceSettings& settings)

@@ -9,14 +9,14 @@
 
 namespace polhode {
 
-/// The Lennard-Jones law u = c12/r¹² − c6/r⁶, with c12 = 4 ε σ¹² and c6 = 4 ε σ⁶.
+/// The Lennard-Jones potential u = c12/r¹² − c6/r⁶, with c12 = 4 ε σ¹² and c6 = 4 ε σ⁶.
 template <class T = double>
 struct LennardJones {
   T c6 = 0;   ///< [kJ/mol nm⁶]
   T c12 = 0;  ///< [kJ/mol nm¹²]
 
   using Parameters = LennardJonesLaw;
-  /// Mixes the parameters of two sites besides σ and ε, of which this law has none.
+  /// Mixes the parameters of two sites besides σ and ε. This potential has no other parameters.
   template <class Mean>
   static std::optional<Parameters> mixed(const Parameters& x, const Parameters&, const Mean&) {
     return x;

@@ -14,8 +14,8 @@ namespace polhode {
 namespace {
 
 void check_site(const std::string& word, const Topology& topology) {
-  std::vector<std::string> names;  // names of sites with a short-range law
-  bool bare = false;               // whether the site exists but has no short-range law
+  std::vector<std::string> names;  // names of sites with a short-range potential
+  bool bare = false;               // whether the site exists but has no short-range potential
   for (const auto& part : topology.parts)
     for (const Site& site : part.molecule.sites) {
       std::string name = part.molecule.name + '.' + site.name;

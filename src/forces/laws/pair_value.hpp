@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a pair law returns.
+// The result of a pair potential.
 #pragma once
 
 #include "polhode/base/real.hpp"

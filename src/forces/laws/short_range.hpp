@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The short-range law of a pair of sites: any of the list below, chosen pair by pair. Systems with
-// Lennard-Jones alone do not use it: their loops know the law at compile time.
+// The short-range potential of a pair of sites, chosen from the list below for each pair. Systems
+// with only Lennard-Jones potentials use other loops, which know the potential at compile time.
 #pragma once
 
 #include <variant>
@@ -28,7 +28,7 @@ class ShortRange {
   ShortRange<float> rounded() const {
     return std::visit([](const auto& law) { return ShortRange<float>(law.rounded()); }, law_);
   }
-  /// The parameters of a Lennard-Jones law; other laws are not allowed.
+  /// The parameters of a Lennard-Jones potential; other potentials are not allowed.
   LennardJones<T> lennard_jones() const { return std::get<LennardJones<T>>(law_); }
 
   template <class Real>
@@ -46,8 +46,8 @@ class ShortRange {
 /// The law with the parameters of a site, or of a pair.
 ShortRange<double> short_range(double sigma, double epsilon, const ShortRangeLaw& law);
 
-/// The law between two sites, mixed from the laws of the sites, one of which may be zero. The
-/// mixing rule gives σ and ε, and mixed() of the law gives its other parameters.
+/// The potential between two sites, mixed from the potentials of both sites. Either may be zero.
+/// The mixing rule gives σ and ε, and mixed() of the law gives its other parameters.
 /// @throws Error  if the laws are of different kinds, or refer to different tables
 ShortRange<double> mix(const Site& a, const Site& b, MixingRule rule);
 

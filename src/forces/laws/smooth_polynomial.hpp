@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A polynomial in the square of the distance that is subtracted from 1/r inside a cutoff so that
-// the rest goes smoothly to zero there. It costs a kernel a few multiplications and no special
-// function.
+// A polynomial in the square of the distance, which is subtracted from 1/r inside a cutoff. The
+// remainder goes smoothly to zero at the cutoff. A kernel evaluates the polynomial by a few
+// multiplications, without special functions.
 #pragma once
 
 #include <algorithm>

@@ -11,9 +11,9 @@
 
 namespace polhode {
 
-/// A law given by a cubic spline through the energies of a table. Below the first distance of the
-/// table, u and s are NaN, so that the run stops. Beyond the last distance, which no pair inside
-/// the cutoff reaches, u keeps its last value.
+/// A potential given by a cubic spline through the energies of a table. Below the first distance of
+/// the table, u and s are NaN, so that the run stops. Beyond the last distance u is constant. Pairs
+/// inside the cutoff are never at such distances.
 template <class T = double>
 struct Tabulated {
   std::shared_ptr<const PotentialTable> table;

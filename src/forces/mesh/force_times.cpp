@@ -20,7 +20,7 @@ constexpr double per_tile = 1.05e-9;        // time per charge and tile of the g
                                             // spread
 constexpr double per_pair = 2.3e-9;         // time per pair of molecules for its records and sums
 constexpr double per_charges = 0.4e-9;      // time per pair of charges
-constexpr double per_short_range = 0.6e-9;  // time per pair of sites with a short-range law
+constexpr double per_short_range = 0.6e-9;  // time per pair of sites with a short-range potential
 
 }  // namespace
 

@@ -11,8 +11,8 @@
 
 namespace polhode {
 
-/// The shape of a tile, which is the set of grid points in a pack: `rows` rows along y, each with
-/// `columns` points along x, at one z.
+/// The shape of a tile. A tile is the set of grid points in a pack: `rows` rows along y, each with
+/// `columns` points along x, at the same z.
 struct MeshTile {
   std::size_t columns = 1, rows = 1;
   std::size_t size() const { return columns * rows; }
@@ -30,8 +30,8 @@ struct MeshGrid {
   std::size_t stack = 0;     ///< distance between stacks along x, in numbers
   std::size_t row = 0;       ///< distance between rows of stacks, in numbers
   Column<T> values;
-  /// Offsets of the stack of a point x and of the row of stacks of a point y, also for up to eleven
-  /// points beyond the end.
+  /// Offsets in memory: stack_at[x] for the stack at x, and row_at[y] for the row of stacks at y.
+  /// Both tables continue for eleven points beyond the end.
   std::vector<std::ptrdiff_t> stack_at, row_at;
 
   MeshGrid() = default;

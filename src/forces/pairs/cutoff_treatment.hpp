@@ -10,7 +10,7 @@ namespace polhode {
 /// Cutoff treatment of the pairs of a loop. `none` and `smooth_untruncated` are for molecules known
 /// to lie inside the switching distance, where nothing is truncated. With `smooth` (PME, damped
 /// shifted force), a polynomial is subtracted from 1/r, so the Coulomb energy already vanishes at
-/// the cutoff. The short-range law is switched site by site.
+/// the cutoff. The short-range potential is switched site by site.
 enum class CutoffTreatment {
   none,
   molecule_switch,
@@ -68,7 +68,8 @@ class SiteTruncation {
   POLHODE_INLINE PairValue<Real> switched(const PairValue<Real>& at_r) const {
     return {switch_.w * at_r.u, switch_.w * at_r.s - switch_.slope * inverse_r_.first() * at_r.u};
   }
-  // The shifted law: u(r) − u(r_c) − (r − r_c) u'(r_c) for r < r_c, and zero beyond [toxvaerd2011].
+  // The shifted potential: u(r) − u(r_c) − (r − r_c) u'(r_c) for r < r_c, and zero beyond
+  // [toxvaerd2011].
   template <class Law>
   POLHODE_INLINE PairValue<Real> shifted(const PairValue<Real>& at_r, const Law& law) const {
     using C = Constant<Real>;

@@ -233,7 +233,7 @@ POLHODE_INLINE inline void add_pairs(const SitePairs<Shape, Real>& pairs, const 
 /// - `site_switch`: U = Σ w(r) u(r),
 /// - `site_shift`: U = Σ [u(r) − u(r_c) − (r − r_c) u'(r_c)] for r < r_c,
 ///
-/// with u = u_short + K q q (1/r + k r² − c), where u_short is the short-range law of the two
+/// with u = u_short + K q q (1/r + k r² − c), where u_short is the short-range potential of the two
 /// sites, and k and c describe the reaction field, and
 ///
 /// - `smooth`: U = Σ w(r) u_short(r) + K q q (1/r − P(r)) for r < r_c, where P is the

@@ -11,11 +11,11 @@
 
 namespace polhode {
 
-/// Positions of bodies and their sites, with one record per slot. A record has three numbers for
-/// the centre in the box, then x, y, z of each site relative to the centre, in the lab frame [nm].
-/// In double precision centres are in nm. In single precision they are in fixed point with 2³⁰
-/// units to a box edge, stored as the bits of a float. Differences of centres are therefore exact
-/// before they are rounded.
+/// Positions of bodies and sites, with one record per slot. A record has three numbers for the
+/// centre in the box, followed by x, y, z of each site relative to the centre, in the lab frame
+/// [nm]. In double precision centres are in nm. In single precision they are in fixed point with
+/// 2³⁰ units to a box edge, stored as the bits of a float. Differences of centres are therefore
+/// exact before they are rounded.
 template <class T>
 struct SiteRecords {
   std::size_t stride = 0;  ///< stride of records in numbers; records are aligned for packs
@@ -28,10 +28,10 @@ struct SiteRecords {
   const T* of(std::size_t slot) const { return &values[slot * stride]; }
 };
 
-/// Sums of forces [kJ/mol/nm] and torques [kJ/mol] from one chunk of the list, for the slots in its
-/// windows, which do not include ghosts. The sums have the precision of the pairs, because each has
-/// a few hundred terms, whose round-off outweighs the round-off of the sum. Sums over chunks are in
-/// double.
+/// Sums of forces [kJ/mol/nm] and torques [kJ/mol] from one chunk of the list, for the slots in the
+/// windows of the chunk. Windows do not include ghosts. The sums have the precision of the pairs. A
+/// sum has only a few hundred terms, so the round-off of the terms exceeds the round-off of the
+/// summation. Sums over chunks are in double precision.
 template <class T>
 struct ChunkSums {
   static constexpr std::size_t stride = 8;  ///< force, torque, and two numbers that stay 0
@@ -69,7 +69,7 @@ struct PlaceJob {
   SiteRecords<T>& records;
 };
 
-/// A job that computes the displacements of sites of bodies of one molecule type.
+/// A job that computes the site displacements of bodies of one molecule type.
 template <class T>
 struct DisplaceJob {
   const State& state;
@@ -85,14 +85,14 @@ POLHODE_DECLARE_LOOPS(
     /// Fills the records of the slots of a job. Returns the square of the largest displacement
     /// since the list was built [nm²].
     double place_sites(const PlaceJob<double>& job); double place_sites(const PlaceJob<float>& job);
-    /// Fills the records of displacements of the slots of a job.
+    /// Fills the displacement records for the slots of a job.
     void displace_sites(const DisplaceJob<double>& job);
     void displace_sites(const DisplaceJob<float>& job);
     /// Adds the forces, torques and, if requested, energies and virial of a job's pairs to its
     /// sums.
     void pair_forces(const PairJob<double>& job); void pair_forces(const PairJob<float>& job);
-    /// Adds the derivatives of forces and torques of a job's pairs along its displacements to its
-    /// sums.
+    /// Adds the derivatives of forces and torques to the sums of a job, for the pairs and
+    /// displacements of the job.
     void pair_derivative(const PairJob<double>& job);
     void pair_derivative(const PairJob<float>& job);
     /// The number of pairs in a pack.

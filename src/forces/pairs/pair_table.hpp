@@ -17,11 +17,12 @@ namespace polhode {
 inline constexpr std::size_t max_sites = 64;
 
 /// The interacting sites of a molecule in the order of the pair loops: first sites with only a
-/// charge, then sites with a charge and a short-range law, then sites with only a short-range law.
+/// charge, then sites with a charge and a short-range potential, then sites with only a short-range
+/// potential.
 struct InteractionSites {
   std::vector<Site> sites;
   std::size_t charged = 0;     ///< number of sites with a charge, at the front
-  std::size_t dispersive = 0;  ///< number of sites with a short-range law, at the back
+  std::size_t dispersive = 0;  ///< number of sites with a short-range potential, at the back
   std::size_t size() const { return sites.size(); }
 
   /// @throws Error  if there are more than max_sites
@@ -47,14 +48,14 @@ class PairTable {
 
   std::size_t sites_a, sites_b, charged_a, charged_b, dispersive_a, dispersive_b;
 
-  /// Whether no other short-range law than Lennard-Jones occurs.
+  /// Whether no other short-range potential than Lennard-Jones occurs.
   bool has_lennard_jones_alone() const { return !lennard_jones<double>().law.empty(); }
-  /// The interactions of pairs that have only Lennard-Jones laws or no short-range law.
+  /// The interactions of pairs that have only Lennard-Jones potentials or no short-range potential.
   template <class T>
   const PairStrengths<LennardJones<T>>& lennard_jones() const {
     return std::get<PairStrengths<LennardJones<T>>>(strengths_);
   }
-  /// The interactions of pairs with any other short-range law.
+  /// The interactions of pairs with any other short-range potential.
   template <class T>
   const PairStrengths<ShortRange<T>>& any_law() const {
     return std::get<PairStrengths<ShortRange<T>>>(strengths_);

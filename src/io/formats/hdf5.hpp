@@ -15,7 +15,7 @@
 
 namespace polhode::hdf5 {
 
-/// An open HDF5 identifier, which is closed at the end of its scope.
+/// An open HDF5 identifier. It is closed at the end of the scope.
 class Handle {
  public:
   Handle() = default;
@@ -43,14 +43,14 @@ class Handle {
 };
 
 /// Turns off the library's messages on stderr, because errors are thrown. It also turns off writing
-/// at exit, where a full disk would make the library crash. Call this function first.
+/// at exit, because a full disk would then make the library crash. Call this function first.
 inline void be_quiet() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// Access properties that do not follow links out of the file.
-/// @param kind  H5P_LINK_ACCESS, or the access class of the object, which derives from it
+/// Creates access properties that reject links to other files.
+/// @param kind  H5P_LINK_ACCESS, or a derived access class
 inline Handle inside(hid_t kind) {
   Handle access(H5Pcreate(kind), H5Pclose);
   const auto refuse = [](const char*, const char*, const char*, const char*, unsigned*, hid_t,

@@ -45,7 +45,7 @@ Vec3<double> in_real_units(const Vec3<double>& v) {
   return v / (unit("A", Dimension::length) / unit("fs", Dimension::time));
 }
 
-/// The exponents of a Lennard-Jones or Mie law; empty for other laws.
+/// The exponents of a Lennard-Jones or Mie potential; empty for other laws.
 std::optional<MieLaw> exponents(const ShortRangeLaw& law) {
   if (std::holds_alternative<LennardJonesLaw>(law)) return MieLaw{};
   if (const auto* const mie = std::get_if<MieLaw>(&law)) return *mie;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pair laws as tables for pair_style table of LAMMPS.
+// The pair potentials as tables for pair_style table of LAMMPS.
 #include <fmt/core.h>
 #include <fmt/ostream.h>
 

@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-/// Pairs of settings, where setting one of them removes the other.
+/// Pairs of alternative settings. Setting either of them removes the other.
 constexpr std::array<std::array<std::string_view, 2>, 7> replacements{
     {{"integrator.step", "integrator.accuracy"},
      {"integrator.accuracy", "integrator.step"},
@@ -33,7 +33,7 @@ const toml::node* node_at(const toml::table& document, std::string_view path) {
   return found->is_table() ? found->as_table()->get(path.substr(dot + 1)) : nullptr;
 }
 
-/// Sets a copy of a value. The copy has no place in a file.
+/// Stores a copy of a value at a path in a document. The copy has no place in a file.
 template <class Value>
 void set(toml::table& document, std::string_view path, const Value& value) {
   const auto dot = path.find('.');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The keys of the short-range law, in a table [[site]] of a molecule file or [[pair]] of a run
-// file.
+// The keys of the short-range potential, in a table [[site]] of a molecule file or [[pair]] of a
+// run file.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct ShortRangeKeys {
 /// The owner of a law. A site may have no law, whereas a pair must have one.
 enum class LawOwner { site, pair };
 
-/// Reads the keys of a short-range law.
+/// Reads the keys of a short-range potential.
 /// @param file  file that contains the table; names of potential tables are relative to it
 /// @throws Error  with file, line and key
 ShortRangeKeys read_short_range(TomlTable& table, LawOwner owner, const std::string& file);

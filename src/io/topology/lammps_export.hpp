@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A system as LAMMPS reads it: a data file of atom_style full in units real, and the pair laws as
-// tables or as commands for pair_style polhode.
+// A system as LAMMPS reads it: a data file of atom_style full in units real, and the pair
+// potentials as tables or as commands for pair_style polhode.
 #pragma once
 
 #include <iosfwd>

@@ -53,8 +53,8 @@ constexpr double way = 0.5;
 /// underestimate R, especially if R grows as a high power of the step, because the energy then
 /// begins a random walk.
 double reserve(double exponent) { return 1 - 0.015 * std::clamp(exponent, 2.0, 4.0); }
-/// A scheme is postponed while its expected cost exceeds the cost of the second cheapest scheme by
-/// this factor. Differences in speed may compensate smaller factors.
+/// A scheme is postponed while its expected cost exceeds this factor times the cost of the second
+/// cheapest scheme. Differences in speed may compensate smaller factors.
 constexpr double hopeless = 1.25;
 /// Maximum cost of configurational temperatures relative to a run; cost of a sample.
 constexpr double temperature_share = 0.03, sample_cost = 2;
@@ -239,9 +239,9 @@ class Adviser {
            (settings_.criterion.quality == Quality::drift || !drifts(point.runs));
   }
 
-  /// Whether a single full run already shows that its set cannot meet the bound. None of eight
-  /// values can be more than 7/√8 = 2.47 standard deviations above their mean, and the bound is
-  /// 2.51 standard deviations above it.
+  /// Whether a single full run already shows that its set cannot meet the bound. Of eight values,
+  /// no value can be more than 7/√8 = 2.47 standard deviations above the mean. The bound is 2.51
+  /// standard deviations above the mean.
   bool breaks(const Outcome& run) const {
     return settings_.criterion.quality == Quality::ratio &&
            (!run.failure.empty() || run.ratio > settings_.criterion.bound);
@@ -400,7 +400,7 @@ class Adviser {
     return best;
   }
 
-  /// Tries steps until one is confirmed and a much longer step is impossible.
+  /// Tries steps until a step is confirmed and a much longer step is ruled out.
   void confirm() {
     std::vector<ResumableRun> starts;
     while (advice_.refused.size() < max_refusals) {
@@ -438,7 +438,7 @@ class Adviser {
         advice_.surpassed.emplace_back(*c, point);
       } else {
         advice_.refused.emplace_back(*c, point);
-        if (advice_.best) {  // try a step between the rejected and the confirmed one
+        if (advice_.best) {  // try a step between the rejected and the confirmed step
           const auto between = longer_step(*c, advice_.confirmation);
           set_step(candidate, between.value_or(advice_.confirmation.step));
           if (!between) return;
@@ -479,7 +479,7 @@ class Adviser {
   std::vector<ResumableRun> starts_;
   std::optional<BiasConversion> conversion_;
   double last_set_ = 0;        // time that the last set of runs took [s]
-  std::vector<bool> settled_;  // candidates whose steps are known accurately enough
+  std::vector<bool> settled_;  // candidates with sufficiently accurate steps
   std::size_t drawn_ = 0;      // number of initial configurations drawn so far
   Stopwatch since_start_;
   mutable std::mutex reporting_;

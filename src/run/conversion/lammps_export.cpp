@@ -70,7 +70,7 @@ std::string molecule_file(const std::string& prefix, std::size_t part) {
   return fmt::format("{}-{}.molecule", prefix, part + 1);
 }
 
-// The pair laws as written in the script.
+// The pair potentials as written in the script.
 struct PairCommands {
   std::string style, coefficients;
 };

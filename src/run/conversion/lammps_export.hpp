@@ -26,8 +26,8 @@ inline constexpr std::array<std::string_view, 3> enum_names<LammpsPairStyle> = {
 
 /// Exports a run to LAMMPS. PREFIX.data contains the system at its initial configuration. PREFIX.in
 /// is an input script that performs the run with fix polhode. Depending on the style, PREFIX.table
-/// contains the pair laws as tables, or PREFIX-1.molecule and similar files contain the sites of
-/// particles.
+/// contains the pair potentials as tables, or PREFIX-1.molecule and similar files contain the sites
+/// of particles.
 /// @return  paths of the files
 /// @throws Error  if the run has features that LAMMPS or the pair style does not support, or under
 ///   the conditions of check_outputs()

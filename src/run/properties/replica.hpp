@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A replica: an independent simulation of a state point, as a chain of segments. Each segment is a
-// function of the state at its start and of its number, so a replica has the same bits however its
-// segments are distributed over processes and sessions.
+// A replica: an independent simulation of a state point, as a chain of segments. A segment is a
+// function of its number and of the state at its start. A replica is therefore bitwise identical
+// for any distribution of its segments over processes and sessions.
 #pragma once
 
 #include <functional>
@@ -21,13 +21,13 @@ namespace polhode {
 struct AveragesSegment {
   BlockMeans::Block sums;  ///< sums of the averages in the order of AverageOf, and the number of
                            ///< samples
-  /// Means of U and of V in parts of the segment, from which the end of equilibration is found.
+  /// Means of U and V in parts of the segment. They determine the end of equilibration.
   std::vector<double> potentials{}, volumes{};
   StepResponse response;  ///< time-step response of the same averages, in one block
 };
 
-/// Indices of the correlation functions of dynamics. The functions are one after the other in the
-/// sums of a segment, with `lags` values each.
+/// Indices of the correlation functions of dynamics. The sums of a segment contain the correlation
+/// functions in this order. Each function has `lags` values.
 struct CorrelationsOfDynamics {
   explicit CorrelationsOfDynamics(const Topology& topology);
   static constexpr std::size_t momentum_flux = 0;  ///< mean-square integrals of five pressure

@@ -86,7 +86,7 @@ class PairOfMolecules {
     for (const Site& site : sites_.sites) sites.push_back(to_lab(orientation, site.r));
     return sites;
   }
-  /// The integral 4π ∫ u r² dr of the short-range laws beyond a distance [kJ/mol nm³].
+  /// The integral 4π ∫ u r² dr of the short-range potentials beyond a distance [kJ/mol nm³].
   double beyond(double r) const {
     double sum = 0;
     for (const ShortRange<double>& law : table_(0, 0).any_law<double>().law)

@@ -325,7 +325,7 @@ void run_fitting(const PairJob<T>& job) {
 }
 
 using FourSiteWater = FixedShape<4, 3, 1>;  // numbers of sites, charged sites and sites with a
-                                            // short-range law
+                                            // short-range potential
 using ThreeSiteWater = FixedShape<3, 3, 1>;
 using FiveSiteWater = FixedShape<5, 4, 1>;
 

@@ -26,7 +26,7 @@ std::string table_identity(const ShortRangeLaw& law) {
                      fmt::join(std::span(coefficients, coefficients + 4 * table.intervals()), " "));
 }
 
-// The Lennard-Jones law has no parameters besides σ and ε.
+// The Lennard-Jones potential has no parameters besides σ and ε.
 std::string law_identity(const Site& site) {
   if (std::holds_alternative<LennardJonesLaw>(site.law)) return {};
   return fmt::format("{} {}{} ", name(site.law), parameters(site.sigma, site.epsilon, site.law),

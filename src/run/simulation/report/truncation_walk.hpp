@@ -17,10 +17,10 @@ namespace polhode {
 double passage_error(const Scheme& scheme, int n);
 
 /// Variance per time [(kJ/mol)²/ps] of the random walk of the total energy that truncation causes.
-/// Pairs that pass the ends of the switching range, or the cutoff of a shifted law, change the
-/// energy. Pairs are assumed to have uniformly distributed positions and orientations, and thermal
-/// velocities. Charges whose energy vanishes at the cutoff without truncation (PME, damped shifted
-/// force) are not included.
+/// Pairs that pass the ends of the switching range, or the cutoff of a shifted potential, change
+/// the energy. Pairs are assumed to have uniformly distributed positions and orientations, and
+/// thermal velocities. Charges whose energy vanishes at the cutoff without truncation (PME, damped
+/// shifted force) are not included.
 /// @param volume       volume of the box [nm³]
 /// @param temperature  temperature [K]
 /// @param step         time step [ps]
