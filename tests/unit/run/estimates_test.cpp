@@ -248,7 +248,7 @@ TEST_CASE("dynamics have the viscosity, diffusion and relaxation of their correl
   CHECK(*diffusion.finite_size == doctest::Approx(correction).epsilon(1e-4));
   CHECK(diffusion.value.value ==
         doctest::Approx(D * 1e-6 * 1e9 + correction).epsilon(1e-4));  // nm²/ps = 1e-6 m²/s
-  // The maximum of the times of the axes. The trapezoidal rule at 0.04 ps adds (0.04/τ)²/12.
+  // The time of the slowest axis. The trapezoidal rule at 0.04 ps adds (0.04/τ)²/12.
   const CorrelationsOfDynamics which(water());
   const auto slowest = static_cast<double>(which.rotation.front().size());
   const MeasuredProperty tau = measured("rotational-relaxation", replicas);
