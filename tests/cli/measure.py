@@ -132,6 +132,18 @@ plot = "none"
         process = self.measured("--time-limit", "0.01 s")
         self.assertIn("the time limit is reached; the same command resumes", process.err)
 
+    def test_an_error_that_takes_too_long_is_said_first(self):
+        long = [word if word != "1 %" else "0.0000002 %" for word in LIQUID]
+        process = self.polhode(*long)
+        self.assertEqual(process.returncode, 2, process.err)
+        for words in ("density with an error of 2e-07 %", "years", "less than a year", "ask for an error of"):
+            self.assertIn(words, process.err)
+        for path in self.folder.glob("out*"):
+            path.unlink()
+        process = self.polhode(*long, "--time-limit", "6 s")
+        self.assertEqual(process.returncode, 0, process.err)
+        self.assertRegex(process.err, r"warning: density .* needs about .* years; in \d+ s, the time limit, an error of \S+ % is reachable")
+
     def test_the_page_needs_no_other_file(self):
         self.measured("second-virial-coefficient", "5 %")
         page = Text()

@@ -20,6 +20,7 @@
 #include "polhode/base/units.hpp"
 #include "polhode/run/prepare/preparation.hpp"
 #include "run/properties/estimates.hpp"
+#include "run/properties/expected_time.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/replica.hpp"
 #include "run/properties/replica_file.hpp"
@@ -39,12 +40,22 @@ constexpr std::size_t max_equilibration = 600;
 /// Minimum time between two writes of a record [s], because a segment of a small system takes only
 /// milliseconds.
 constexpr double writing_interval = 2;
+/// As many steps of hoa2 have the force evaluations of a preparation, and of the pilot's.
+constexpr double steps_of_preparation = 8000, steps_of_pilot = 15'000;
 
 struct Target {
   std::size_t averages = 0, dynamics = 0;
 };
 
-/// Whether a replica has the segments of a target.
+constexpr double steps_of_dynamics = steps_of_lags * windows_in_segment;  // of a segment
+
+double steps_of(const Replica& replica) {
+  return (replica.prepared() ? steps_of_preparation : 0) +
+         static_cast<double>(replica.averages.size()) * steps_of_averages +
+         static_cast<double>(replica.dynamics.size()) * steps_of_dynamics;
+}
+
+/// Segments of each kind that a replica needs at least.
 bool has(const Replica& replica, const Target& target) {
   return replica.prepared() && replica.averages.size() >= target.averages &&
          replica.dynamics.size() >= target.dynamics;
@@ -129,9 +140,8 @@ class PointMeasurement {
 
   /// The standard error that the replicas must reach. With n shards, the replicas of one shard need
   /// to reach only √n times the requested error.
-  double required_error(const MeasuredProperty& m) const {
-    return std::sqrt(static_cast<double>(settings_.shard.count)) * m.requested_error();
-  }
+  double required_error(const MeasuredProperty& m) const { return share() * m.requested_error(); }
+  double share() const { return std::sqrt(static_cast<double>(settings_.shard.count)); }
   /// Whether the replicas must become longer for a property.
   bool continues(const MeasuredProperty& m) const {
     return m.request.property->measured_in != MeasuredIn::pair &&
@@ -142,6 +152,9 @@ class PointMeasurement {
   void leave_out_missing();
   std::optional<double> choose_step();
   void show_plan(const Target& target, std::optional<double> seconds_per_step) const;
+  TimeAllowed allowed() const;
+  WorkDone work_of(const Target& target) const;
+  void show_time(const std::vector<MeasuredProperty>& values, const Target& target);
   void extend(const Target& target);
   void extend(Replica& replica, const Target& target);
   void execute(const Target& target);
@@ -166,7 +179,9 @@ class PointMeasurement {
   PointSystem system_;
   std::vector<Replica> replicas_;
   std::mutex guard_;
-  std::size_t done_ = 0, planned_ = 0;  // pieces of work in this round: done and planned
+  std::size_t done_ = 0, planned_ = 0;  // pieces of work of this round
+  double seconds_ = 0, steps_ = 0;      // of all rounds, as far as they were computed here
+  bool has_warned_ = false;
 };
 
 std::vector<std::string> PointMeasurement::files() const {
@@ -269,13 +284,18 @@ void PointMeasurement::extend(const Target& target) {
   const auto missing = [](std::size_t wanted, std::size_t there) {
     return wanted - std::min(wanted, there);
   };
-  for (const Replica& r : replicas_)
+  for (const Replica& r : replicas_) {
     planned_ += (r.prepared() ? 0 : 1) + missing(target.averages, r.averages.size()) +
                 missing(target.dynamics, r.dynamics.size());
+    steps_ -= steps_of(r);
+  }
+  const Stopwatch watch;
   if (executor_)
     execute(target);
   else
     workers_.each(replicas_.size(), [&](std::size_t k) { extend(replicas_[k], target); });
+  if (planned_ > 0) seconds_ += watch.seconds();
+  for (const Replica& r : replicas_) steps_ += steps_of(r);
 }
 
 /// The replicas, cut to the lengths of a target. Decisions are based on these lengths, so a resumed
@@ -329,29 +349,57 @@ void PointMeasurement::show(const std::vector<MeasuredProperty>& values, bool eq
 
 void PointMeasurement::show_plan(const Target& target,
                                  std::optional<double> seconds_per_step) const {
-  constexpr double steps_of_preparation = 8000;  // number of steps with as many force evaluations
-                                                 // as the preparation
   const auto n = static_cast<double>(replicas_.size());
   const auto averages = static_cast<double>(target.averages * steps_of_averages),
-             dynamics = static_cast<double>(target.dynamics * steps_of_lags * windows_in_segment);
+             dynamics = static_cast<double>(target.dynamics) * steps_of_dynamics;
   const double step = system_.common.step, steps = n * (averages + dynamics + steps_of_preparation),
                at_once = std::min(n, static_cast<double>(workers_.threads()));
+  const double seconds = steps * seconds_per_step.value_or(0) / at_once;
   callbacks_.note(fmt::format(
       "plan at {}: {} replicas of {} molecules, hoa2 at {:g} fs; first {:.0f} ps of each at "
       "constant pressure{}{}; longer where an error is not reached",
       at().text(), replicas_.size(), system_.topology.size(), step * units::fs_per_ps,
       averages * step,
       dynamics > 0 ? fmt::format(" and {:.0f} ps for dynamics", dynamics * step) : "",
-      seconds_per_step ? fmt::format(", about {:.0f} s", steps * *seconds_per_step / at_once)
-                       : ""));
+      seconds > 0 ? fmt::format(", about {}", duration_text(seconds)) : ""));
+  if (seconds > allowed().seconds)
+    callbacks_.note(
+        fmt::format("the first lengths need more than {}: no error will be known by then; fewer "
+                    "molecules need less time",
+                    duration_text(allowed().seconds)));
+}
+
+TimeAllowed PointMeasurement::allowed() const {
+  if (settings_.time_limit == 0) return {usual_time};
+  return {std::max(0.0, settings_.time_limit - since_.seconds()), true};
+}
+
+WorkDone PointMeasurement::work_of(const Target& target) const {
+  const auto n = static_cast<double>(replicas_.size());
+  return {n * static_cast<double>(target.averages) * steps_of_averages,
+          n * static_cast<double>(target.dynamics) * steps_of_dynamics,
+          steps_ > 0 ? seconds_ / steps_ : 0};
+}
+
+/// Shows how long it will take; the first time also what takes too long.
+/// @throws Error  if that is more than a year
+void PointMeasurement::show_time(const std::vector<MeasuredProperty>& values,
+                                 const Target& target) {
+  const WorkDone done = work_of(target);
+  const std::optional<double> time = expected_time(values, share(), done);
+  if (!time) return;
+  callbacks_.note(
+      fmt::format("  expected time until all errors are reached: {}", duration_text(*time)));
+  if (has_warned_) return;
+  has_warned_ = true;
+  for (const std::string& warning : time_warnings(values, share(), done, allowed()))
+    callbacks_.note("warning: " + warning);
 }
 
 MeasuredPoint PointMeasurement::perform() {
   if ((wants(MeasuredIn::averages) || wants(MeasuredIn::dynamics)) && !settings_.only_evaluate) {
     const std::optional<double> seconds = choose_step();
     Target target{first_averages, wants(MeasuredIn::dynamics) ? first_dynamics : 0};
-    constexpr double steps_of_pilot = 15'000;  // number of steps with as many force evaluations as
-                                               // the pilot run
     if (system_.common.step > 0)
       show_plan(target, seconds ? std::optional(*seconds / steps_of_pilot) : std::nullopt);
     while (system_.common.step > 0 && !stopped()) {
@@ -360,8 +408,10 @@ MeasuredPoint PointMeasurement::perform() {
       const std::vector<Replica> replicas = first_of(target);
       const std::vector<MeasuredProperty> values = evaluate(replicas);
       const bool equilibrium = in_equilibrium(data(replicas));
+      const Target reached = target;
       if (!next(target, values, equilibrium)) break;
       show(values, equilibrium);
+      show_time(values, reached);
     }
   }
   MeasuredPoint point = described(data(replicas_));
