@@ -35,7 +35,7 @@ def _perform(system, words, texts, task):
 
 def measure(system: Path, properties: str | Sequence[str] | Mapping[str, Quantity | None], *,
             at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None,
-            replicas: SupportsIndex | None = None, time_limit: Quantity | None = None,
+            replicas: SupportsIndex | None = None, paired_runs: bool = True, time_limit: Quantity | None = None,
             shard: str | None = None, seed: SupportsIndex | None = None,
             output: Path | None = None, executor: Executor | None = None,
             threads: int | None = None, progress: Progress = None,
@@ -50,6 +50,8 @@ def measure(system: Path, properties: str | Sequence[str] | Mapping[str, Quantit
         at (str or list of str): state points: "298.15 K, 1 bar", "250 K to 320 K, 7 points".
         molecules (int): number of molecules of a pure substance; default: 256.
         replicas (int): number of independent simulations of each state point; default: 4.
+        paired_runs (bool): repeat an eighth of the dynamics at half of the step to bound its time-step bias, for a quarter
+            more time.
         time_limit: wall-clock time after which the results so far are returned: "2 h".
         shard (str): part of the replicas for this process: "2/8".
         seed (int): of all replicas.
@@ -86,7 +88,10 @@ def _measured(function, given, *, executor=None, only_evaluate=False):
     at = given["at"]
     at = at if at is None or isinstance(at, str) else "; ".join(at)
     job = _Job(function, {**given, "at": at})
-    texts = {name: text for name, text in job.texts.items() if name not in ("system", "properties", "executor")}
+    texts = {name: text for name, text in job.texts.items()
+             if name not in ("system", "properties", "executor", "paired_runs")}
+    if not given.get("paired_runs", True):
+        texts["paired_runs"] = "no"
     words, system = _words(given["properties"]), os.fspath(given["system"])
 
     def execute(tasks):

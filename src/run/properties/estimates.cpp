@@ -12,6 +12,7 @@
 #include "measure/displacement.hpp"
 #include "measure/reorientation.hpp"
 #include "polhode/base/units.hpp"
+#include "polhode/math/fit.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/second_virial.hpp"
@@ -132,6 +133,46 @@ double viscosity_of(Means flux, double interval, const FitWindow& window, double
   return 2 * slope_between(flux, interval, window) * volume / (10 * kT);
 }
 
+/// A segment of dynamics, and the same at half of the step.
+struct StepPair {
+  const BlockMeans::Block& whole;
+  const BlockMeans::Block& half;
+};
+
+/// The difference of a statistic between the step and its half, with its error by the jackknife
+/// over pairs; pairs are independent, because dynamics forget their start.
+std::optional<StepBound> step_bound(const std::vector<StepPair>& pairs,
+                                    const Statistic& statistic) {
+  constexpr std::size_t min_pairs = 3;
+  constexpr double probability = 0.95;
+  // The bias grows as the square of the step: its difference between h and h/2 is 3/4 of it.
+  constexpr double of_difference = 4.0 / 3;
+  if (pairs.size() < min_pairs) return std::nullopt;
+  std::vector<BlockMeans::Block> whole, half;
+  for (const StepPair& pair : pairs) {
+    whole.push_back(pair.whole);
+    half.push_back(pair.half);
+  }
+  const BlockMeans::Block all = BlockMeans(whole).sum(), all_half = BlockMeans(half).sum();
+  const auto value_of = [&](const BlockMeans::Block& sum, const BlockMeans::Block& without) {
+    std::vector<double> means;
+    for (std::size_t k = 0; k < sum.sum.size(); ++k)
+      means.push_back((sum.sum[k] - without.sum[k]) / (sum.weight - without.weight));
+    return statistic(means);
+  };
+  std::vector<double> others;
+  for (const auto& [step, half_step] : pairs)
+    others.push_back(value_of(all, step) - value_of(all_half, half_step));
+  const double value = statistic(BlockMeans(whole).mean()) - statistic(BlockMeans(half).mean());
+  const double error = jackknife_error(others);
+  const auto n = static_cast<double>(pairs.size());
+  if (!std::isfinite(value) || !std::isfinite(error)) return std::nullopt;
+  StepBound found{.difference = {value, error, Known::yes, n - 1}, .pairs = pairs.size()};
+  found.bound =
+      of_difference * (std::abs(value) + interval_factor(found.difference, probability) * error);
+  return found;
+}
+
 /// The correlation functions of the dynamics of all replicas.
 class Dynamics {
  public:
@@ -147,8 +188,11 @@ class Dynamics {
   bool empty() const { return length_ == 0; }
 
   void viscosity(MeasuredProperty& m) const {
+    const FitWindow window = fit_window(interval_);
+    const double mPa_s = unit("mPa s", Dimension::viscosity);
     estimate(m, [this](Means all, const FitWindow& fit) { return eta(all, fit); });
-    m.value = scaled(m.value, 1 / unit("mPa s", Dimension::viscosity));
+    m.value = scaled(m.value, 1 / mPa_s);
+    m.step_bound = bound([&](Means all) { return eta(all, window) / mPa_s; });
   }
 
   /// Computes the diffusion coefficient with the finite-size correction, whose error is correlated
@@ -156,12 +200,13 @@ class Dynamics {
   void diffusion(MeasuredProperty& m) const {
     const FitWindow window = fit_window(interval_);
     estimate(m, [this](Means all, const FitWindow& fit) { return D(all, fit); });
-    m.value =
-        pooled_estimate(runs_, [&](Means all) { return D(all, window) + correction(all, window); });
+    const auto D0 = [&](Means all) { return D(all, window) + correction(all, window); };
+    m.value = pooled_estimate(runs_, D0);
     m.finite_size =
         pooled_estimate(runs_, [&](Means all) { return correction(all, window); }).value /
         nm2_per_ns;
     m.value = scaled(m.value, 1 / nm2_per_ns);
+    m.step_bound = bound([&](Means all) { return D0(all) / nm2_per_ns; });
   }
 
   /// Computes the relaxation time of the slowest axis.
@@ -176,6 +221,7 @@ class Dynamics {
         }
         if (!(times->integral.value <= m.value.value)) m.value = times->integral;
       }
+    m.step_bound = bound([this](Means all) { return slowest_relaxation(all); });
   }
 
  private:
@@ -189,6 +235,25 @@ class Dynamics {
   }
   double correction(Means all, const FitWindow& fit) const {
     return yeh_hummer_correction(data_.at.temperature, eta(all, fit), edge_);
+  }
+  double slowest_relaxation(Means all) const {
+    double slowest = 0;
+    for (const auto& axes : which_.rotation)
+      for (const std::size_t axis : axes) {
+        const Means C = part(all, axis);
+        const auto times = relaxation_times(BlockMeans({{1, {C.begin(), C.end()}}}), interval_);
+        slowest = times ? std::max(slowest, times->integral.value) : std::nan("");
+      }
+    return slowest;
+  }
+  /// A bound of the time-step bias of a statistic, from the paired segments.
+  std::optional<StepBound> bound(const Statistic& statistic) const {
+    std::vector<StepPair> pairs;
+    for (const Replica& replica : data_.replicas)
+      for (const PairedSegment& paired : replica.paired)
+        if (paired.of < replica.dynamics.size())
+          pairs.push_back({replica.dynamics[paired.of], paired.half_step});
+    return step_bound(pairs, statistic);
   }
   BlockMeans function(std::size_t which) const {
     std::vector<BlockMeans::Block> blocks;

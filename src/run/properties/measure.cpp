@@ -52,7 +52,14 @@ constexpr double steps_of_dynamics = steps_of_lags * windows_in_segment;  // of 
 double steps_of(const Replica& replica) {
   return (replica.prepared() ? steps_of_preparation : 0) +
          static_cast<double>(replica.averages.size()) * steps_of_averages +
-         static_cast<double>(replica.dynamics.size()) * steps_of_dynamics;
+         static_cast<double>(replica.dynamics.size() + 2 * replica.paired.size()) *
+             steps_of_dynamics;
+}
+
+/// Steps of a number of segments of dynamics, with their pairs at half of the step.
+double steps_of_dynamics_of(std::size_t segments, bool paired_runs) {
+  const std::size_t pairs = paired_runs ? (segments + paired_every - 1) / paired_every : 0;
+  return static_cast<double>(segments + 2 * pairs) * steps_of_dynamics;
 }
 
 /// Segments of each kind that a replica needs at least.
@@ -68,7 +75,10 @@ struct PointSystem {
   std::string identity;
 
   PointSystem(const MeasureSettings& settings, const StatePoint& at)
-      : common{.config = settings.config, .at = at, .max_bias = max_bias(settings)} {
+      : common{.config = settings.config,
+               .at = at,
+               .max_bias = max_bias(settings),
+               .paired_runs = settings.paired_runs} {
     Config& config = common.config;
     config.system.temperature = at.temperature;
     topology = build_topology(config.system);
@@ -351,8 +361,10 @@ void PointMeasurement::show_plan(const Target& target,
                                  std::optional<double> seconds_per_step) const {
   const auto n = static_cast<double>(replicas_.size());
   const auto averages = static_cast<double>(target.averages * steps_of_averages),
-             dynamics = static_cast<double>(target.dynamics) * steps_of_dynamics;
-  const double step = system_.common.step, steps = n * (averages + dynamics + steps_of_preparation),
+             dynamics = static_cast<double>(target.dynamics) * steps_of_dynamics,
+             with_pairs = steps_of_dynamics_of(target.dynamics, settings_.paired_runs);
+  const double step = system_.common.step,
+               steps = n * (averages + with_pairs + steps_of_preparation),
                at_once = std::min(n, static_cast<double>(workers_.threads()));
   const double seconds = steps * seconds_per_step.value_or(0) / at_once;
   callbacks_.note(fmt::format(
@@ -360,7 +372,11 @@ void PointMeasurement::show_plan(const Target& target,
       "constant pressure{}{}; longer where an error is not reached",
       at().text(), replicas_.size(), system_.topology.size(), step * units::fs_per_ps,
       averages * step,
-      dynamics > 0 ? fmt::format(" and {:.0f} ps for dynamics", dynamics * step) : "",
+      dynamics > 0
+          ? fmt::format(
+                " and {:.0f} ps for dynamics{}", dynamics * step,
+                settings_.paired_runs ? ", of which an eighth is repeated at half of the step" : "")
+          : "",
       seconds > 0 ? fmt::format(", about {}", duration_text(seconds)) : ""));
   if (seconds > allowed().seconds)
     callbacks_.note(
@@ -377,7 +393,7 @@ TimeAllowed PointMeasurement::allowed() const {
 WorkDone PointMeasurement::work_of(const Target& target) const {
   const auto n = static_cast<double>(replicas_.size());
   return {n * static_cast<double>(target.averages) * steps_of_averages,
-          n * static_cast<double>(target.dynamics) * steps_of_dynamics,
+          n * steps_of_dynamics_of(target.dynamics, settings_.paired_runs),
           steps_ > 0 ? seconds_ / steps_ : 0};
 }
 

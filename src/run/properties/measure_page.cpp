@@ -28,6 +28,15 @@ std::string row_of(const MeasuredProperty& m) {
   if (m.bias)
     corrections +=
         fmt::format("time-step bias {} subtracted. ", with_error(m.bias->value, m.bias->error));
+  if (m.step_bound)
+    corrections += fmt::format(
+        "Time-step bias below {:.2g} with 95 % probability, from {} paired runs at half of the "
+        "step, with a difference of {}{}. ",
+        m.step_bound->bound, m.step_bound->pairs,
+        with_error(m.step_bound->difference.value, m.step_bound->difference.error),
+        m.step_bound->bound > m.requested_error() / 3
+            ? "; this is not below a third of the error requested"
+            : "");
   if (m.finite_size)
     corrections += fmt::format("Finite-size correction {:.3g} included. ", *m.finite_size);
   if (!m.obstacle.empty()) corrections += "Not converged: " + m.obstacle + ".";

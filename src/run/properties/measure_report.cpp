@@ -20,6 +20,11 @@ std::string remarks(const MeasuredProperty& m) {
     add(fmt::format("requested: ± {:.2g}", m.requested_error()));
   if (m.bias)
     add(fmt::format("time-step bias {} subtracted", with_error(m.bias->value, m.bias->error)));
+  if (m.step_bound)
+    add(fmt::format("time-step bias below {:.2g} (paired runs at h/2){}", m.step_bound->bound,
+                    m.step_bound->bound > m.requested_error() / 3
+                        ? ", not below a third of the error requested"
+                        : ""));
   if (m.finite_size) add(fmt::format("finite-size correction {:.3g} included", *m.finite_size));
   return text;
 }
@@ -43,6 +48,11 @@ Quantities of_property(const MeasuredProperty& m) {
            "whether the requested error is reached and the value has converged"},
           {"step_bias", "", m.bias ? Value(*m.bias) : Value(),
            "time-step bias, which is subtracted; null if it is not known"},
+          {"step_bias_bound", "", m.step_bound ? Value(m.step_bound->bound) : Value(),
+           "95 % bound of the time-step bias of dynamics, from paired runs at half of the step; "
+           "null without them"},
+          {"step_difference", "", m.step_bound ? Value(m.step_bound->difference) : Value(),
+           "difference of the value between the step and half of it; null without paired runs"},
           {"finite_size_correction", "", m.finite_size,
            "finite-size correction included in the value; null without a correction"},
           {"not_converged", "", m.obstacle.empty() ? Value() : Value(m.obstacle),

@@ -174,6 +174,9 @@ std::vector<RequestOption<MeasureRequest>> MeasureRequest::options() {
           {"replicas", &R::replicas,
            fmt::format("number of independent simulations of each state point; default: {}",
                        defaults.replicas)},
+          {"paired_runs", &R::paired_runs,
+           "whether an eighth of the dynamics is repeated at half of the step to bound its "
+           "time-step bias, for a quarter more time: yes or no; default: yes"},
           {"time_limit", &R::time_limit,
            "wall-clock time after which the results so far are reported: \"600 s\", \"2 h\""},
           {"shard", &R::shard,
@@ -212,6 +215,9 @@ MeasureSettings MeasureRequest::settings() const {
         "no property is requested; write for example density \"0.1 %\"; 'polhode help measure' "
         "lists all");
   if (replicas) s.replicas = given_whole_number(replicas, 2, max_replicas);
+  if (paired_runs && paired_runs.text != "yes" && paired_runs.text != "no")
+    refuse(paired_runs, "must be yes or no");
+  s.paired_runs = paired_runs.text != "no";
   if (shard) s.shard = shard_of(shard);
   if (s.shard.count > s.replicas)
     refuse(shard, fmt::format("has more parts than there are replicas, {}", s.replicas));

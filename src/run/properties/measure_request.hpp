@@ -16,7 +16,7 @@ struct MeasureRequest {
   std::string system;
   /// Names of properties. Each may be followed by the requested error, as in "density", "0.1 %".
   std::vector<std::string> properties;
-  Given at, molecules, replicas, shard, time_limit, seed, output;
+  Given at, molecules, replicas, paired_runs, shard, time_limit, seed, output;
 
   static std::vector<RequestOption<MeasureRequest>> options();
   std::string prefix() const { return output ? output.text : "measure"; }

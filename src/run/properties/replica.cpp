@@ -31,8 +31,13 @@
 namespace polhode {
 namespace {
 
-// Streams of random numbers for the preparation, for averages and for dynamics.
-enum Stream : std::uint64_t { preparing = 0, averaging = 1u << 20, moving = 2u << 20 };
+// Random numbers: of the preparation, of averages, of dynamics, of dynamics at half of the step.
+enum Stream : std::uint64_t {
+  preparing = 0,
+  averaging = 1u << 20,
+  moving = 2u << 20,
+  pairing = 3u << 20
+};
 
 constexpr MinimisationSettings relaxed{.force = 100, .torque = 10};
 constexpr double first_step = 0.001;  // first step of the preparation [ps]
@@ -217,6 +222,44 @@ Vec3<double> total_dipole(const State& state, const System& system) {
   return M;
 }
 
+/// All correlation functions of a segment of dynamics, one after the other; nothing if it was
+/// stopped.
+/// @param parts  of each step of the replica, with the same samples
+std::optional<BlockMeans::Block> correlations(Chain& chain, double whole_step, std::size_t parts,
+                                              std::uint64_t stream) {
+  const System& system = chain.system();
+  TrajectorySettings t = chain.trajectory(
+      with_ends(), whole_step / static_cast<double>(parts),
+      whole_step * static_cast<double>(steps_of_lags * windows_in_segment), stream);
+  t.ensemble.thermostat = Rescaling{std::max(2.0, 500 * whole_step)};
+  constexpr std::size_t every = 2, frame = steps_of_lags / lags / every;  // in samples
+  t.sample = every * whole_step;
+  Displacement displacement(system.topology, lags);
+  Reorientation rotation(system.topology, lags);
+  TimeCorrelation flux(2, lags, {Product::displacement});
+  MomentumFlux integrals(t.sample);
+  std::size_t samples = 0;
+  const auto load = [&](const State& state, const Load& forces) {
+    integrals.add(pressure_tensor(state, system.bodies, forces));
+    if (samples++ % frame != 0) return;
+    flux.add([&](std::size_t body) { return integrals.displacement(body); });
+    displacement.add(state);
+    rotation.add(state);
+  };
+  if (!chain.run(t, {.load = load})) return std::nullopt;
+  BlockMeans::Block segment = flux.means(0).sum();
+  const auto append = [&](const BlockMeans& correlation) {
+    const BlockMeans::Block all = correlation.sum();
+    segment.sum.insert(segment.sum.end(), all.sum.begin(), all.sum.end());
+  };
+  for (std::size_t part = 0; part < system.topology.parts.size(); ++part) {
+    append(displacement.mean_square(part));
+    for (std::size_t axis = 0; axis < rotation.axes(part).size(); ++axis)
+      append(rotation.legendre(part, axis, 2));
+  }
+  return segment;
+}
+
 void scale_to(State& state, double volume) {
   const double factor = std::cbrt(volume / state.box.volume());
   for (std::size_t i = 0; i < state.size(); ++i) state.q.set(i, factor * state.q[i]);
@@ -283,38 +326,19 @@ bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t
       V += replica.averages[k].sums.sum[volume] / replica.averages[k].sums.weight;
     scale_to(system.state, V / static_cast<double>(replica.averages.size() - from));
   }
-  TrajectorySettings t =
-      chain.trajectory(with_ends(), replica.step,
-                       replica.step * static_cast<double>(steps_of_lags * windows_in_segment),
-                       moving + replica.dynamics.size());
-  t.ensemble.thermostat = Rescaling{std::max(2.0, 500 * replica.step)};
-  constexpr std::size_t every = 2, frame = steps_of_lags / lags / every;  // intervals in samples
-  t.sample = every * replica.step;
-  Displacement displacement(system.topology, lags);
-  Reorientation rotation(system.topology, lags);
-  TimeCorrelation flux(2, lags, {Product::displacement});
-  MomentumFlux integrals(t.sample);
-  std::size_t samples = 0;
-  const auto load = [&](const State& state, const Load& forces) {
-    integrals.add(pressure_tensor(state, system.bodies, forces));
-    if (samples++ % frame != 0) return;
-    flux.add([&](std::size_t body) { return integrals.displacement(body); });
-    displacement.add(state);
-    rotation.add(state);
-  };
-  if (!chain.run(t, {.load = load})) return false;
-  BlockMeans::Block segment = flux.means(0).sum();
-  const auto append = [&](const BlockMeans& correlation) {
-    const BlockMeans::Block all = correlation.sum();
-    segment.sum.insert(segment.sum.end(), all.sum.begin(), all.sum.end());
-  };
-  for (std::size_t part = 0; part < system.topology.parts.size(); ++part) {
-    append(displacement.mean_square(part));
-    for (std::size_t axis = 0; axis < rotation.axes(part).size(); ++axis)
-      append(rotation.legendre(part, axis, 2));
+  const std::size_t k = replica.dynamics.size();
+  const State start = system.state;
+  const auto segment = correlations(chain, replica.step, 1, moving + k);
+  if (!segment) return false;
+  const State end = system.state;
+  if (settings.paired_runs && k % paired_every == 0) {
+    system.state = start;
+    const auto paired = correlations(chain, replica.step, 2, pairing + k);
+    if (!paired) return false;
+    replica.paired.push_back({k, *paired});
   }
-  replica.moving = system.state;
-  replica.dynamics.push_back(std::move(segment));
+  replica.moving = end;
+  replica.dynamics.push_back(*segment);
   return true;
 }
 

@@ -43,6 +43,12 @@ struct CorrelationsOfDynamics {
 /// The number of the pilot replica, which chooses the time step of all replicas of a state point.
 inline constexpr std::uint64_t pilot = 0xFFFFFFFF;
 
+/// A segment of dynamics again, from the same start at half of the step.
+struct PairedSegment {
+  std::size_t of = 0;           ///< the segment of dynamics
+  BlockMeans::Block half_step;  ///< sums of CorrelationsOfDynamics
+};
+
 struct Replica {
   std::uint64_t index = 0;
   double step = 0;             ///< time step of its segments [ps]; 0 until it is prepared
@@ -50,9 +56,9 @@ struct Replica {
                                ///< [nm³ mol/kJ]
   State state{0, Box{}};       ///< state at the end of the last segment of averages
   std::vector<AveragesSegment> averages;
-  std::optional<State> moving;              ///< state at the end of the last segment of dynamics
-  std::vector<BlockMeans::Block> dynamics;  ///< sums of CorrelationsOfDynamics, with a block for
-                                            ///< each segment
+  std::optional<State> moving;              ///< at the end of the last segment of dynamics
+  std::vector<BlockMeans::Block> dynamics;  ///< sums of CorrelationsOfDynamics, a block per segment
+  std::vector<PairedSegment> paired{};      ///< in the order of the segments
 
   bool prepared() const { return step > 0; }
 };
@@ -61,15 +67,17 @@ struct Replica {
 inline constexpr std::size_t steps_of_averages = 1250, steps_of_sample = 10,
                              steps_of_shadow_sample = 50, parts_of_averages = 5,
                              steps_of_lags = 4000, lags = 400, windows_in_segment = 4;
+/// One of as many segments of dynamics is paired with one at half of the step: a quarter more work.
+inline constexpr std::size_t paired_every = 8;
 
 /// Settings that all replicas of a state point share.
 struct ReplicaSettings {
   Config config;  ///< molecules, forces, temperature, and the seed of all replicas
   StatePoint at;
-  double max_bias = 0;  ///< maximum relative time-step bias of the potential energy
-  double step = 0;      ///< time step of all replicas [ps]; 0 for a pilot, which chooses it in its
-                        ///< preparation
-  std::function<bool()> stop{};  ///< ends a segment, which is then discarded
+  double max_bias = 0;      ///< of the potential energy by the time step, relative
+  bool paired_runs = true;  ///< whether there are paired segments of dynamics
+  double step = 0;          ///< of all replicas [ps]; 0: chosen in the preparation, as of a pilot
+  std::function<bool()> stop{};  ///< ends a segment, which is then not part of the replica
 };
 
 /// Prepares a replica from a lattice or an initial configuration, by minimisation, an NVT stage and

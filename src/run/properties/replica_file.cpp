@@ -82,6 +82,8 @@ json replica_json(const Replica& replica) {
          {"compressibility", replica.compressibility},
          {"averages", averages},
          {"dynamics", dynamics}};
+  for (const PairedSegment& paired : replica.paired)
+    j["paired"].push_back({paired.of, block_json(paired.half_step)});
   if (replica.prepared()) j["state"] = state_json(replica.state);
   if (replica.moving) j["moving"] = state_json(*replica.moving);
   return j;
@@ -98,6 +100,9 @@ Replica replica_of(const json& j) {
                                 {segment.at("first").get<std::vector<double>>(),
                                  {{block_of(segment.at("response"))}, 1}}});
   for (const json& block : j.at("dynamics")) replica.dynamics.push_back(block_of(block));
+  if (j.contains("paired"))
+    for (const json& paired : j["paired"])
+      replica.paired.push_back({paired.at(0).get<std::size_t>(), block_of(paired.at(1))});
   if (j.contains("state")) replica.state = state_of(j["state"]);
   if (j.contains("moving")) replica.moving = state_of(j["moving"]);
   return replica;

@@ -310,6 +310,39 @@ TEST_CASE("dynamics with too few segments, or with slopes that change, are not c
   CHECK(measured("viscosity", slow).obstacle.find("slope still changes") != std::string::npos);
 }
 
+TEST_CASE("paired segments at half of the step bound the time-step bias of dynamics") {
+  // The differences of the viscosity are 1, 3, 2 and 6 % in the four replicas: 3 ± 1.08 %, and the
+  // 95 % quantile of Student's t with three degrees of freedom is 3.182.
+  const std::array differences = {0.01, 0.03, 0.02, 0.06};
+  const auto scaled_by = [](double factor) {
+    return correlations(water(), [=](double t) { return factor * 5 * flux(t) / 2; });
+  };
+  const double eta = viscosity * u / (nm * ps) * 1e3;  // [mPa s]
+  std::vector<Replica> replicas = four([&](std::uint64_t k) {
+    std::vector<BlockMeans::Block> segments(12, scaled_by(1));
+    segments[8] = scaled_by(1 + differences[k]);
+    Replica replica = moving(k, segments);
+    replica.paired = {{8, scaled_by(1)}};
+    return replica;
+  });
+  const MeasuredProperty m = measured("viscosity", replicas);
+  REQUIRE(m.step_bound);
+  CHECK(m.step_bound->pairs == 4);
+  CHECK(m.step_bound->difference.value == doctest::Approx(0.03 * eta).epsilon(1e-3));
+  const double error = std::sqrt((4 + 0 + 1 + 9) * 1e-4 / (3 * 4)) * eta;
+  CHECK(m.step_bound->difference.error == doctest::Approx(error).epsilon(1e-3));
+  // The bias at h is 4/3 of the difference between h and h/2.
+  CHECK(m.step_bound->bound ==
+        doctest::Approx(4.0 / 3 * (0.03 * eta + 3.1824 * error)).epsilon(1e-3));
+  CHECK(measured("diffusion", replicas).step_bound);
+  CHECK(measured("rotational-relaxation", replicas).step_bound->difference.value == 0);
+  // Segments that the data do not have yet, and fewer than three pairs, do not count.
+  replicas[0].dynamics.resize(8);
+  CHECK(measured("viscosity", replicas).step_bound->pairs == 3);
+  replicas[1].dynamics.resize(8);
+  CHECK(!measured("viscosity", replicas).step_bound);
+}
+
 TEST_CASE("five components of an isotropic tensor have equal variance and no covariance") {
   // An isotropic symmetric random tensor has diagonal elements of twice the variance of the others.
   // The components are linear: their covariances are sums over the basis of tensors.

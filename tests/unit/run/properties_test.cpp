@@ -123,6 +123,19 @@ TEST_CASE("a replica has the same bits in one piece and in several") {
   CHECK(pieces == whole);
 }
 
+TEST_CASE("the first of eight segments of dynamics is repeated at half of the step") {
+  MeasureRequest request = argon();
+  CHECK(request.settings().paired_runs);
+  const std::string with = bytes_after(request.settings(), 2, 2);
+  request.paired_runs = {"no", "paired_runs"};
+  const std::string without = bytes_after(request.settings(), 2, 2);
+  CHECK(with.find("paired") != std::string::npos);
+  CHECK(without.find("paired") == std::string::npos);
+  CHECK(with.size() > without.size());
+  request.paired_runs = {"maybe", "paired_runs"};
+  check_error([&] { request.settings(); }, {"paired_runs", "must be yes or no"});
+}
+
 TEST_CASE("a record that is damaged or of something else is refused") {
   const Folder folder;
   const std::string path = folder / "a.replica";

@@ -51,19 +51,28 @@ struct MeasureSettings {
   Shard shard{};
   double time_limit = 0;  ///< limit of the wall-clock time [s]; 0: no limit
   std::string prefix = "measure";
-  std::string command = "polhode measure";  ///< command that is recorded in outputs
-  bool only_evaluate = false;               ///< whether to evaluate only existing records, without
-                                            ///< new computations
+  std::string command = "polhode measure";  ///< for the record
+  /// Whether a part of the dynamics is repeated at half of the step, which bounds its time-step
+  /// bias.
+  bool paired_runs = true;
+  bool only_evaluate = false;  ///< reports what the records have, and computes nothing
+};
+
+/// A bound of the time-step bias from runs at the step and at half of it, from the same starts.
+struct StepBound {
+  SeriesEstimate difference;  ///< value at the step minus value at half of it
+  double bound = 0;           ///< of the magnitude of the bias, with 95 % probability
+  std::size_t pairs = 0;
 };
 
 /// A property measured at a state point.
 struct MeasuredProperty {
   RequestedProperty request;
-  SeriesEstimate value;                ///< value with all corrections, in the unit of the property
-  std::optional<SeriesEstimate> bias;  ///< time-step bias, already subtracted from the value; empty
-                                       ///< if not known
-  std::optional<double> finite_size;   ///< finite-size correction, already included in the value
-  /// Values obtained from increasing parts of the data, for figures; the last entry uses all data.
+  SeriesEstimate value;                 ///< with all corrections, in the property's unit
+  std::optional<SeriesEstimate> bias;   ///< time-step bias, which is subtracted; nothing: not known
+  std::optional<StepBound> step_bound;  ///< where no bias can be predicted: of dynamics
+  std::optional<double> finite_size;    ///< finite-size correction, which is included
+  /// What the value was from the first parts of the data, for figures; the last is all of it.
   std::vector<SeriesEstimate> stages{};
   std::string obstacle;  ///< reason why the value is not converged; empty if it is
 
