@@ -432,6 +432,8 @@ MeasuredPoint PointMeasurement::perform() {
   }
   MeasuredPoint point = described(data(replicas_));
   point.properties = evaluate(replicas_);
+  point.density = estimate({&property("density")}, data(replicas_)).value;
+  point.enthalpy = estimate({&property("enthalpy")}, data(replicas_)).value;
   for (MeasuredProperty& m : point.properties) m.stages = stages_of(m.request, data(replicas_));
   return point;
 }
@@ -480,6 +482,7 @@ MeasureReport measure(const MeasureSettings& settings, const Callbacks& callback
     report.out_of_time = !report.interrupted && point.out_of_time();
     if (report.interrupted || report.out_of_time) break;
   }
+  report.curves = state_curves(report.points);
   const std::string page = settings.prefix + ".html";
   write_file(page, [&](std::ostream& out) { out << measure_page(report, settings.command); });
   report.files.push_back(page);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/version.hpp"
 #include "io/files/embedded.hpp"
 #include "io/files/with_error.hpp"
 #include "io/settings/output_units.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/run/properties/measure.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/svg_figure.hpp"
@@ -119,6 +122,72 @@ std::string of_point(const MeasuredPoint& point) {
          "</ul>\n";
 }
 
+std::string estimate_text(const SeriesEstimate& e) {
+  return e.known == Known::yes ? with_error(e.value, e.error) : "not known";
+}
+
+std::string fit_cell(const StateFit& fit) {
+  return fmt::format("{}, χ² {:.2g} with {} degrees of freedom{}",
+                     fit.degree == 3 ? "cubic" : "quadratic", fit.chi_squared,
+                     fit.degrees_of_freedom(),
+                     fit.misfit() ? "; the points deviate by more than their errors" : "");
+}
+
+/// The densities at one pressure, with a line at their maximum.
+std::string density_figure(const MeasureReport& report, const DensityMaximum& m) {
+  std::vector<const MeasuredPoint*> points;
+  for (const MeasuredPoint& point : report.points)
+    if (point.at.pressure == m.pressure && point.density.known == Known::yes)
+      points.push_back(&point);
+  std::sort(points.begin(), points.end(),
+            [](const auto* a, const auto* b) { return a->at.temperature < b->at.temperature; });
+  SvgCurve curve;
+  for (const MeasuredPoint* point : points) {
+    curve.x.push_back(point->at.temperature);
+    curve.y.push_back(point->density.value);
+    curve.error.push_back(point->density.error);
+  }
+  std::vector<double> marks;
+  if (m.obstacle.empty()) marks.push_back(m.temperature.value);
+  return svg(
+      {"density; the line is its maximum", "temperature (K)", "kg/m3", {curve}, marks, false});
+}
+
+std::string of_curves(const MeasureReport& report) {
+  const auto& [maxima, slopes] = report.curves;
+  if (maxima.empty() && slopes.empty()) return "";
+  std::string rows, figures, text = "<h2>Curves over state points</h2>\n";
+  const auto bar = [](double pressure) { return pressure / unit("bar", Dimension::pressure); };
+  for (const DensityMaximum& m : maxima) {
+    figures += density_figure(report, m);
+    rows += fmt::format(
+        "<tr><td class=\"number\">{:g}</td><td class=\"number\">{}</td>"
+        "<td class=\"number\">{}</td><td>{}</td></tr>\n",
+        bar(m.pressure), estimate_text(m.temperature), estimate_text(m.density),
+        m.obstacle.empty() ? fit_cell(m.fit) : html(m.obstacle));
+  }
+  if (!maxima.empty())
+    text +=
+        "<h3>Temperature of maximum density</h3>\n<div class=\"wide\"><table><tr>"
+        "<th>pressure (bar)</th><th>temperature (K)</th><th>density (kg/m3)</th>"
+        "<th>polynomial</th></tr>\n" +
+        rows + "</table></div>\n<div class=\"figures\">" + figures + "</div>\n";
+  rows.clear();
+  for (const SlopeValue& s : slopes)
+    rows += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td class=\"number\">{} {}</td><td class=\"number\">{}</td>"
+        "<td class=\"number\">{:.1f}</td><td>{}</td></tr>\n",
+        s.property->name, html(s.at.text()), estimate_text(s.slope), html(s.property->unit),
+        estimate_text(s.fluctuation), s.deviation, fit_cell(s.fit));
+  if (!slopes.empty())
+    text +=
+        "<h3>Slopes</h3>\n<div class=\"wide\"><table><tr><th>property</th><th>state</th>"
+        "<th>slope</th><th>from fluctuations</th><th>deviation (standard errors)</th>"
+        "<th>polynomial</th></tr>\n" +
+        rows + "</table></div>\n";
+  return text;
+}
+
 void replace(std::string& text, const std::string& mark, const std::string& by) {
   text.replace(text.find(mark), mark.size(), by);
 }
@@ -128,6 +197,7 @@ void replace(std::string& text, const std::string& mark, const std::string& by) 
 std::string measure_page(const MeasureReport& report, const std::string& command) {
   std::string body = fmt::format("<h1>Properties of {}</h1>\n<p><code>{}</code></p>\n",
                                  html(report.system), html(command));
+  body += of_curves(report);
   for (const MeasuredPoint& point : report.points) body += of_point(point);
   body += fmt::format(
       "<footer>polhode {}. Errors are standard errors; intervals are by Student's t. Cite van Zon, "

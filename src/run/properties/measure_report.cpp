@@ -10,7 +10,9 @@
 namespace polhode {
 namespace {
 
-/// Remarks on a value: the corrections that it includes, and why it may not meet the request.
+double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
+
+/// What is included in a value, and why it may not be what was asked for.
 std::string remarks(const MeasuredProperty& m) {
   std::string text;
   const auto add = [&](const std::string& remark) { text += (text.empty() ? "" : "; ") + remark; };
@@ -77,8 +79,7 @@ Quantities of_point(const MeasuredPoint& point) {
   std::vector<Quantities> properties;
   for (const MeasuredProperty& m : point.properties) properties.push_back(of_property(m));
   Quantities list{{"temperature", "K", point.at.temperature, "temperature of the state point"},
-                  {"pressure", "bar", point.at.pressure / unit("bar", Dimension::pressure),
-                   "pressure of the state point"},
+                  {"pressure", "bar", in_bar(point.at.pressure), "pressure of the state point"},
                   {"molecules", "", static_cast<std::int64_t>(point.molecules),
                    "number of molecules of each replica"},
                   {"replicas", "", static_cast<std::int64_t>(point.replicas),
@@ -97,6 +98,65 @@ Quantities of_point(const MeasuredPoint& point) {
   return list;
 }
 
+/// How well a polynomial describes the points.
+std::string fit_text(const StateFit& fit) {
+  return fmt::format("{} polynomial, chi2 {:.2g} with {} degrees of freedom{}",
+                     fit.degree == 3 ? "cubic" : "quadratic", fit.chi_squared,
+                     fit.degrees_of_freedom(),
+                     fit.misfit() ? ": the points deviate from it by more than their errors" : "");
+}
+
+Quantities of_fit(const StateFit& fit) {
+  return {{"degree", "", static_cast<std::int64_t>(fit.degree), "degree of the polynomial: 2 or 3"},
+          {"chi_squared", "", fit.chi_squared,
+           "sum of the squared deviations from the polynomial in standard errors"},
+          {"degrees_of_freedom", "", static_cast<std::int64_t>(fit.degrees_of_freedom()),
+           "number of points minus number of coefficients"}};
+}
+
+Quantities of_maximum(const DensityMaximum& m) {
+  Quantities list{
+      {"pressure", "bar", in_bar(m.pressure), "pressure of the state points", "pressure"},
+      {"temperature", "K", m.temperature, "temperature at which the density has its maximum",
+       "temperature"},
+      {"density", "kg/m3", m.density, "density at the maximum", "density"}};
+  append(list, of_fit(m.fit));
+  list.push_back({"not_known", "", m.obstacle.empty() ? Value() : Value(m.obstacle),
+                  "reason why there is no maximum; null if there is one"});
+  list.push_back({"", "", m.obstacle.empty() ? fit_text(m.fit) : m.obstacle, "", "remarks"});
+  return list;
+}
+
+Quantities of_slope(const SlopeValue& s) {
+  Quantities list{
+      {"property", "", s.property->name, "name of the property", "property"},
+      {"temperature", "K", s.at.temperature, "temperature of the state point", "temperature"},
+      {"pressure", "bar", in_bar(s.at.pressure), "pressure of the state point", "pressure"},
+      {"slope", "", s.slope, "value from the slope of the polynomial, in `unit`", "slope"},
+      {"fluctuation", "", s.fluctuation, "value of the property from fluctuations, in `unit`",
+       "fluctuations"},
+      {"unit", "", s.property->unit, "unit of both values", "unit"},
+      {"deviation", "", s.deviation,
+       "slope minus fluctuation, in standard errors of the difference", "deviation"}};
+  list.back().digits = 2;
+  append(list, of_fit(s.fit));
+  list.push_back({"", "", fit_text(s.fit), "", "remarks"});
+  return list;
+}
+
+/// What several state points give together.
+void append_curves(Quantities& list, const StateCurves& curves) {
+  std::vector<Quantities> maxima, slopes;
+  for (const DensityMaximum& m : curves.maxima) maxima.push_back(of_maximum(m));
+  for (const SlopeValue& s : curves.slopes) slopes.push_back(of_slope(s));
+  list.push_back({"density_maxima", "", std::move(maxima),
+                  "temperature of maximum density at each pressure with three temperatures or more",
+                  "temperature of maximum density"});
+  list.push_back({"slopes", "", std::move(slopes),
+                  "properties as slopes over state points, beside their values from fluctuations",
+                  "slopes over state points"});
+}
+
 }  // namespace
 
 Quantities quantities(const MeasureReport& report) {
@@ -104,6 +164,7 @@ Quantities quantities(const MeasureReport& report) {
   std::vector<Quantities> points;
   for (const MeasuredPoint& point : report.points) points.push_back(of_point(point));
   list.push_back({"points", "", std::move(points), "state points with their properties"});
+  append_curves(list, report.curves);
   list.push_back({"reached", "", report.reached(), "whether all requested errors were reached"});
   list.push_back({"files", "", report.files, "names of the record files of the replicas"});
   return list;

@@ -48,8 +48,8 @@ class Canvas {
         y_.include(curve.y[k] + error);
       }
     if (empty()) return;
-    x_.include(0);
-    x_.widen(0);
+    if (figure.from_zero) x_.include(0);
+    x_.widen(figure.from_zero ? 0 : 0.03);
     y_.widen(0.05);
   }
   bool empty() const { return x_.empty() || y_.empty(); }

@@ -17,7 +17,8 @@ struct SvgCurve {
 struct SvgFigure {
   std::string title, x_label, y_label;
   std::vector<SvgCurve> curves;
-  std::vector<double> marks{};  ///< x positions of vertical lines
+  std::vector<double> marks{};  ///< vertical lines at x
+  bool from_zero = true;        ///< whether the axis of x begins at zero
 };
 
 /// The figure as an `svg` element with its caption, in a `figure` element. It is empty if no point

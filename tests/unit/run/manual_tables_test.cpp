@@ -111,7 +111,10 @@ MeasureReport measurement() {
   point.properties = {{{&property("density")},
                        {997, 0.5, Known::yes, 30},
                        SeriesEstimate{0.1, 0.01, Known::yes, 30}}};
-  return {.points = {point}, .system = "256 spce"};
+  MeasureReport report{.points = {point}, .system = "256 spce"};
+  report.curves.maxima = {{.fit = {5, 3, 1}}};
+  report.curves.slopes = {{.property = &property("expansivity"), .at = point.at, .fit = {5, 3, 1}}};
+  return report;
 }
 
 }  // namespace

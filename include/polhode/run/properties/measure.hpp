@@ -2,6 +2,7 @@
 // Measures properties of a model at state points, each to a requested error.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -110,12 +111,55 @@ struct MeasuredPoint {
   double edge = 0;                    ///< box edge in the dynamics, or the mean edge at constant
                                       ///< pressure [nm]
   std::vector<MeasuredCurve> curves;
-  std::vector<EquilibrationTrace> traces;  ///< traces of all replicas
+  std::vector<EquilibrationTrace> traces;  ///< of all replicas
+  /// What curves over state points are made of, without the time-step bias; not known without
+  /// averages.
+  SeriesEstimate density{std::nan("")};   ///< [kg/m³]
+  SeriesEstimate enthalpy{std::nan("")};  ///< [kJ/mol]
 };
+
+/// A polynomial through the densities or enthalpies of several state points.
+struct StateFit {
+  std::size_t points = 0, degree = 0;
+  double chi_squared = 0;  ///< sum of squared deviations in standard errors
+  std::size_t degrees_of_freedom() const { return points - degree - 1; }
+  /// Whether the points deviate from the polynomial by much more than their errors.
+  bool misfit() const;
+};
+
+/// The maximum of the density along temperature.
+struct DensityMaximum {
+  double pressure = 0;                       ///< [kJ/mol/nm³]
+  SeriesEstimate temperature{std::nan("")};  ///< [K]
+  SeriesEstimate density{std::nan("")};      ///< [kg/m³]
+  StateFit fit;
+  std::string obstacle;  ///< why it is not known; empty if it is
+};
+
+/// A property as the slope of a curve over state points, beside its value from fluctuations.
+struct SlopeValue {
+  const Property* property = nullptr;
+  StatePoint at;
+  SeriesEstimate slope;  ///< in the property's unit
+  SeriesEstimate fluctuation;
+  double deviation = 0;  ///< slope minus fluctuation, in standard errors of the difference
+  StateFit fit;
+};
+
+struct StateCurves {
+  std::vector<DensityMaximum> maxima;
+  std::vector<SlopeValue> slopes;
+};
+
+/// Maxima and slopes of curves of at least three points: temperatures at one pressure, or pressures
+/// at one temperature. The maximum of the density follows where `density` was requested, and a
+/// slope at each point between the first and the last where its property was requested.
+StateCurves state_curves(const std::vector<MeasuredPoint>& points);
 
 struct MeasureReport {
   std::vector<MeasuredPoint> points;
-  bool interrupted = false;  ///< whether a callback interrupted the measurement
+  StateCurves curves;
+  bool interrupted = false;  ///< by the callbacks
   bool out_of_time = false;
   std::vector<std::string> files;
   std::string system;  ///< molecules of the system and their numbers, as text
