@@ -50,6 +50,13 @@ class Measure(unittest.TestCase):
             polhode.measure(**CALL, output="dask", executor=client.get_executor())
         self.assertEqual(self.records("dask"), self.records("here"))
 
+    def test_paired_runs_can_be_left_out(self):
+        call = {**CALL, "properties": {"viscosity": "50 %"}}
+        paired = polhode.measure(**call, output="with")["points"][0]["properties"][0]
+        self.assertGreater(paired["step_bias_bound"], 0)
+        alone = polhode.measure(**call, output="without", paired_runs=False)["points"][0]["properties"][0]
+        self.assertIsNone(alone["step_bias_bound"])
+
     def test_wrong_input(self):
         with self.assertRaisesRegex(polhode.Error, "did you mean 'density'"):
             polhode.measure("argon", "densty")

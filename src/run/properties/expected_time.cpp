@@ -79,7 +79,7 @@ std::vector<std::string> time_warnings(std::span<const MeasuredProperty> values,
     const auto reachable = [&](double seconds) {
       return error_text(m, margin * reachable_error(m, seconds, done) / share);
     };
-    if (!allowed.is_limit && *time > longest_time)
+    if (!allowed.is_limit && *time > max_time)
       throw Error(fmt::format(
           "{}; it must be less than a year: ask for an error of {}, which needs about {}, or give "
           "a time limit, at which the values so far are reported",

@@ -26,7 +26,7 @@ struct TimeAllowed {
 /// Without a time limit a longer expected time is a warning [s].
 inline constexpr double usual_time = 30 * 86400.0;
 /// Without a time limit a longer expected time is an error [s].
-inline constexpr double longest_time = 365.25 * 86400.0;
+inline constexpr double max_time = 365.25 * 86400.0;
 
 /// The time until a property has a standard error [s], which falls with the square root of the
 /// length; 0 if it has. Empty if its error is not known, or no time has been measured.
@@ -43,7 +43,7 @@ std::optional<double> expected_time(std::span<const MeasuredProperty> values, do
 
 /// A line for each property whose error needs longer than is allowed: the time, and the error that
 /// is reachable.
-/// @throws Error  if it is longer than `longest_time`, without a time limit
+/// @throws Error  if it is longer than `max_time`, without a time limit
 std::vector<std::string> time_warnings(std::span<const MeasuredProperty> values, double share,
                                        const WorkDone& done, const TimeAllowed& allowed);
 

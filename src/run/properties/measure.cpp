@@ -189,7 +189,7 @@ class PointMeasurement {
   PointSystem system_;
   std::vector<Replica> replicas_;
   std::mutex guard_;
-  std::size_t done_ = 0, planned_ = 0;  // pieces of work of this round
+  std::size_t done_ = 0, planned_ = 0;  // pieces of work in this round: done and planned
   double seconds_ = 0, steps_ = 0;      // of all rounds, as far as they were computed here
   bool has_warned_ = false;
 };
@@ -378,6 +378,11 @@ void PointMeasurement::show_plan(const Target& target,
                 settings_.paired_runs ? ", of which an eighth is repeated at half of the step" : "")
           : "",
       seconds > 0 ? fmt::format(", about {}", duration_text(seconds)) : ""));
+  if (!allowed().is_limit && seconds > max_time)
+    throw Error(fmt::format(
+        "the first lengths of {} molecules need about {}; it must be less than a year: give fewer "
+        "molecules, or a time limit",
+        system_.topology.size(), duration_text(seconds)));
   if (seconds > allowed().seconds)
     callbacks_.note(
         fmt::format("the first lengths need more than {}: no error will be known by then; fewer "

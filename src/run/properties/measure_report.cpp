@@ -12,7 +12,7 @@ namespace {
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
 
-/// What is included in a value, and why it may not be what was asked for.
+/// Remarks on a value: the corrections that it includes, and why it may not meet the request.
 std::string remarks(const MeasuredProperty& m) {
   std::string text;
   const auto add = [&](const std::string& remark) { text += (text.empty() ? "" : "; ") + remark; };
@@ -153,7 +153,7 @@ void append_curves(Quantities& list, const StateCurves& curves) {
                   "temperature of maximum density at each pressure with three temperatures or more",
                   "temperature of maximum density"});
   list.push_back({"slopes", "", std::move(slopes),
-                  "properties as slopes over state points, beside their values from fluctuations",
+                  "properties as slopes over state points, next to their values from fluctuations",
                   "slopes over state points"});
 }
 

@@ -31,7 +31,8 @@
 namespace polhode {
 namespace {
 
-// Random numbers: of the preparation, of averages, of dynamics, of dynamics at half of the step.
+// Streams of random numbers for the preparation, for averages, for dynamics and for dynamics at
+// half of the step.
 enum Stream : std::uint64_t {
   preparing = 0,
   averaging = 1u << 20,
@@ -79,7 +80,13 @@ class Chain {
   Trajectory attempt(const TrajectorySettings& t, Watch watch = {}) {
     watch.stop = settings_.stop;
     ForceField forces(system_->topology, system_->forces, system_->state.box);
-    return run_trajectory(*system_, forces, t, watch);
+    try {
+      return run_trajectory(*system_, forces, t, watch);
+    } catch (const RunError& e) {  // a barostat that moves the box too far
+      Trajectory ended;
+      ended.failure = e.what();
+      return ended;
+    }
   }
   /// Runs a trajectory.
   /// @return  the trajectory; empty if it was stopped
@@ -232,7 +239,7 @@ std::optional<BlockMeans::Block> correlations(Chain& chain, double whole_step, s
       with_ends(), whole_step / static_cast<double>(parts),
       whole_step * static_cast<double>(steps_of_lags * windows_in_segment), stream);
   t.ensemble.thermostat = Rescaling{std::max(2.0, 500 * whole_step)};
-  constexpr std::size_t every = 2, frame = steps_of_lags / lags / every;  // in samples
+  constexpr std::size_t every = 2, frame = steps_of_lags / lags / every;  // intervals in samples
   t.sample = every * whole_step;
   Displacement displacement(system.topology, lags);
   Reorientation rotation(system.topology, lags);

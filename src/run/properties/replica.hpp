@@ -56,9 +56,10 @@ struct Replica {
                                ///< [nm³ mol/kJ]
   State state{0, Box{}};       ///< state at the end of the last segment of averages
   std::vector<AveragesSegment> averages;
-  std::optional<State> moving;              ///< at the end of the last segment of dynamics
-  std::vector<BlockMeans::Block> dynamics;  ///< sums of CorrelationsOfDynamics, a block per segment
-  std::vector<PairedSegment> paired{};      ///< in the order of the segments
+  std::optional<State> moving;  ///< state at the end of the last segment of dynamics
+  std::vector<BlockMeans::Block>
+      dynamics;  ///< sums of CorrelationsOfDynamics, with a block for each segment
+  std::vector<PairedSegment> paired{};  ///< in the order of the segments
 
   bool prepared() const { return step > 0; }
 };
@@ -74,10 +75,11 @@ inline constexpr std::size_t paired_every = 8;
 struct ReplicaSettings {
   Config config;  ///< molecules, forces, temperature, and the seed of all replicas
   StatePoint at;
-  double max_bias = 0;      ///< of the potential energy by the time step, relative
+  double max_bias = 0;      ///< maximum relative time-step bias of the potential energy
   bool paired_runs = true;  ///< whether there are paired segments of dynamics
-  double step = 0;          ///< of all replicas [ps]; 0: chosen in the preparation, as of a pilot
-  std::function<bool()> stop{};  ///< ends a segment, which is then not part of the replica
+  double step =
+      0;  ///< time step of all replicas [ps]; 0 for a pilot, which chooses it in its preparation
+  std::function<bool()> stop{};  ///< ends a segment, which is then discarded
 };
 
 /// Prepares a replica from a lattice or an initial configuration, by minimisation, an NVT stage and

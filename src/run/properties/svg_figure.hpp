@@ -17,7 +17,7 @@ struct SvgCurve {
 struct SvgFigure {
   std::string title, x_label, y_label;
   std::vector<SvgCurve> curves;
-  std::vector<double> marks{};  ///< vertical lines at x
+  std::vector<double> marks{};  ///< x positions of vertical lines
   bool from_zero = true;        ///< whether the axis of x begins at zero
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The expected time of a measurement, and what is said if it is too long.
+// The expected time of a measurement, and the warnings if it is too long.
 #include "run/properties/expected_time.hpp"
 
 #include <doctest/doctest.h>

@@ -52,14 +52,16 @@ struct MeasureSettings {
   Shard shard{};
   double time_limit = 0;  ///< limit of the wall-clock time [s]; 0: no limit
   std::string prefix = "measure";
-  std::string command = "polhode measure";  ///< for the record
+  std::string command = "polhode measure";  ///< command that is recorded in outputs
   /// Whether a part of the dynamics is repeated at half of the step, which bounds its time-step
   /// bias.
   bool paired_runs = true;
-  bool only_evaluate = false;  ///< reports what the records have, and computes nothing
+  bool only_evaluate = false;  ///< whether to evaluate only existing records, without new
+                               ///< computations
 };
 
-/// A bound of the time-step bias from runs at the step and at half of it, from the same starts.
+/// A bound of the time-step bias from runs at the step and at half of it, which begin in the same
+/// states.
 struct StepBound {
   SeriesEstimate difference;  ///< value at the step minus value at half of it
   double bound = 0;           ///< of the magnitude of the bias, with 95 % probability
@@ -69,11 +71,12 @@ struct StepBound {
 /// A property measured at a state point.
 struct MeasuredProperty {
   RequestedProperty request;
-  SeriesEstimate value;                 ///< with all corrections, in the property's unit
-  std::optional<SeriesEstimate> bias;   ///< time-step bias, which is subtracted; nothing: not known
-  std::optional<StepBound> step_bound;  ///< where no bias can be predicted: of dynamics
-  std::optional<double> finite_size;    ///< finite-size correction, which is included
-  /// What the value was from the first parts of the data, for figures; the last is all of it.
+  SeriesEstimate value;  ///< value with all corrections, in the unit of the property
+  std::optional<SeriesEstimate>
+      bias;  ///< time-step bias, already subtracted from the value; empty if not known
+  std::optional<StepBound> step_bound;  ///< bound where no bias can be predicted: of dynamics
+  std::optional<double> finite_size;    ///< finite-size correction, already included in the value
+  /// Values obtained from increasing parts of the data, for figures; the last entry uses all data.
   std::vector<SeriesEstimate> stages{};
   std::string obstacle;  ///< reason why the value is not converged; empty if it is
 
@@ -111,8 +114,8 @@ struct MeasuredPoint {
   double edge = 0;                    ///< box edge in the dynamics, or the mean edge at constant
                                       ///< pressure [nm]
   std::vector<MeasuredCurve> curves;
-  std::vector<EquilibrationTrace> traces;  ///< of all replicas
-  /// What curves over state points are made of, without the time-step bias; not known without
+  std::vector<EquilibrationTrace> traces;  ///< traces of all replicas
+  /// Values for curves over state points, with the time-step bias subtracted; not known without
   /// averages.
   SeriesEstimate density{std::nan("")};   ///< [kg/m³]
   SeriesEstimate enthalpy{std::nan("")};  ///< [kJ/mol]
@@ -136,7 +139,7 @@ struct DensityMaximum {
   std::string obstacle;  ///< why it is not known; empty if it is
 };
 
-/// A property as the slope of a curve over state points, beside its value from fluctuations.
+/// A property as the slope of a curve over state points, together with its value from fluctuations.
 struct SlopeValue {
   const Property* property = nullptr;
   StatePoint at;
@@ -159,7 +162,7 @@ StateCurves state_curves(const std::vector<MeasuredPoint>& points);
 struct MeasureReport {
   std::vector<MeasuredPoint> points;
   StateCurves curves;
-  bool interrupted = false;  ///< by the callbacks
+  bool interrupted = false;  ///< whether a callback interrupted the measurement
   bool out_of_time = false;
   std::vector<std::string> files;
   std::string system;  ///< molecules of the system and their numbers, as text
