@@ -138,9 +138,6 @@ plot = "none"
         self.assertEqual(process.returncode, 2, process.err)
         for words in ("density with an error of 2e-07 %", "years", "less than a year", "ask for an error of"):
             self.assertIn(words, process.err)
-        process = self.polhode(*long, "--time-limit", "15 s")  # resumes from the first lengths
-        self.assertEqual(process.returncode, 0, process.err)
-        self.assertRegex(process.err, r"warning: density .* needs about .* years; in \d+ s, the time limit, an error of \S+ % is reachable")
 
     def test_the_page_needs_no_other_file(self):
         self.measured("second-virial-coefficient", "5 %")

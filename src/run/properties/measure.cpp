@@ -431,6 +431,9 @@ MeasuredPoint PointMeasurement::perform() {
       const bool equilibrium = in_equilibrium(data(replicas));
       const Target reached = target;
       if (!next(target, values, equilibrium)) break;
+      const bool is_done = std::all_of(replicas_.begin(), replicas_.end(),
+                                       [&](const Replica& r) { return has(r, target); });
+      if (is_done) continue;  // in an earlier call
       show(values, equilibrium);
       show_time(values, reached);
     }
