@@ -431,9 +431,8 @@ MeasuredPoint PointMeasurement::perform() {
       const bool equilibrium = in_equilibrium(data(replicas));
       const Target reached = target;
       if (!next(target, values, equilibrium)) break;
-      const bool is_done = std::all_of(replicas_.begin(), replicas_.end(),
-                                       [&](const Replica& r) { return has(r, target); });
-      if (is_done) continue;  // in an earlier call
+      if (std::ranges::all_of(replicas_, [&](const Replica& r) { return has(r, target); }))
+        continue;  // computed in an earlier call
       show(values, equilibrium);
       show_time(values, reached);
     }
@@ -449,9 +448,8 @@ MeasuredPoint PointMeasurement::perform() {
 }  // namespace
 
 bool MeasureReport::reached() const {
-  return std::all_of(points.begin(), points.end(), [](const MeasuredPoint& point) {
-    return std::all_of(point.properties.begin(), point.properties.end(),
-                       [](const MeasuredProperty& m) { return m.reached(); });
+  return std::ranges::all_of(points, [](const MeasuredPoint& point) {
+    return std::ranges::all_of(point.properties, &MeasuredProperty::reached);
   });
 }
 
