@@ -23,7 +23,7 @@ class Scanner {
   bool next_is(char c);
   /// Whether the next character that is not white space is a letter.
   bool next_is_letter();
-  /// Skips the character `c` if it comes next, and returns whether it did.
+  /// Skips the character `c` if it is the next character, and returns whether it was.
   bool take(char c);
   /// Skips the character `c`. @throws Error if another character comes next
   void expect(char c);

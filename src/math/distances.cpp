@@ -45,7 +45,7 @@ bool is_flat(double height2, double length) {
   return height2 < 2 * std::max(length, distance_rounding) * distance_rounding;
 }
 
-// The placed neighbours of one point, ordered so that their directions are well separated.
+// The placed neighbours of a point, ordered so that their directions are well separated.
 struct Support {
   Frame frame;
   std::vector<Neighbour> spanning;  // spanning neighbours, frame.dimension + 1 of them
@@ -105,7 +105,7 @@ class Placing {
   bool place(std::size_t i) {
     const Support s = support(i);
     if (s.spanning.empty()) return false;
-    // The difference |r − b|² − |r|² is linear in r. It gives one equation per axis, and the
+    // The difference |r − b|² − |r|² is linear in r. There is an equation for each axis, and the
     // equations are triangular by construction.
     const double d2 = s.spanning[0].length * s.spanning[0].length;
     std::array<double, 3> c{};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Dual numbers a + b ε with ε² = 0: a formula evaluated with them yields its value and its
-// derivative along one direction, both exact to rounding. Over packs they differentiate the pair
-// loops: constants multiply as plain numbers, sums of products and powers of distances have their
-// own short formulas, and unused values are not computed, so that the cost is close to that of a
+// Dual numbers a + b ε with ε² = 0. A formula evaluated with dual numbers yields the value and the
+// derivative along a direction, both exact to rounding. Dual numbers of packs differentiate the
+// pair loops. Constants multiply as plain numbers, sums of products and powers of distances have
+// separate short formulas, and unused values are not computed. The cost is close to the cost of a
 // hand-written derivative.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-/// A dual number, which holds a value and its derivative.
+/// A dual number: a value and its derivative.
 /// @tparam Real  a number or a pack
 template <class Real>
 struct Dual {
@@ -59,7 +59,7 @@ struct Dual {
     return {power, power * a.slope};
   }
   friend Dual log(Dual a) { return {log(a.value), a.slope / a.value}; }
-  /// A step function, whose slope is 0 wherever it exists.
+  /// A step function. Its slope is 0 wherever the slope exists.
   friend Dual floor(Dual a) { return floor(a.value); }
 };
 

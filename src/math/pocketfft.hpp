@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pocketfft without its own threads: the caller has already divided the work.
+// pocketfft without threads, because the caller has already divided the work.
 #pragma once
 
 #define POCKETFFT_NO_MULTITHREADING

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Polynomials by Horner's rule, one coefficient at a time, so that a loop can advance several of
-// them in step.
+// Polynomials by Horner's rule, one coefficient at a time, so that a loop can evaluate several
+// polynomials simultaneously.
 #pragma once
 
 #include "math/dual.hpp"
 
 namespace polhode {
 
-/// Evaluates a polynomial Σ cₙ yⁿ, whose coefficients are supplied from the highest to the lowest.
+/// Evaluates a polynomial Σ cₙ yⁿ. The coefficients are supplied from the highest to the lowest.
 template <class Real>
 class Polynomial {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lengths whose Fourier transform is fast.
+// Series lengths with a fast Fourier transform.
 #pragma once
 
 #include <cstddef>

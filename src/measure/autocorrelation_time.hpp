@@ -24,9 +24,9 @@ struct AutocorrelationTime {
 ///   if the series is shorter than four windows or 10 τ
 std::optional<AutocorrelationTime> autocorrelation_time(std::span<const double> series);
 
-/// Estimates the autocorrelation time from independent runs of one process, about their common mean
-/// [wolff2004, Eq. 31]. This is needed for short runs, because processes slower than a run are not
-/// visible in deviations from the mean of this run.
+/// Estimates the autocorrelation time from independent runs of the same process, about their common
+/// mean [wolff2004, Eq. 31]. Short runs require this method, because slower processes are not
+/// visible in deviations from the mean of a single run.
 /// @return  the autocorrelation time; empty with fewer than 10 samples or two windows in the
 ///   shortest run, for constant series, or if all runs together are shorter than four windows or 10
 ///   τ

@@ -42,7 +42,7 @@ ConfigurationalSample configurational_sample(const State& state, const Bodies& b
 namespace {
 constexpr std::size_t motions = std::tuple_size_v<ByMotion<double>>;
 
-/// The temperature of a motion, from the means of its squared force and its curvature [K].
+/// The temperature of a motion [K], from the mean squared force and the mean curvature.
 StepResponse::Function temperature_of(std::size_t motion) {
   return [motion](std::span<const double> mean) {
     return mean[motion] / (units::boltzmann * mean[motions + motion]);

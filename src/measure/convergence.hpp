@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a run is long enough for a result, so that a number that it cannot determine is not
-// taken for one.
+// Decides whether a run is long enough for a result, so that undetermined numbers are not reported
+// as results.
 #pragma once
 
 #include "polhode/measure/correlated_series.hpp"
@@ -13,18 +13,18 @@ enum class Obstacle {
   length,            ///< the run is shorter than needed
   no_error,          ///< the error is not known
   still_moving,      ///< the quantity still changes along the run
-  slope_changes,     ///< the slope from which it is computed differs between the halves of the line
+  slope_changes,     ///< the underlying slope differs between the halves of the line
   integral_changes,  ///< the integral differs between half of the largest lag and all of it
   interval           ///< the integrand is sampled too rarely
 };
 
 /// The length of a run, the length that a result needs, and the obstacle if it is not converged.
 struct Convergence {
-  double length = 0;      ///< length of the run [ps]
-  double relaxation = 0;  ///< relaxation time of the quantity, or the largest lag from which it is
-                          ///< computed [ps]
-  double needed = 0;      ///< needed length, a multiple of the relaxation time; twice the length if
-                          ///< that does not suffice [ps]
+  double length = 0;  ///< length of the run [ps]
+  double relaxation =
+      0;  ///< relaxation time of the quantity, or the largest lag that contributes to it [ps]
+  double needed = 0;  ///< needed length, a multiple of the relaxation time; twice the length if
+                      ///< that does not suffice [ps]
   const char* unit = "ps";  ///< unit of these times; "frames" if the frames have no times
   Obstacle obstacle = Obstacle::none;
   double interval = 0;  ///< sufficient interval between frames, if the interval is the obstacle
@@ -40,7 +40,7 @@ Convergence convergence(double length, double relaxation, double multiple,
                         Obstacle other = Obstacle::none);
 
 /// The needed length for the dielectric constant, in relaxation times. Its relative error is then
-/// √(2/3 · 1/30) = 15 %. The mean of M, which should vanish, reduces it by 2/30.
+/// √(2/3 · 1/30) = 15 %. The mean of M, which should vanish, reduces ε by 2/30.
 inline constexpr double relaxations_of_dipole = 30;
 /// The needed length for functions of a lag: the minimum number of windows for calibrated errors.
 inline constexpr double windows_of_lags = 8;
@@ -50,7 +50,7 @@ inline constexpr double windows_of_lags = 8;
 /// fraction of the run. This is averaged over the whole run, its halves and its quarters. The
 /// result is 0.29 for a vector that hardly changes during the run. For long runs it is τ/T, with a
 /// scatter of about half of this value.
-/// @param x       index of the first of the three components in the sums of the blocks
+/// @param x       column of the first of three vector components in the block sums
 /// @param square  index of M²
 double relaxation_share(const BlockMeans& blocks, std::size_t x, std::size_t square);
 

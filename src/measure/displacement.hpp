@@ -13,15 +13,15 @@
 
 namespace polhode {
 
-/// Unwraps trajectories. Centres in frames may be wrapped into the box, so each centre is advanced
-/// by the minimum image of its displacement since the previous frame.
+/// Unwraps trajectories. Centres in frames may be wrapped into the box. Each centre is therefore
+/// advanced by the minimum image of the displacement since the previous frame.
 class Unwrapped {
  public:
   /// Adds the next frame.
   void follow(const State& state);
   const Vec3Column& centres() const { return q_; }  ///< unwrapped centres [nm]
-  /// The largest displacement along one axis between two frames, relative to the box edge along
-  /// that axis. A displacement of half an edge or more appears shorter than it is.
+  /// The largest displacement along an axis between two frames, relative to the box edge along that
+  /// axis. A displacement of half an edge or more appears shorter than it is.
   double max_step() const { return max_step_; }
 
  private:
@@ -73,7 +73,7 @@ double fitted_displacement(const BlockMeans& squared_displacement, double interv
                            const FitWindow& window, double lag);
 
 /// The convergence of the diffusion coefficient. The run must be `windows_of_lags` times as long as
-/// the longest lag. The slopes in the two halves of the window must not differ, as they would while
+/// the longest lag. The slopes in the two halves of the window must not differ. They differ while
 /// molecules are still in their cages.
 Convergence diffusion_convergence(const BlockMeans& squared_displacement, double interval,
                                   const FitWindow& window);

@@ -41,7 +41,7 @@ SeriesEstimate fluctuation(const BlockMeans& blocks, Column value, Column square
                          [=](auto mean) { return std::sqrt(variance(mean, value, square)); });
 }
 
-/// The mean of a quantity whose differences from a first value were summed.
+/// The mean of a quantity, from the sum of differences from a first value.
 SeriesEstimate mean_from(double first, const BlockMeans& blocks, Column column) {
   SeriesEstimate estimate = series_estimate(blocks, [=](auto mean) { return mean[column]; });
   estimate.value += first;
@@ -105,8 +105,8 @@ Temperatures EnergyStatistics::temperatures(const DegreesOfFreedom& degrees_of_f
 }
 
 // The variance of the conserved energy is the mean variance within the blocks plus Σ c²/n over the
-// slow modes c. The first part is an ordinary mean. A slow mode is one normal variable, whose
-// square has the variance 2 ⟨c²⟩² = 2/3 ⟨c⁴⟩.
+// slow modes c. The first part is an ordinary mean. A slow mode is a normal variable. The variance
+// of its square is 2 ⟨c²⟩² = 2/3 ⟨c⁴⟩.
 SeriesEstimate EnergyStatistics::ratio_with_error() const {
   const BlockMeans means = blocks.means();
   if (means.blocks().size() < min_samples) return series_estimate(means, ratio_of);

@@ -42,8 +42,8 @@ struct Hypothesis {
 std::vector<Hypothesis> posterior(const SlowModes& modes, const std::vector<Spectrum>& spectra,
                                   std::span<const WalkStrength> walks);
 
-/// The Bayes factor for a random walk: the probability of the modes with a random walk of unknown
-/// strength, divided by their probability with any stationary noise.
+/// The Bayes factor for a random walk. It is the probability of the modes with a random walk of
+/// unknown strength, divided by the probability with stationary noise.
 /// @param walks  as in posterior()
 double evidence_of_walk(const SlowModes& modes, std::span<const WalkStrength> walks);
 

@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-/// The measured order of a scheme. The test system is one asymmetric body with unlike sites in a
+/// The measured order of a scheme. The test system is an asymmetric body with unlike sites in a
 /// smooth anharmonic field. It is the smallest system that couples translation, rotation and all
 /// terms of the gradient kick. The harmonic part of the field serves as the near forces of an inner
 /// scheme, whatever its cutoff.

@@ -21,7 +21,7 @@ struct BodyAxis {
   Vec3<double> direction;  ///< unit vector in the body frame
 };
 
-/// The axes of a molecule: its principal axes and its dipole. A linear body has only the axis along
+/// The axes of a molecule: the principal axes and the dipole. A linear body has only the axis along
 /// the molecule, and an atom has none.
 std::vector<BodyAxis> body_axes(const Molecule& molecule);
 
@@ -57,10 +57,10 @@ struct RelaxationTimes {
                             ///< long as `to`
 };
 
-/// Computes the relaxation times. The exponential is fitted where C is between 1/e and 1/e³, where
-/// librations have decayed and the noise is still small. ln C is fitted by a line with weights C²,
-/// because the errors of C are all similar in this range. The result is empty if C does not decay
-/// to 1/e³ within its lags.
+/// Computes the relaxation times. The exponential is fitted to C between 1/e and 1/e³. In this
+/// range librations have decayed and the noise is still small. ln C is fitted by a line with
+/// weights C², because the errors of C are all similar in this range. The result is empty if C does
+/// not decay to 1/e³ within its lags.
 std::optional<RelaxationTimes> relaxation_times(const BlockMeans& correlation, double interval);
 
 }  // namespace polhode

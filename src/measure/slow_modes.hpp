@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The slow modes of a series in which a random walk, white noise and slow noise are uncorrelated
-// from mode to mode (docs/statistics.md).
+// The slow modes of a series. Contributions of random walk, white noise and slow noise to different
+// modes are uncorrelated (docs/statistics.md).
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ namespace polhode {
 struct SlowModes {
   double samples = 0, length = 0;  ///< number of samples, and length of the run [time]
   std::vector<double> values;      ///< coefficients of the series
-  std::vector<double> line;        ///< coefficients of the time itself
+  std::vector<double> line;        ///< coefficients of the time as a series
   std::vector<double> walk;        ///< variances of a random walk of variance 1 per time
 
   std::size_t count() const { return values.size(); }

@@ -15,7 +15,7 @@ constexpr std::size_t chunks_per_window = 4;  // more chunks need more transform
 
 using Modes = Column<std::complex<double>>;
 
-// The number of functions of one vector whose products add up to a Product of two vectors.
+// The number of functions per vector. The sum of their products is a Product of two vectors.
 std::size_t terms(Product product) {
   switch (product) {
     case Product::displacement:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Time correlation functions of a vector per body, over a window of lags, from a stream of frames:
-// every frame is a time origin, and at most two windows are held in memory.
+// Time correlation functions of a vector per body, over a window of lags, from a stream of frames.
+// Every frame is a time origin, and memory holds at most two windows.
 #pragma once
 
 #include <cstddef>
@@ -47,8 +47,8 @@ class TimeCorrelation {
 
   /// The mean of the k-th product at each lag over all frames so far, in blocks of time. Lags are
   /// limited to half of the frames, so that at least half of the frames serve as origins. The mean
-  /// of all blocks is the mean of all products. A block deviates from this mean by the contribution
-  /// of its products.
+  /// of all blocks is the mean of all products. The deviation of a block from this mean is the
+  /// contribution of its products.
   BlockMeans means(std::size_t k, Workers& workers = Workers::serial());
 
  private:

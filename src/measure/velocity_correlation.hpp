@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Velocity autocorrelation functions, their spectra, and diffusion coefficients from them.
+// Velocity autocorrelation functions, with spectra and diffusion coefficients.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@ class VelocityCorrelation {
   VelocityCorrelation(const Topology& topology, std::size_t lags);
   void add(const State& state, Workers& workers = Workers::serial());
 
-  /// The velocity autocorrelation function ⟨v(t) · v(t + lag)⟩/3 of the centres of the bodies of
-  /// one part [nm²/ps²], relative to the centre of mass of all bodies.
+  /// The velocity autocorrelation function ⟨v(t) · v(t + lag)⟩/3 [nm²/ps²] of the bodies' centres
+  /// in a part of the topology, relative to the centre of mass of all bodies.
   BlockMeans linear(std::size_t part, Workers& workers = Workers::serial());
 
   /// The angular velocity autocorrelation function ⟨ω_k(t) ω_k(t + lag)⟩ [1/ps²] about a principal
   /// axis fixed in the body. For a linear body it is ⟨ω(t) · ω(t + lag)⟩/2 in the lab frame. The
-  /// atoms of a frame do not determine the rotation of a linear body about its axis, and hence not
-  /// the directions of the other two axes.
+  /// atoms of a frame do not determine the rotation of a linear body about its axis. The directions
+  /// of the other two axes are therefore not known either.
   BlockMeans angular(std::size_t part, std::size_t axis, Workers& workers = Workers::serial());
 
   /// The principal axes with a nonzero moment of inertia, because only these have an angular
@@ -46,14 +46,14 @@ class VelocityCorrelation {
 BlockMeans running_integral(const BlockMeans& correlation, double interval);
 
 /// The convergence of the running integral at the last lag. The run must be `windows_of_lags` times
-/// as long as this lag. The integrals up to this lag and up to half of it must not differ, and the
+/// as long as this lag. The integrals up to this lag and up to half of this lag must agree, and the
 /// trapezoidal rule must be accurate. The error of the rule is a third of the change when its
-/// interval is doubled (Richardson). It is smaller if C is smooth at lag 0, as it is without
-/// friction.
+/// interval is doubled (Richardson). The error is smaller if C is smooth at lag 0, as in dynamics
+/// without friction.
 Convergence integral_convergence(const BlockMeans& correlation, double interval);
 
-/// The normalized function C(t)/C(0), which is 1 at lag 0, without an error. If C(0) vanishes, it
-/// is C itself.
+/// The normalized function C(t)/C(0), which is 1 at lag 0, without an error. If C(0) vanishes, the
+/// result is C without normalization.
 BlockMeans normalized(const BlockMeans& correlation);
 
 struct Spectrum {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Pairs of close items in a periodic box, for computations outside the time step. Two searches have
-// cells of their own: the neighbour list, whose rows of cells become packs (forces/pairs/cells),
-// and the check of overlaps, whose range is so short that nearly all cells would be empty.
+// Pairs of close items in a periodic box, for computations outside the time step. Two searches use
+// other cells. In the neighbour list, rows of cells become packs (forces/pairs/cells). The check of
+// overlaps has such a short range that nearly all cells would be empty.
 #pragma once
 
 #include <algorithm>
@@ -61,8 +61,8 @@ class CellList {
     return cell;
   }
 
-  // Visits the cell itself and its neighbours with higher numbers. Each is visited once, even in a
-  // small box with few cells.
+  // Visits the cell and its neighbours with higher numbers. Each is visited once, even in a small
+  // box with few cells.
   std::vector<std::size_t> later_neighbours(std::size_t cell) const {
     const std::array at = {cell % cells_[0], cell / cells_[0] % cells_[1],
                            cell / (cells_[0] * cells_[1])};

@@ -11,7 +11,7 @@ namespace polhode {
 /// The symbol of the element with an atomic number from 1 to 118; empty for all other numbers.
 std::string element_of_number(int number);
 
-/// The symbol of the element whose standard mass [u] is nearest; empty if the mass of no element up
+/// The symbol of the element with the nearest standard mass [u]; empty if the mass of no element up
 /// to radon is within 0.1 u.
 std::string element_of_mass(double mass);
 

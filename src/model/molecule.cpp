@@ -70,8 +70,8 @@ Top kind(Vec3<double>& J, double rounding) {
   return low || high ? Top::symmetric : Top::asymmetric;
 }
 
-// Whether the frame of a moment of inertia tensor is a principal frame, so that its off-diagonal
-// elements are only round-off of the site positions.
+// Whether the frame of an inertia tensor is a principal frame: all off-diagonal elements are within
+// the round-off of site positions.
 bool is_principal(const Mat3<double>& inertia) {
   const double rounding = 1e-14 * (inertia[0][0] + inertia[1][1] + inertia[2][2]);
   const auto none = [&](double x) { return std::abs(x) <= rounding; };

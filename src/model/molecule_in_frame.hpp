@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Molecules whose principal frame is known.
+// Molecules with a known principal frame.
 #pragma once
 
 #include <string>

@@ -13,13 +13,12 @@ namespace {
 // These times were measured on one core in mixed precision with AVX-512. The choice of the mesh
 // depends on ratios of the times, which are much the same in double precision and with other
 // instruction sets.
-constexpr double per_point = 1.3e-9;        // time per grid point for the transforms in both
-                                            // directions
-constexpr double per_charge = 9.5e-9;       // time per charge for its place and its weights
-constexpr double per_tile = 1.05e-9;        // time per charge and tile of the grid to which it is
-                                            // spread
-constexpr double per_pair = 2.3e-9;         // time per pair of molecules for its records and sums
-constexpr double per_charges = 0.4e-9;      // time per pair of charges
+constexpr double per_point = 1.3e-9;    // time per grid point for the transforms in both
+                                        // directions
+constexpr double per_charge = 9.5e-9;   // time per charge for the grid position and the weights
+constexpr double per_tile = 1.05e-9;    // time per charge for each grid tile to which it is spread
+constexpr double per_pair = 2.3e-9;     // time per pair of molecules for its records and sums
+constexpr double per_charges = 0.4e-9;  // time per pair of charges
 constexpr double per_short_range = 0.6e-9;  // time per pair of sites with a short-range potential
 
 }  // namespace

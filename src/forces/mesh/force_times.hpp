@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The expected time of an evaluation of forces with PME, from which the cutoff of the
-// charges and the mesh are chosen. It does not depend on the processor, and neither do results.
+// The expected time of a force evaluation with PME. It determines the choice of charge cutoff and
+// mesh. It does not depend on the processor, and neither do results.
 #pragma once
 
 #include "polhode/forces/laws/settings.hpp"

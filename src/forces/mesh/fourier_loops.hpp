@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fourier transforms of a grid in tiles, by pocketfft with packs as numbers: a pack holds many
-// series, one in each lane, and only tiles are transposed on the way from one edge to the next.
+// Fourier transforms of a grid in tiles, by pocketfft with packs as numbers. A pack holds many
+// series, one in each lane. Between the edges, only tiles are transposed.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ struct MeshModes {
   std::size_t columns_x() const { return points[0] / tile.rows; }
   std::size_t columns_z() const { return (points[2] / 2 + tile.columns) / tile.columns; }
   std::size_t columns() const { return columns_x() * columns_z(); }
-  /// Index of the column with group x of k_x and group z of k_z.
+  /// Index of the column for group x of k_x and group z of k_z.
   std::size_t index(std::size_t x, std::size_t z) const { return z * columns_x() + x; }
   /// Indices of k_x and k_z of a lane of a column. The index of k_z may be beyond half of the
   /// points.

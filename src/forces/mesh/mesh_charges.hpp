@@ -12,10 +12,10 @@
 
 namespace polhode {
 
-/// The charges of all bodies, sorted by slabs. A slab is at least as thick as a spline is wide,
-/// less one point. Charges of slabs that are not adjacent therefore never touch the same grid
-/// point. All even slabs are processed in parallel, and then all odd slabs. Within a slab, charges
-/// are in the order of slots.
+/// The charges of all bodies, sorted by slabs. The thickness of a slab is at least the width of a
+/// spline minus one point. Charges of slabs that are not adjacent therefore never touch the same
+/// grid point. All even slabs are processed in parallel, and then all odd slabs. Within a slab,
+/// charges are in the order of slots.
 template <class T>
 class MeshCharges {
  public:

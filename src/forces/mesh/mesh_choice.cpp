@@ -172,7 +172,7 @@ double points_of(const MeshSettings& mesh) {
   return points;
 }
 
-/// The smallest grid of a suitable size whose points are at most `spacing` apart.
+/// The smallest grid of a suitable size with a distance of at most `spacing` between points.
 std::array<std::size_t, 3> grid_of(const Box& box, double spacing) {
   std::array<std::size_t, 3> points{};
   for (std::size_t d = 0; d < 3; ++d) {
@@ -184,8 +184,8 @@ std::array<std::size_t, 3> grid_of(const Box& box, double spacing) {
 }
 
 /// The maximum number of grid points. Liquids have 10 to 100 points per charge. In a sparsely
-/// filled box a finer mesh is wasteful, because there are few pairs even up to a longer cutoff,
-/// which allows a coarser mesh.
+/// filled box a finer mesh is wasteful. A longer cutoff allows a coarser mesh, and there are few
+/// pairs even up to this cutoff.
 double max_points_for(double charges) { return std::max(0x1p21, 4096 * charges); }
 
 }  // namespace
@@ -270,7 +270,7 @@ void MeshChoice::try_cutoff(double cutoff, Orders orders, const Box& box, Best& 
 }
 
 /// Finds the cheapest mesh. Every fourth cutoff is tried first with the usual order. Then the
-/// cutoffs around the best one are tried with all orders.
+/// cutoffs around the best cutoff are tried with all orders.
 MeshSettings MeshChoice::cheapest(const Box& box) {
   constexpr int stride = 4;
   constexpr Orders all{MeshSettings::min_order, MeshSettings::max_order}, usual{5, 5};

@@ -20,8 +20,8 @@ struct InfluenceValue {
 
 /// Computes the optimal influence function of a mesh. If forces are the gradient of the energy,
 /// their mean square error is smallest for the factor G = Σ U² k² γ / (Σ U² · Σ U² k²)
-/// [ballenegger2012]. Sums are over k and its aliases, U(k) is the transform of the assignment
-/// function, and γ is the desired energy 4 π K ρ(k)/(k² V). U depends only on the grid, so the
+/// [ballenegger2012]. Sums are over k and its aliases. U(k) is the transform of the assignment
+/// function, and γ is the required energy 4 π K ρ(k)/(k² V). U depends only on the grid, so the
 /// volume derivative of G follows from the derivatives of ρ and k². The trace of the virial is
 /// therefore as accurate as the forces.
 class Influence {
@@ -48,9 +48,9 @@ class Influence {
   std::array<std::vector<Wave>, 3> axes_;
 };
 
-/// The influence function for all waves of a mesh. It depends neither on the signs of the wave
-/// numbers nor, in a cubic box, on their order. It is computed once for each set of magnitudes,
-/// because a barostat needs it for every new box.
+/// The influence function for all waves of a mesh. The factor does not depend on the signs of the
+/// wave numbers and, in a cubic box, not on their order. It is computed once for each set of
+/// magnitudes, because a barostat needs it for every new box.
 class InfluenceTable {
  public:
   InfluenceTable(const Influence& influence, const std::array<std::size_t, 3>& points,

@@ -34,8 +34,8 @@ struct PlaceChargesJob {
   std::array<std::size_t, 3> points;
   T* charges;         ///< records of charges, also for the slots that fill the last block
   std::int32_t* row;  ///< for each charge, the grid point below it along y
-  /// For derivatives only: displacements with the layout of `records`, and for each charge a record
-  /// of its displacement in grid spacings.
+  /// Only for derivatives: displacements with the layout of `records`, and for each charge a record
+  /// of the displacement in grid spacings.
   const SiteRecords<T>* displacements = nullptr;
   T* moves = nullptr;
 };
@@ -44,8 +44,8 @@ struct PlaceChargesJob {
 template <class T>
 struct SpreadJob {
   const T* charges;  ///< records of charges
-  const T* moves;    ///< records of their displacements, which make each charge a dipole; null
-                     ///< without displacements
+  const T* moves;    ///< records of displacements, which make each charge a dipole; null without
+                     ///< displacements
   const std::uint32_t *order, *end;  ///< numbers of the charges
   int spline;                        ///< order of the spline
   MeshGrid<T>& grid;

@@ -33,7 +33,7 @@ void check(const MeshSettings& settings) {
                       "and at least {}, so that a spline does not overlap with itself",
                       points, mesh_multiple, MeshSettings::max_order));
   const auto [nx, ny, nz] = settings.points;
-  // Memory per grid point: the charges or their potential, its Fourier coefficient, and half a
+  // Memory per grid point: a number for charge or potential, a Fourier coefficient, and half a
   // number each for the influence function and its slope.
   const double bytes =
       3 * sizeof(T) * static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz);

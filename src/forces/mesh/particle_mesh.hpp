@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Particle mesh for the smooth part of the electrostatics, in a time nearly linear in the number of
-// charges [essmann1995]: charges are spread over the grid, the potential is a product in reciprocal
-// space, and the forces are its exact gradient, so that the mesh conserves energy as any other
-// force does.
+// charges [essmann1995]. Charges are spread over the grid, and the potential is a product in
+// reciprocal space. The forces are the exact gradient of the energy, so the mesh conserves energy
+// like any other force.
 #pragma once
 
 #include <memory>
@@ -48,9 +48,9 @@ class ParticleMesh {
   /// Sets another box with the same number of grid points, and discards the potential.
   void set_box(const Box& box);
 
-  /// Adds forces and torques to `sums`, which has one record per slot as in ChunkSums. If
-  /// requested, it also computes the energy and the virial. Results are bitwise identical for any
-  /// number of threads. The function does not allocate memory.
+  /// Adds forces and torques to `sums`, with a record per slot as in ChunkSums. If requested, it
+  /// also computes the energy and the virial. Results are bitwise identical for any number of
+  /// threads. The function does not allocate memory.
   MeshLoad operator()(const Slots& slots, const SiteRecords<T>& records, T* sums, bool energies);
 
   // The three steps of an evaluation follow in their order.
@@ -64,8 +64,8 @@ class ParticleMesh {
 
   /// Adds the derivatives of forces and torques along a displacement to `sums`.
   /// @param displacements  displacements of centres and sites, with the layout of the records
-  /// @param charges_moved  whether charges have moved since their potential was computed, so that
-  ///   it must be computed again
+  /// @param charges_moved  whether charges have moved since the last computation of the potential,
+  ///   so that the potential must be computed again
   void derivative(const Slots& slots, const SiteRecords<T>& records,
                   const SiteRecords<T>& displacements, T* sums, bool charges_moved);
 
@@ -73,8 +73,7 @@ class ParticleMesh {
 
  private:
   struct Plans;  // plans of the Fourier transforms
-  struct Field;  // grid with the charges and later with their potential, and its Fourier
-                 // coefficients
+  struct Field;  // grid with the charges and later with the potential, and its Fourier coefficients
   struct Axis {
     std::vector<double> k, odd;  // wave numbers; `odd` is the same, but 0 if k and −k are the same
                                  // wave

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A grid of cells over the box, and the order of bodies by cells: bodies that are neighbours in
-// space become neighbours in memory.
+// A grid of cells over the box, and the order of bodies by cells. Bodies that are close in space
+// then become close in memory.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The distances of the centres of two molecules within which their sites interact.
+// The maximum distances between the centres of two molecules for which sites interact.
 #pragma once
 
 #include <algorithm>

@@ -10,7 +10,7 @@ namespace polhode {
 /// Cutoff treatment of the pairs of a loop. `none` and `smooth_untruncated` are for molecules known
 /// to lie inside the switching distance, where nothing is truncated. With `smooth` (PME, damped
 /// shifted force), a polynomial is subtracted from 1/r, so the Coulomb energy already vanishes at
-/// the cutoff. The short-range potential is switched site by site.
+/// the cutoff. The short-range potential is switched for each pair of sites.
 enum class CutoffTreatment {
   none,
   molecule_switch,
@@ -26,7 +26,8 @@ constexpr bool switches_sites(CutoffTreatment treatment) {
 constexpr bool is_smooth(CutoffTreatment treatment) {
   return treatment == CutoffTreatment::smooth || treatment == CutoffTreatment::smooth_untruncated;
 }
-/// The cutoff treatment of pairs inside the switching distance: the same laws without truncation.
+/// The cutoff treatment of pairs inside the switching distance: the same potentials without
+/// truncation.
 constexpr CutoffTreatment without_truncation(CutoffTreatment treatment) {
   return is_smooth(treatment) ? CutoffTreatment::smooth_untruncated : CutoffTreatment::none;
 }
@@ -41,7 +42,7 @@ constexpr CutoffTreatment cutoff_treatment(const ForceSettings& settings) {
                                                               : CutoffTreatment::site_shift;
 }
 
-/// Laws between two sites at one distance, truncated site by site.
+/// Potentials between two sites at a given distance, truncated for each pair of sites.
 template <CutoffTreatment treatment, class Real, class T>
 class SiteTruncation {
  public:
@@ -51,7 +52,7 @@ class SiteTruncation {
     if constexpr (switches_sites(treatment)) switch_ = laws.switching(r2 * inverse_r.first());
   }
 
-  /// Evaluates u and −u'/r of a law.
+  /// Evaluates u and −u'/r of a potential.
   template <class Law>
   POLHODE_INLINE PairValue<Real> operator()(const Law& law) const {
     const PairValue<Real> at_r = with_derivative(law(inverse_r_, r2_), r2_);

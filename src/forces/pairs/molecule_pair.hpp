@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The interaction of two rigid molecules: the sum over all pairs of their sites, truncated smoothly
-// at the cutoff. Written once as a template over the number type: plain numbers, packs (one
-// molecule with several partners at once, one in each lane) and dual numbers of either, which also
-// give the derivative of forces and torques along a displacement of the molecules.
+// at the cutoff. Written once as a template over the number type: plain numbers, packs, or dual
+// numbers of either. With packs, a molecule interacts with a partner in each lane. Dual numbers
+// also give the derivative of forces and torques along a displacement of the molecules.
 //
-// A function that is called once for each pair of molecules is inlined into the loop over them:
-// what the compiler knows there, such as the number of sites, is then known here.
+// Functions that are called for each pair of molecules are inlined into the loop over pairs.
+// Constants of the loop, such as the number of sites, are then known to the compiler.
 #pragma once
 
 #include <array>
@@ -63,7 +63,7 @@ class SitePairs {
  public:
   static constexpr std::size_t a_at_once = Shape::a_at_once;
   static constexpr std::size_t b_at_once = Shape::template b_at_once<Real>;
-  /// A site pair, given by its sites and by their places i and k in the groups.
+  /// A site pair, given by two sites and their indices i and k in the groups.
   struct Pair {
     std::size_t i, k, a, b;
   };
@@ -126,8 +126,8 @@ class SitePairs {
 };
 
 /// The polynomial P that is subtracted from 1/r between charges, and −P'/r, for each pair. It is
-/// computed by Horner's rule in y = 1 − r²/a², one step at a time for all pairs. It is empty if no
-/// polynomial is used.
+/// computed by Horner's rule in y = 1 − r²/a². Each step is made for all pairs before the next. It
+/// is empty if no polynomial is used.
 template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class T>
 POLHODE_INLINE inline auto smooth_parts(
     const SitePairs<Shape, Real>& pairs,
@@ -178,7 +178,7 @@ POLHODE_INLINE inline PairValue<Real> coulomb_pair(
   }
 }
 
-/// Evaluates the laws of one site pair. It returns the sum of −u'/r and adds up the energies.
+/// Evaluates the potentials of a site pair. It returns the sum of −u'/r and adds up the energies.
 template <bool need_u, class Shape, class Real, class Coulomb, class ShortRange>
 POLHODE_INLINE inline Real sum_of_laws(const Shape& shape, std::size_t a, std::size_t b,
                                        const Coulomb& coulomb, const ShortRange& short_range,

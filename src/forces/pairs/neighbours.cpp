@@ -36,9 +36,9 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
                     cutoff, extent, shortest, round_down(shortest - 2 * extent)));
 }
 
-// The work is divided according to the number of bodies only, so that sums do not depend on the
-// number of threads. Chunks are so large that they have more rows than they add to in neighbouring
-// chunks.
+// The division into chunks depends only on the number of bodies, so that sums do not depend on the
+// number of threads. Chunks are so large that the rows of a chunk outnumber the slots of other
+// chunks to which it adds forces.
 std::vector<ListChunk> chunks_of(const Slots& slots, std::size_t parts) {
   std::vector<ListChunk> chunks;
   const std::size_t all = slots.size();

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The neighbour list: all pairs of bodies, each with its periodic image, whose centres are closer
-// than the range of their interaction plus a skin. The list is valid until a centre has moved by
-// half the skin since the last build: until then, no two centres have approached each other by more
-// than the skin. Rotation does not matter, since it leaves the centre where it is.
+// The neighbour list: all pairs of bodies with a distance of centres below the range of the
+// interaction plus a skin. Each pair is stored with the periodic image. The list is valid until a
+// centre has moved by half the skin since the last build. Until then, no pair of centres has come
+// closer by more than the skin. Rotation does not matter, because it does not move the centre.
 //
-// The partners of a body form its row, which fills whole packs. Each pair is listed once, in the
-// row of the body from which the other is ahead in the cyclic order of slots. A row whose last pack
-// would be partly empty hands the surplus pairs to the rows of those partners, if they come later,
-// so that nearly all lanes are used. Partners that are certain to stay inside the switching
-// distance while the list is valid come first in a row: their pairs need no truncation.
+// The partners of a body form its row, in whole packs. Each pair is listed once, in the row of the
+// body that precedes the other body in the cyclic order of slots. If the last pack of a row would
+// be partly empty, the surplus pairs are moved to the rows of the partners, provided that these
+// rows come later. Nearly all lanes are then used. Some partners are certain to stay inside the
+// switching distance while the list is valid. They come first in a row, because their pairs need no
+// truncation.
 //
-// Bodies of the last parts of a topology may be ghosts, copies of bodies that another list belongs
-// to: they are partners of other bodies and have no rows.
+// Bodies of the last parts of a topology may be ghosts: copies of bodies of another list. Ghosts
+// are partners of other bodies and have no rows.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +25,8 @@
 
 namespace polhode {
 
-/// A partner in the neighbour list: its slot and its periodic image, packed into one word. The
-/// image is a shift by −1, 0 or 1 box edges in each direction, two bits each.
+/// A partner in the neighbour list: slot and periodic image, packed into a single word. The image
+/// is a shift by −1, 0 or 1 box edges in each direction, two bits each.
 class Neighbour {
  public:
   using Image = Vec3<int>;
@@ -38,10 +39,10 @@ class Neighbour {
   std::uint32_t slot() const { return word_ & slot_mask; }
   Image image() const { return {edges(0), edges(1), edges(2)}; }
 
-  /// The periodic image given to padding lanes, which is too far away to interact. Along x, two
-  /// bodies in the box are less than one edge plus the skin apart. After a shift by two edges they
-  /// are more than one edge minus the skin apart, which exceeds every range. This also holds in
-  /// fixed point, which wraps around after four edges.
+  /// The periodic image given to padding lanes, which is too far away to interact. Along x, the
+  /// distance between two bodies in the box is less than an edge plus the skin. After a shift by
+  /// two edges, the distance is more than an edge minus the skin, and this exceeds every range. The
+  /// same holds in fixed point, which wraps around after four edges.
   static constexpr Image nowhere{-2, 0, 0};
 
   /// The bits of a periodic image. The bits of direction d are the two highest bits of word << 2 d.
@@ -56,13 +57,13 @@ class Neighbour {
   std::uint32_t word_;
 };
 
-/// A window of consecutive slots of one molecule type, which starts at `first` and wraps around
+/// A window of consecutive slots of a molecule type. It starts at `first` and wraps around
 /// cyclically.
 struct SlotWindow {
   std::uint32_t first = 0, count = 0;
 };
 
-/// Some slots of one molecule type with their rows: the unit of work.
+/// A unit of work: some slots of a molecule type with their rows.
 struct ListChunk {
   struct Row {
     std::uint32_t begin, truncated, end;  ///< indices of entries; pairs from `truncated` on may

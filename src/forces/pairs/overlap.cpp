@@ -35,7 +35,7 @@ using Cell = std::array<std::int64_t, 3>;
 // Contacts sorted by the bucket of their cell. Cells are at least as wide as the closest contact,
 // so partners are in the same or an adjacent cell. Rows and layers of cells are mapped one after
 // another onto the buckets, and wrap around if there are more cells than buckets. Memory therefore
-// scales with the number of sites rather than the volume of the box, and neighbours in the box are
+// scales with the number of sites rather than the volume of the box. Neighbours in the box are
 // mostly neighbours in memory.
 class Buckets {
  public:

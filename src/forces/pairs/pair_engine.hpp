@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A force evaluation over the neighbour list in one precision: place the sites, sum the pairs chunk
-// by chunk, add the mesh contribution, and reduce the sums.
+// A force evaluation over the neighbour list in a given precision. It places the sites, sums the
+// pairs of each chunk, adds the mesh contribution, and reduces the sums.
 #pragma once
 
 #include <memory>
@@ -39,7 +39,7 @@ class PairEngine {
   /// must contain a mesh. Terms that do not depend on positions are not included.
   void operator()(const State& state, Load& load, bool energies);
 
-  /// Computes the derivative of forces and torques along a displacement of all bodies: centres move
+  /// Computes the derivative of forces and torques along a displacement of all bodies. Centres move
   /// by dq [nm], and orientations rotate by dtheta [rad] in the body frame. Energies and virial are
   /// set to 0. The list is reused. The mesh potential is reused if the state is the state of the
   /// last evaluation.
@@ -79,7 +79,7 @@ class PairEngine {
                                                    // place()
 };
 
-/// A PairEngine whose precision is chosen by the settings.
+/// A PairEngine in the precision of the settings.
 struct AnyPairEngine {
   std::variant<PairEngine<double>, PairEngine<float>> in_precision;
 

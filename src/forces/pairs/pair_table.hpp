@@ -43,12 +43,12 @@ struct PairStrengths<Law<T>> {
 /// The site pairs of two molecule types.
 class PairTable {
  public:
-  /// @throws Error  if two sites have laws that do not mix
+  /// @throws Error  if the potentials of two sites cannot be mixed
   PairTable(const Molecule& first, const Molecule& second, const Mixing& mixing = {});
 
   std::size_t sites_a, sites_b, charged_a, charged_b, dispersive_a, dispersive_b;
 
-  /// Whether no other short-range potential than Lennard-Jones occurs.
+  /// Whether all short-range potentials are Lennard-Jones potentials.
   bool has_lennard_jones_alone() const { return !lennard_jones<double>().law.empty(); }
   /// The interactions of pairs that have only Lennard-Jones potentials or no short-range potential.
   template <class T>
@@ -70,8 +70,8 @@ class PairTable {
 /// The tables for all pairs of molecule types of a topology.
 class PairTables {
  public:
-  /// @throws Error  if an override of the mixing does not fit the topology, or two sites have laws
-  ///                that do not mix
+  /// @throws Error  if an override of the mixing does not fit the topology, or if the potentials of
+  ///   two sites cannot be mixed
   explicit PairTables(const Topology& topology, const Mixing& mixing = {});
   const PairTable& operator()(std::size_t part_a, std::size_t part_b) const {
     return tables_[part_a * parts_ + part_b];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The forces in the most direct way: every pair of molecules, every image within range, no list and
-// no packs. The pair loops are tested against it, and with dual numbers it gives exact derivatives.
+// A direct computation of forces, over every pair of molecules and every image within range,
+// without list and packs. The pair loops are tested against this computation. With dual numbers it
+// gives exact derivatives.
 #pragma once
 
 #include <algorithm>

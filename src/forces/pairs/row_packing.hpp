@@ -66,8 +66,8 @@ class HandedPairs {
 };
 
 /// Hands the surplus pairs of a row over to the rows of their partners. Surplus pairs are the first
-/// pairs of the row, as many as exceed whole packs. They are handed over only if all their partners
-/// follow soon in the same chunk.
+/// pairs of the row, as many as exceed whole packs. Surplus pairs are moved only if all their
+/// partners follow soon in the same chunk.
 inline void hand_over(std::uint32_t slot, std::uint32_t chunk_end, std::size_t width,
                       RowBuffer& row, HandedPairs& later) {
   const std::size_t surplus = row.size() % width;

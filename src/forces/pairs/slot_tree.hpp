@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A tree of bounding boxes over the slots of each molecule type, for the search for partners. Slots
-// are in the order of cells, so that consecutive slots are close in space: a leaf bounds a few of
-// them, and a node the leaves or nodes below it.
+// are in the order of cells, so that consecutive slots are close in space. A leaf bounds a few
+// consecutive slots, and a node bounds the leaves or nodes below it.
 #pragma once
 
 #include <array>

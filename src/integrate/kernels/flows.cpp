@@ -16,7 +16,8 @@ using Real = Pack<double>;
 namespace {
 
 /// Largest rotation in one step for which sub-steps of the series are used [1]. Bodies that rotate
-/// by more are rare, unless the run has blown up. They are treated one by one, in closed form.
+/// by more are rare, unless the run has blown up. Such bodies are rotated individually, in closed
+/// form.
 constexpr double max_by_series = 16;
 
 Quaternion<Real> closed_rotations(const Vec3Column& J, const Vec3<Real>& L, double t,

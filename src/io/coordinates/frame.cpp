@@ -20,7 +20,7 @@ bool visible(const Site& site, MasslessSites massless) {
   return massless == MasslessSites::keep || site.mass != 0;
 }
 
-// The element with which a name begins. Ions are residues of one atom, which are named after the
+// The element with which a name begins. Ions are residues with a single atom, named after the
 // element.
 std::string element_of(const AtomKind& kind) {
   static constexpr std::string_view organic = "HBCNOFPSIK";

@@ -156,7 +156,7 @@ std::unique_ptr<FrameReader> with_names(std::unique_ptr<FrameReader> frames, con
   return std::make_unique<NamedReader>(std::move(frames), *names);
 }
 
-// A reader together with the stream from which it reads.
+// A reader together with its input stream.
 class FileReader : public FrameReader {
  public:
   /// Opens a file for a reader.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// GRO files, as GROMACS reads and writes them: positions [nm] and velocities [nm/ps] in columns
-// whose width is the distance between the decimal points.
+// GRO files, as GROMACS reads and writes them: positions [nm] and velocities [nm/ps] in columns.
+// The distance between decimal points is the column width.
 #pragma once
 
 #include <iosfwd>

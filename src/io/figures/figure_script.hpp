@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Composes a gnuplot script: values that a template uses, the common style, the template itself.
+// Composes a gnuplot script from the values that a template uses, the common style, and the
+// template.
 #pragma once
 
 #include <span>

@@ -13,8 +13,8 @@ struct SchemeStyle {
   int filled = 7, open = 6;  ///< point types of gnuplot
 };
 
-/// The styles of the schemes of a figure, from data/plots/schemes.toml. Schemes that this file does
-/// not name, such as schemes written as text, get its remaining styles in order.
+/// The styles of the schemes of a figure, from data/plots/schemes.toml. Schemes that are not in
+/// this file, such as schemes written as text, get the remaining styles in order.
 std::vector<SchemeStyle> scheme_styles(const std::vector<std::string>& schemes);
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checkpoint files: numbers in binary, with a checksum, so that a file that is truncated, altered
-// or written by another program is recognized before any of it is used.
+// Checkpoint files: numbers in binary, with a checksum. A file that is truncated, altered or
+// written by another program is recognized before any data are used.
 //
 // A file consists of, with 64-bit integers in the byte order of the processor: 16 bytes that
 // identify the format; its version; the length of the file; version and instruction set of the
@@ -33,7 +33,7 @@ class DamagedCheckpoint : public Error {
   using Error::Error;
 };
 
-/// Writes the values of a checkpoint one after the other, without buffering all of them.
+/// Writes the values of a checkpoint in sequence, without buffering all values.
 class CheckpointWriter {
  public:
   /// Constructs the writer.

@@ -7,7 +7,7 @@
 
 namespace polhode {
 
-/// A file that gets its name only when it is complete. Until then it has no name, or a unique name
+/// A file without its final name until it is complete. Until then it has no name, or a unique name
 /// if the file system supports only named files or if the name must show the format. A draft that
 /// is never completed disappears. No other file is overwritten or removed.
 class Draft {
@@ -26,7 +26,7 @@ class Draft {
   /// A message about the draft in which the name of the draft is replaced by the final name of the
   /// file.
   std::string with_final_name(std::string message) const;
-  /// Syncs the draft to disk and gives it its final name.
+  /// Syncs the draft to disk and renames it to the final name.
   /// @param keep  new name for an existing file; if empty, the existing file is replaced
   /// @throws RunError  if syncing or renaming fails
   void finish(const std::string& keep = {});
@@ -42,7 +42,7 @@ class Draft {
   bool has_name_ = false;
 };
 
-/// Rejects a file name if it, or the name of its draft, is too long for the file system.
+/// Rejects a file name if the name, or the name of its draft, is too long for the file system.
 /// @throws Error  with the length
 void check_length_of_name(const std::string& path);
 

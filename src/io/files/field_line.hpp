@@ -17,7 +17,7 @@ inline constexpr std::size_t max_name_length = 63;
 class FieldLine {
  public:
   /// Splits a line into fields.
-  /// @param text  line, which must outlive this object
+  /// @param text  line; must outlive this object
   FieldLine(std::string_view text, TextPlace place);
 
   std::size_t size() const { return fields_.size(); }

@@ -30,8 +30,8 @@ T decode(const std::uint8_t* from, std::endian order) {
   return std::bit_cast<T>(bytes);
 }
 
-/// Reads a file sequentially and keeps the position for errors. It does not allocate more than it
-/// reads, so a wrong length in an untrusted header does not cost memory.
+/// Reads a file sequentially and keeps the position for errors. The memory is allocated while
+/// reading, so a wrong length in an untrusted header does not cost memory.
 class BinaryInput {
  public:
   BinaryInput(std::istream& in, std::string file, std::endian order)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// DCD, the trajectories of CHARMM and NAMD: records enclosed by their lengths, positions as float
-// in Å, a unit cell, and one time interval for all frames.
+// DCD, the trajectory format of CHARMM and NAMD. It consists of records enclosed by their lengths,
+// with positions as float in Å, a unit cell, and a common time interval for all frames.
 #include <cmath>
 #include <limits>
 

@@ -79,7 +79,7 @@ void FrameFit::check_alone(const FrameExtent& frame) const {
 }
 
 // In the worst case, files store times as floats with a relative round-off error of 2⁻²⁴. This
-// error applies to the time itself and, multiplied by the number of frames, to the interval.
+// error applies to the time and, multiplied by the number of frames, to the interval.
 void FrameFit::check_time(const FrameExtent& frame) const {
   if (before_ < 2) return;
   const auto n = static_cast<double>(before_);

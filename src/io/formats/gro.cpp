@@ -23,8 +23,7 @@ constexpr std::size_t first_number = 20;
 
 constexpr const char* in_columns = "; atom lines have columns of fixed width";
 
-// All numbers of a line have the same width, which is the distance between its first two decimal
-// points.
+// All numbers of a line have the same width: the distance between the first two decimal points.
 std::size_t column_width(std::string_view line, const Lines& lines) {
   const auto p1 = line.find('.', first_number);
   const auto p2 = p1 == line.npos ? p1 : line.find('.', p1 + 1);

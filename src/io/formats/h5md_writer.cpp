@@ -139,8 +139,8 @@ class H5mdWriter : public FrameWriter {
     return properties;
   }
 
-  // The file of a killed program can be read but not safely changed, because it may use space that
-  // its header does not record. A resumed run therefore appends to a copy, which replaces the file
+  // The file of a killed program can be read but not safely changed, because the header may not
+  // record all used space. A resumed run therefore appends to a copy, which replaces the file
   // atomically.
   void reopen(std::uint64_t frames) {
     Draft copy(path_, Draft::Name::unique);  // needed because the library resolves names

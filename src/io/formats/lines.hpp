@@ -38,8 +38,7 @@ class Lines {
 
   const std::string& file() const { return file_; }
 
-  /// The next line, without its line end, which is valid until the next call. Empty at the end of
-  /// the text.
+  /// The next line, without the line end; valid until the next call. Empty at the end of the text.
   std::optional<std::string_view> next() {
     ++number_;
     if (!std::getline(in_, line_)) return std::nullopt;

@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// Begins a frame of atoms of one unnamed kind, whose positions are filled in later.
+/// Begins a frame of atoms of a single unnamed kind. The positions are filled in later.
 inline void begin_unnamed(Frame& frame, const std::string& file) {
   frame.source = file;
   frame.title.clear();

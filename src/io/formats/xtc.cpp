@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// XTC, the compressed trajectories of GROMACS: positions only, rounded to 0.001 nm.
+// XTC, the compressed trajectories of GROMACS. They contain only positions, rounded to 0.001 nm.
 #include <limits>
 
 #include "format.hpp"

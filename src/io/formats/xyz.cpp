@@ -62,7 +62,7 @@ void write(std::ostream& out, const FrameView& frame) {
   frame.each_atom([&](const Atom& atom) { lines.atom(atom); });
 }
 
-// A column of the atom lines: its meaning and its number of words.
+// A column of the atom lines: meaning and number of words.
 struct Property {
   enum class What { species, position, velocity, residue, other } what;
   std::size_t words;
@@ -145,7 +145,7 @@ class XyzReader : public FrameReader {
             fmt::format("the Properties do not contain {}, which every atom must have", name));
   }
 
-  // A repeated key is an error, because it is unknown which value applies.
+  // A repeated key is an error, because the valid value is not known.
   void refuse_second(std::string_view key, std::array<bool, 4>& met) const {
     constexpr std::array<std::string_view, 4> once = {"Lattice", "Properties", "Time", "pbc"};
     for (std::size_t k = 0; k < once.size(); ++k)

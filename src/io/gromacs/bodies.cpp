@@ -17,8 +17,8 @@ namespace {
 // interacting sites.
 constexpr std::size_t max_atoms = 256;
 
-// The molecules of one type in the initial configuration, if it has an atom for each atom of the
-// topology.
+// The molecules of a type in the initial configuration, provided that this configuration has an
+// atom for each atom of the topology.
 class Copies {
  public:
   Copies(const GromacsTopology& gromacs, std::size_t molecule, const Frame& start)
@@ -128,7 +128,7 @@ class Shapes {
     PlacedPoints found = place_points(atoms, distances);
     if (found.dimension < 3 || start_ == nullptr) return {std::move(found.points), {}};
     // Distances do not distinguish a shape from its mirror image. The first molecule in the initial
-    // configuration decides which of them is used.
+    // configuration decides which shape is used.
     const Shape there = Copies(gromacs_, index, *start_)(0);
     Shape mirror = mirror_image(found.points);
     const bool mirrored = difference(mirror, there) < difference(found.points, there);

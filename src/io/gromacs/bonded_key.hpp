@@ -8,7 +8,7 @@
 
 namespace polhode::gromacs {
 
-/// The bonded types of atoms as one text, such as "C O", which does not depend on their order.
+/// The bonded types of atoms as a text, such as "C O", independent of the order of the atoms.
 inline std::string bonded_key(const std::vector<std::string>& types) {
   std::string forth, back;
   for (const std::string& type : types) {

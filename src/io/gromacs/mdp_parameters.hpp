@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of an .mdp file, which remember which of them were asked for.
+// The parameters of an .mdp file, with a record of the parameters that were used.
 #pragma once
 
 #include <cstddef>

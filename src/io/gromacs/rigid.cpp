@@ -41,7 +41,7 @@ std::optional<double> first_number(const GromacsTopology& topology, const Gromac
   return found->second;
 }
 
-// Functions whose first parameter is the length or angle at the minimum. For bonds they are
+// Function types with the length or angle at the minimum as first parameter. For bonds they are
 // harmonic, fourth power, Morse and cubic. For angles they are harmonic, cosine, Urey-Bradley,
 // quartic and restricted.
 bool has_minimum(const GromacsRelation& r) {

@@ -189,7 +189,7 @@ void Parser::defaults(const FieldLine& line) {
   topology_.rule = combination_ == 2 ? MixingRule::lorentz_berthelot : MixingRule::geometric;
 }
 
-// Reads the law in the fields from `first` on. The names of the types are left empty.
+// Reads the potential in the fields from `first` on. The names of the types are left empty.
 TypePair Parser::short_range(const FieldLine& line, std::size_t first) const {
   if (combination_ == 0)
     line.refuse(

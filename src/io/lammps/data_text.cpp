@@ -193,8 +193,8 @@ void Parser::mass(const FieldLine& line) {
                                           // "tip4p.HW1"
 }
 
-// Reads the law in the fields from k on. It is the law of the pair style, or Lennard-Jones if no
-// style is given.
+// Reads the potential in the fields from k on. The pair style selects the potential; without a
+// style it is Lennard-Jones.
 TypePair Parser::short_range(const FieldLine& line, std::size_t k) const {
   TypePair pair{.place = line.place()};
   const auto law = law_of_pair_style(data_.pair_style);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which molecules of a LAMMPS data file are of one kind.
+// Determines the kinds of molecules in a LAMMPS data file.
 #pragma once
 
 #include "io/topology/lammps_data.hpp"
@@ -11,8 +11,8 @@ namespace polhode {
 void sort_into_kinds(LammpsData& data);
 
 /// The element of an atom type, found by its mass. Empty if there is none, or if the name of the
-/// site contradicts it. The mass of a united atom may be the mass of no element, or of another
-/// element, such as N for CH2.
+/// site contradicts it. The mass of a united atom may match no element, or another element, such as
+/// N for CH2.
 std::string element_of(const LammpsData::AtomType& type);
 
 /// The positions of the atoms of one copy, relative to its first atom [nm].

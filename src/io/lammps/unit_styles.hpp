@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Units of LAMMPS that are those of molecules.
+// LAMMPS unit styles with units for molecules.
 #pragma once
 
 #include <optional>

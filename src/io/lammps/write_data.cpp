@@ -45,14 +45,14 @@ Vec3<double> in_real_units(const Vec3<double>& v) {
   return v / (unit("A", Dimension::length) / unit("fs", Dimension::time));
 }
 
-/// The exponents of a Lennard-Jones or Mie potential; empty for other laws.
+/// The exponents of a Lennard-Jones or Mie potential; empty for other potentials.
 std::optional<MieLaw> exponents(const ShortRangeLaw& law) {
   if (std::holds_alternative<LennardJonesLaw>(law)) return MieLaw{};
   if (const auto* const mie = std::get_if<MieLaw>(&law)) return *mie;
   return std::nullopt;
 }
 
-/// Writes pair coefficients if all types have laws of the same pair style.
+/// Writes pair coefficients if the potentials of all types have the same pair style.
 void write_pair_coefficients(std::ostream& out, const LammpsTypes& types) {
   const auto& all = types.types();
   bool is_mie = false;

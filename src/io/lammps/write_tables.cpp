@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-// The law of a pair of types, evaluated for two molecules with one site each, at their centres.
+// The potential of a pair of types, evaluated for two molecules with a single site at the centre.
 class PairLaw {
  public:
   PairLaw(const LammpsTypes::Type& a, const LammpsTypes::Type& b, const Topology& topology,

@@ -28,14 +28,13 @@ SettingMember only(Electrostatics user, Member ForceSettings::*one) {
 
 constexpr SettingUnit nm{Dimension::length, "nm"};
 
-/// Marks bounds that the force field checks itself, because its messages also consider other
-/// settings.
+/// Marks bounds that the force field checks, because its messages also consider other settings.
 constexpr SettingBounds in_library(SettingBounds bounds) {
   bounds.in_library = true;
   return bounds;
 }
 
-/// Reads truncation and electrostatics, whose defaults depend on each other.
+/// Reads truncation and electrostatics. Their defaults depend on each other.
 void read_truncation(TomlTable& table, const SettingRow& row, Config& config) {
   ForceSettings& forces = config.forces;
   const auto given = table.holds_text("electrostatics")

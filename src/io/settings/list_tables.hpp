@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lists of tables of a run file, and the table of own schemes.
+// The lists of tables of a run file, and the table of user-defined schemes.
 #pragma once
 
 #include <vector>

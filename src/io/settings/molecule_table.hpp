@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A molecule as a table: that of a molecule file, or one within a run file.
+// A molecule as a table, in a molecule file or within a run file.
 #pragma once
 
 #include <string>

@@ -16,8 +16,8 @@ namespace polhode {
 namespace {
 
 constexpr int max_steps = 1000;
-constexpr std::size_t max_text = 8192;  // maximum length of the text of two schemes, which limits
-                                        // the work of a regular expression
+constexpr std::size_t max_text =
+    8192;  // maximum text length of two schemes; it limits the work of a regular expression
 
 /// The end of the outer scheme: the first slash that is not part of a fraction. Slashes of
 /// fractions are in brackets or between '=' and ';'.

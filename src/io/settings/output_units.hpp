@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Factors from internal units to those of messages, tables and reports.
+// Conversion factors from internal units to the units of messages, tables and reports.
 #pragma once
 
 namespace polhode::units {

@@ -16,7 +16,7 @@ namespace {
 
 using std::filesystem::path;
 
-/// Rewrites paths that are relative to one folder so that they are relative to another.
+/// Converts relative paths from one base folder to another.
 class Rebase {
  public:
   Rebase(const path& from, const path& to)
@@ -65,7 +65,7 @@ void rewrite_system(toml::table& system, const Config& config, const std::string
 }
 
 /// Writes the prefix of the preparation, which may differ from the prefix in the run file. Runs
-/// from several preparations of one run file must not use the same prefix.
+/// from several preparations of the same run file must not use the same prefix.
 void write_prefix(toml::table& document, const std::string& prefix) {
   if (!document.contains("output")) document.insert("output", toml::table{});
   if (auto* output = document["output"].as_table()) output->insert_or_assign("prefix", prefix);

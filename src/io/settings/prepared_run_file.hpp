@@ -13,8 +13,8 @@ namespace polhode {
 /// and preparation are removed. Temperature, seed and pressure are taken from the Config. Paths are
 /// made relative to the new file. A compressibility that the run file does not give is added,
 /// unless it is the default.
-/// @param coordinates, checkpoint, run_file  paths of the new initial configuration, of its state
-///                                           at full precision, and of the new run file
+/// @param coordinates, checkpoint, run_file  paths of the new initial configuration, the checkpoint
+///   with its full precision, and the new run file
 std::string prepared_run_file(const Config& config, const std::string& coordinates,
                               const std::string& checkpoint, const std::string& run_file);
 

@@ -142,7 +142,7 @@ std::vector<std::string> symbols(Dimension dimension) {
   return names;
 }
 
-// The name, text and example of a quantity, which all its error messages need.
+// The name, text and example of a quantity, for error messages.
 struct QuantityText {
   std::string_view text, name;
   Dimension dimension;

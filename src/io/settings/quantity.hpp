@@ -32,9 +32,9 @@ enum class Dimension {
   dispersion,       ///< coefficient of 1/r⁶ [kJ/mol nm⁶]
 };
 
-/// Parses a number with its unit, such as "0.1550 kcal/mol", and converts it to internal units.
-/// `name` is the name of the quantity in error messages. `example` replaces the usual example of
-/// the dimension in error messages if that would be misleading.
+/// Parses a number with a unit, such as "0.1550 kcal/mol", and converts the number to internal
+/// units. `name` is the name of the quantity in error messages. `example` replaces the usual
+/// example of the dimension in error messages if that would be misleading.
 /// @throws Error  if the unit is missing, unknown or of another dimension, or the number is not
 ///   finite
 double quantity(std::string_view text, Dimension dimension, std::string_view name,

@@ -29,8 +29,8 @@ constexpr std::array forms{
 
 const Form& form_of(RequiredOf of) { return forms[static_cast<std::size_t>(of)]; }
 
-/// The form of requirement whose word is at the beginning of a text. By default it is the form
-/// for temperatures.
+/// The form of requirement that is named by the first word of a text. By default it is the form for
+/// temperatures.
 const Form& form_of(const std::string& text) {
   for (const Form& form : forms)
     if (*form.word && text.starts_with(form.word)) return form;

@@ -17,7 +17,7 @@ namespace {
 constexpr SettingUnit fs{Dimension::time, "fs"}, ps{Dimension::time, "ps"};
 constexpr SettingBounds equilibration = between(0, 1e12, " (one second)");
 
-/// Parses a scheme from a text, in which names of user-defined schemes are replaced by their texts.
+/// Parses a scheme from a text, after names of user-defined schemes are replaced by their texts.
 /// @throws Error  with the place of the key, if the text is not a scheme
 NamedScheme scheme_of(const std::string& text, const TomlTable& table, std::string_view key,
                       const Config& config) {

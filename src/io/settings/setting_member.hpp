@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a row of the table of settings reads and writes its member of a Config.
+// Reads and writes the member of a Config that belongs to a settings row.
 #pragma once
 
 #include <algorithm>
@@ -118,7 +118,7 @@ SettingMember member(Access access) {
   return made;
 }
 
-/// Makes members of one part of a Config, as in in(&Config::run)(&RunSettings::length).
+/// Makes members of a part of a Config, as in in(&Config::run)(&RunSettings::length).
 template <class Part>
 auto in(Part Config::*part) {
   return [part](auto Part::*one) {

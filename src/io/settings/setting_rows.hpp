@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The table of settings, one row each: its key, its member, and all from which reading, checks,
-// identity, manual and help follow. The default is the initialiser of the member.
+// The table of settings, one row for each setting. A row has the key, the member, and all data for
+// reading, checks, identity, manual and help. The default is the initialiser of the member.
 #pragma once
 
 #include <optional>
@@ -31,9 +31,9 @@ using ReadSetting = void (*)(TomlTable&, const SettingRow&, Config&);
 
 /// Properties that only some rows have.
 struct More {
-  std::string_view domain{};    ///< domain in words, if kind and bounds do not describe it
-  std::string_view fallback{};  ///< default in words, if it depends on other settings
-  std::string_view by{};        ///< key whose value decides whether this setting has a meaning
+  std::string_view domain{};          ///< domain in words, if kind and bounds do not describe it
+  std::string_view fallback{};        ///< default in words, if it depends on other settings
+  std::string_view by{};              ///< key that decides whether this setting applies
   std::string_view not_set = "none";  ///< text of a value that is not set
   ReadSetting read = nullptr;         ///< function that replaces read_row()
   bool free = false;                  ///< whether a resumed run may have another value
@@ -122,10 +122,10 @@ std::string wrong_value(const SettingRow& row, const Config& config);
 /// the run.
 std::string text_of(const SettingRow& row, const Config& config);
 
-/// A configuration with all tables, where all members have their defaults.
+/// A configuration with all tables. All members have their defaults.
 const Config& defaults();
 
-/// A configuration in which the setting has a meaning, and all members have their defaults.
+/// A configuration in which the setting applies, and all members have their defaults.
 Config defaults_with(const SettingRow& row);
 
 /// The names of the values of the deciding key for which a setting has a meaning; empty for all

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The settings of run files as data: for help texts, the manual, listings and other front ends.
-// Each is one row of src/io/settings/*_rows.cpp.
+// Each setting is a row in src/io/settings/*_rows.cpp.
 #pragma once
 
 #include <array>
@@ -36,10 +36,10 @@ inline constexpr std::array<std::string_view, 8> enum_names<SettingKind> = {
 struct SettingBounds {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
-  bool above = false;       ///< whether min itself is excluded
-  bool below = false;       ///< whether max itself is excluded
+  bool above = false;       ///< whether the value min is excluded
+  bool below = false;       ///< whether the value max is excluded
   std::string_view hint{};  ///< text after "must be ...", with a reason or a usual value
-  /// Whether the library checks the bounds itself, because it has more information.
+  /// Whether the bounds are checked in the library, because it has more information.
   bool in_library = false;
 
   bool hold(double value) const {
@@ -59,7 +59,7 @@ struct Setting {
   std::string example;                ///< an example such as "2 fs", or the names of all values;
                                       ///< empty for other kinds
   SettingBounds bounds;               ///< bounds of numbers
-  std::string by;                     ///< key whose value decides whether the setting has a meaning
+  std::string by;                     ///< key that decides whether the setting applies
   std::vector<std::string> by_names;  ///< values of that key for which the setting has a meaning;
                                       ///< empty for all values
   std::string doc;                    ///< meaning of the setting, in Markdown with the links of the
@@ -68,7 +68,7 @@ struct Setting {
   std::string path() const { return table + '.' + key; }
 };
 
-/// The name of a table of run files, or of a list of tables.
+/// The name of a table, or of a list of tables, in run files.
 struct SettingTableName {
   std::string_view name;
   SettingKind kind;
@@ -81,12 +81,13 @@ const std::vector<SettingTableName>& setting_table_names();
 /// included.
 const std::vector<Setting>& settings();
 
-/// Finds a setting by its path, such as "run.length", or by its key if only one table has this key.
+/// Finds a setting by its path, such as "run.length", or by its key if this key occurs in a single
+/// table.
 /// @throws Error  if there is none (with the most similar names), or if several tables have the key
 const Setting& setting(std::string_view path);
 
-/// The value of a setting in a run as text, such as "2 fs", or "4" for a number. It is empty if the
-/// setting has no meaning for the run, or if its default depends on more than the settings.
+/// The value of a setting in a run as text, such as "2 fs", or "4" for a number. The text is empty
+/// if the setting does not apply to the run, or if the default depends on more than the settings.
 std::string value_text(const Setting& setting, const Config& config);
 
 /// A description of the error in a value of a setting in internal units; empty if the value is

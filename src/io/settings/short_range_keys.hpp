@@ -15,7 +15,7 @@ struct ShortRangeKeys {
   ShortRangeLaw law{};
 };
 
-/// The owner of a law. A site may have no law, whereas a pair must have one.
+/// The owner of a potential. A site may have no potential, whereas a pair must have a potential.
 enum class LawOwner { site, pair };
 
 /// Reads the keys of a short-range potential.

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t max_pairs = 10'000;
 
 struct Type {
-  bool bare = true;  // whether the type has no law
+  bool bare = true;  // whether the type has no potential
   std::set<std::string> sites;
 };
 

@@ -15,9 +15,9 @@
 
 namespace polhode {
 
-/// The contents of a LAMMPS data file, with the atoms sorted. Molecules of one kind are contiguous,
-/// kinds are in the order of their first molecule id, and atoms of a molecule are in the order of
-/// their ids.
+/// The contents of a LAMMPS data file, with the atoms sorted. Molecules of the same kind are
+/// contiguous. Kinds are in the order of the first molecule id, and the atoms of a molecule are in
+/// the order of their ids.
 struct LammpsData {
   struct AtomType {
     double mass = 0;                ///< mass [u]

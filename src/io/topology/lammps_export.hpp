@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A system as LAMMPS reads it: a data file of atom_style full in units real, and the pair
-// potentials as tables or as commands for pair_style polhode.
+// A system as input for LAMMPS: a data file of atom_style full in units real, and the pair
+// potentials. These are tables, or commands for pair_style polhode.
 #pragma once
 
 #include <iosfwd>
@@ -41,7 +41,7 @@ class LammpsTypes {
 /// Writes the data file, with velocities and all digits, so that positions that are read back
 /// differ only by round-off. Bonds of zero strength join the sites of a molecule, so that LAMMPS
 /// excludes the interactions between them. Lennard-Jones parameters are included if all sites have
-/// this law.
+/// this potential.
 void write_lammps_data(std::ostream& out, const std::string& title, const State& state,
                        const Topology& topology, const LammpsTypes& types);
 
@@ -85,12 +85,12 @@ std::string lammps_pair_style(const ForceSettings& settings);
 
 /// Writes the Lennard-Jones parameters of all pairs of types, as lines of an input script in units
 /// real.
-/// @throws Error  if a pair has another law
+/// @throws Error  if a pair has another potential
 void write_lammps_pair_coefficients(std::ostream& out, const Topology& topology,
                                     const ForceSettings& settings, const LammpsTypes& types);
 
 /// The argument of the LAMMPS command `dielectric`. LAMMPS divides its Coulomb constant in units
-/// real, 332.06371 kcal/mol Å, by this number, which gives the constant of polhode.
+/// real, 332.06371 kcal/mol Å, by this number. The result is the constant of polhode.
 double lammps_dielectric();
 
 }  // namespace polhode

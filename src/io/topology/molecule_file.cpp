@@ -30,7 +30,7 @@ std::string required_text(TomlTable& table, std::string_view key, std::string_vi
   return *value;
 }
 
-/// Rejects one of two keys without the other, because they have a meaning only together.
+/// Rejects either of two keys without the other, because both are required together.
 void require_other(TomlTable& table, double value, const char* key, const char* other,
                    const char* example) {
   table.require(value == 0 || table.has(other), key,

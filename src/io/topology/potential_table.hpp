@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tables of pair potentials: text files with three numbers on each line, r [nm], the energy u
-// [kJ/mol] and the force −u' [kJ/mol/nm], at equal distances of r. '#' begins a comment.
+// Tables of pair potentials: text files with three numbers on each line. They are r [nm], the
+// energy u [kJ/mol] and the force −u' [kJ/mol/nm], at equally spaced r. '#' begins a comment.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace polhode {
 
-/// Parses the text of a potential table. `file` is the file name in error messages and in the law.
+/// Parses the text of a potential table. `file` is the file name in error messages and in the
+/// potential.
 /// @throws Error  with file, line, the text found and the text required
 TabulatedLaw parse_potential_table(std::string_view text, const std::string& file);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The directional derivative of the forces from the grid along a displacement of the charges. It
-// needs one more derivative of the splines.
+// needs an additional derivative of the splines.
 #include "mesh_sums.hpp"
 #include "polhode/base/always_inline.hpp"
 

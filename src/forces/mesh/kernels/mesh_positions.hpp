@@ -39,8 +39,8 @@ class GridPositions {
     return grid_place(column_[d], column_[3 + 3 * site + d], static_cast<std::int32_t>(points_[d]),
                       box_.edge[d]);
   }
-  // Stores the index of the grid point below a site along one edge, and returns the distance beyond
-  // it.
+  // Stores the index of the grid point below a site along an edge, and returns the distance from
+  // this point.
   Real beyond(std::size_t site, std::size_t d, std::int32_t* index) const {
     return beyond_point(place(site, d), static_cast<std::int32_t>(points_[d]), index);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Spreads charges onto the grid: the weights of a pack of charges at once, then one charge after
-// the other, one tile after the other.
+// Spreads charges onto the grid. Weights are computed for a pack of charges. Then the charges and
+// tiles are processed in sequence.
 #include "mesh_tiles.hpp"
 #include "polhode/base/always_inline.hpp"
 

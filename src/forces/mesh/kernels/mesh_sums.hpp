@@ -8,8 +8,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Vectors of packs that are to be summed over their elements, with one vector for each charge of a
-// pack.
+// Vectors of packs whose elements are to be summed. Each charge of a pack has a vector.
 template <class T, std::size_t vectors>
 class TileSums {
  public:

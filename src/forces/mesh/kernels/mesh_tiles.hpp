@@ -61,7 +61,7 @@ class ChargeWeights {
 
 // The number of tiles along an edge that overlap with `order` points. A tile has `length` points,
 // and the first tile begins `offset` points before the first weighted point. If the number varies
-// little, its largest value is used, so that it is a constant.
+// little, the largest value is used for all charges, so that the number is a constant.
 template <std::size_t order, std::size_t length>
 struct TileCount {
   static constexpr std::size_t max = (order + 2 * length - 2) / length;
@@ -71,7 +71,7 @@ struct TileCount {
   }
 };
 
-// The grid indices of the first weighted point of each charge of a pack.
+// The grid indices of the first weighted point, for each charge of a pack.
 template <class T>
 using GridIndex = std::int32_t[3][Pack<T>::width];
 

@@ -32,8 +32,7 @@ float inside_of(const PairRange& range) {
   return static_cast<float>(inside * inside);
 }
 
-// Makes rows of whole packs from the partners of one body after the other, and appends the rows to
-// a chunk.
+// Makes rows of whole packs from the partners of each body, and appends the rows to a chunk.
 class RowWriter {
  public:
   RowWriter(const ListJob& job, ListChunk& chunk)

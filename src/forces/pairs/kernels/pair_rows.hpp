@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The pair loops: one molecule with as many partners at once as a pack has lanes. The records of
-// the partners are transposed into packs; the forces on them are transposed back and added one by
-// one.
+// The pair loops: a molecule interacts with several partners at once, one partner per lane. The
+// records of the partners are transposed into packs; the forces on them are transposed back and
+// added one by one.
 #pragma once
 
 #include <algorithm>
@@ -39,12 +39,12 @@ inline Pack<float> in_image(Pack<float> c, PackIndex<float> words, std::size_t d
   return fixed_point_sum(c, (words << 2 * d) & Neighbour::top_bits);
 }
 
-// Processes the rows of a chunk pack by pack, as a software pipeline. While the pairs of one pack
-// are computed, the processor also transposes the records of the next pack's partners, and adds up
-// the results of the previous pack. These two stages mostly move data, whereas the pairs mostly
-// multiply, so they overlap well. Each stage is a separate function. If it were inlined into the
-// pair loop, it would be compiled again for each law and kind of result. This would increase the
-// compile time a lot without making the loops faster.
+// Processes the rows of a chunk pack by pack, as a software pipeline. While the pairs of a pack are
+// computed, the processor also transposes the partner records of the next pack, and adds up the
+// results of the previous pack. These two stages mostly move data, whereas the pairs mostly
+// multiply, so they overlap well. Each stage is a separate function. If this function were inlined
+// into the pair loop, it would be compiled again for each potential and kind of result. This would
+// increase the compile time a lot without making the loops faster.
 //
 // If Number is a dual number, the records of displacements are read as well, and the derivatives of
 // forces and torques are added up.
@@ -69,7 +69,7 @@ class PairRows {
       unit_[d] = static_cast<T>(edge_[d] / static_cast<double>(fixed_point_edge));
   }
 
-  // With dual numbers, functions are longer than the compiler would inline on its own.
+  // With dual numbers, functions are too long to be inlined by default.
   template <CutoffTreatment treatment>
   [[gnu::flatten]] void run_with_slopes() {
     run<treatment, false>();
@@ -248,8 +248,7 @@ class PairRows {
   static Vec3<Real> value_or_slope(const Vec3<Dual<Real>>& v) { return slope(v); }
 
   // Adds the forces and torques on the partners of a pack to their sums. Before the first pack
-  // these forces are zero, so it does not matter to which partner they are added. Ghosts have no
-  // sums.
+  // these forces are zero, so any partner may receive them. Ghosts have no sums.
   [[gnu::noinline]] void add_up(std::size_t pack) {
     if (with_ghosts_) return;
     const Stage& from = stage(pack);
@@ -313,8 +312,8 @@ void run(const PairJob<T>& job, const PairStrengths<Law>& strengths) {
   }
 }
 
-// Runs the loop for the first shape that fits. If none fits, the general loop is used, which also
-// serves all laws other than Lennard-Jones.
+// Runs the loop for the first shape that fits. If no shape fits, the general loop is used. It also
+// serves all potentials other than Lennard-Jones.
 template <class Number, class... Shapes, class T>
 void run_fitting(const PairJob<T>& job) {
   if (!job.table.has_lennard_jones_alone())

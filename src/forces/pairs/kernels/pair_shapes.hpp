@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which shapes of molecules the pair loops of an instruction set are unrolled for. A set that
-// serves only processors without the better ones that are compiled, too, has the general shape
-// alone, which saves most of the compile time of its loops.
+// Which shapes of molecules the pair loops of an instruction set are unrolled for. If a better set
+// is also compiled, an instruction set that serves only old processors has only the general shape.
+// This saves most of the compile time of its loops.
 #pragma once
 
 #include "pair_rows.hpp"

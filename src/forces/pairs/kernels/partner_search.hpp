@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The search for the partners of bodies in the tree of boxes, in packs: first the leaves in range
-// of a leaf, then those in range of each of its bodies, then the bodies in them.
+// The search for the partners of bodies in the tree of boxes, in packs. It finds the leaves in
+// range of a leaf, then the leaves in range of each body of this leaf, and finally the bodies in
+// these leaves.
 #pragma once
 
 #include <algorithm>
@@ -71,9 +72,9 @@ inline Real distance2(const Vec3<Real>& centres, const Vec3<Real>& halves) {
 // Finds the partners of bodies one after the other. The bodies of a leaf share the list of leaves
 // in range.
 //
-// Leaves of one molecule type have a cyclic order. A leaf is ahead of another leaf if it follows it
-// by at most half of all leaves. Each pair of bodies is found only once, from the body whose leaf
-// is behind. Within a leaf, the pair is found from the body in the lower slot.
+// Leaves of one molecule type have a cyclic order. Leaf b is ahead of leaf a if b follows a by at
+// most half of all leaves. Each pair of bodies is found only once, from the body in leaf a. Within
+// a leaf, the pair is found from the body in the lower slot.
 class Search {
  public:
   Search(const ListJob& job, const ListChunk& chunk, std::size_t partner_part)
@@ -132,8 +133,8 @@ class Search {
     if (same_) bring_takers_to_front();
   }
 
-  // Moves leaves that soon follow the body's leaf in the chunk to the front, because the rows of
-  // their slots can take over surplus pairs.
+  // Moves leaves that soon follow the body's leaf in the chunk to the front. The rows of their
+  // slots can then take over surplus pairs.
   void bring_takers_to_front() {
     const auto own = own_first_ + static_cast<std::uint32_t>(leaf_ * SlotTree::leaf);
     const std::uint32_t end = std::min(chunk_end_, own + HandedPairs::window);
@@ -143,7 +144,7 @@ class Search {
         leaves_.swap(k, front++);
   }
 
-  // The images of the root, and of the leaf itself, that are in range of a leaf.
+  // The images of the root and of a leaf that are in range of this leaf.
   void start(std::size_t leaf) {
     nodes_.size = 0;
     own_images_.clear();
