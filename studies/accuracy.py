@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The dependence of dynamics on the accuracy of the integration: diffusion, relaxation times and temperatures of liquid TIP4P,
-with schemes and time steps of very different R, from the same initial configurations."""
+"""The dependence of dynamics on the accuracy of the integration. Diffusion, relaxation times and temperatures of liquid
+TIP4P are measured with schemes and time steps of very different R, from the same initial configurations."""
 
 from statistics import fmean
 

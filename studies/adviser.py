@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Does the adviser keep its accuracy guarantee, and how much of it does it leave unused? It is run once for several systems
-and accuracies. Then new runs with the scheme and step of its answer, from other initial configurations and momenta, are
-checked against the required R, and against the bound that the adviser reports. That bound divided by the required R is the
-ratio reached: 1 is an answer without any margin, and the adviser aims at 0.8 to 1."""
+"""Does the adviser meet the accuracy guarantee, and how much shorter than necessary is the step? It is run once for
+several systems and accuracies. Then new runs with the scheme and step of its answer, from other initial configurations
+and momenta, are checked against the required R, and against the bound that the adviser reports. The ratio of this bound
+to the required R is reported. A ratio of 1 is an answer without any margin, and the adviser aims at 0.8 to 1."""
 
 import csv
 import subprocess
@@ -47,7 +47,7 @@ def new_runs(o, folder, system, seed, best):
 
 
 def case(o, system, accuracy, seed):
-    """One guarantee, and the number of new runs that met it."""
+    """A guarantee, and the number of new runs that met it."""
     with runs.scratch() as folder:
         write(o, folder, "run.toml", system, seed)
         result = {"system": system, "accuracy": accuracy, "seed": seed}

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""A test of the errors that `polhode analyze` states. Long runs at constant energy are divided into segments of equal length, which
-are analysed separately. The stated errors are compared with the scatter of the segments about the mean of their run, because runs
-differ in energy and temperature, which a segment cannot show."""
+"""A test of the errors that `polhode analyze` states. Long runs at constant energy are divided into segments of equal
+length, which are analysed separately. The stated errors are compared with the scatter of the segments about the mean of
+their run. Runs differ in energy and temperature, and a segment cannot show this difference."""
 
 import struct
 from pathlib import Path

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Stated errors of the averages of a run against their scatter over many runs of one system.
+"""Compares the stated errors of the averages of a run with the scatter of these averages over many runs of the same
+system.
 
 Each run begins with the final state of the previous run, so all runs at constant energy have the same energy, and all runs sample the
 same equilibrium. The errors that a run states are compared with the scatter of all runs."""
@@ -32,8 +33,9 @@ def bath(system, ensemble):
 
 
 def averages(report):
-    """(name, value, error) of every average of a report; error None where it is not known. The total energy at constant energy is left
-    out: each run begins with rounded coordinates, which change it by more than it fluctuates."""
+    """(name, value, error) of every average of a report; error None where it is not known. The total energy at constant
+    energy is left out. Each run begins with rounded coordinates, and rounding changes the total energy by more than its
+    fluctuations."""
     for name, unit in (("potential", "kJ_per_mol"), ("total", "kJ_per_mol"), ("temperature", "K"),
                        ("temperature_translation", "K"), ("pressure", "bar"), ("rms_potential", "kJ_per_mol")):
         if report["ensemble"] or name != "total":

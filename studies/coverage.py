@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Coverage of the intervals that `polhode measure` states: the fraction of many calls with different seeds whose 68 % and
-95 % intervals contain a reference, which is a call with a small error.
+"""Coverage of the intervals that `polhode measure` states. Many calls with different seeds are made. The coverage is
+the fraction of calls with 68 % or 95 % intervals that contain a reference. The reference is a call with a small error.
 
-Every call decides by itself when to stop, so a bias of the stop rule towards errors that are small by chance would show.
+Every call decides when to stop, so a bias of the stop rule towards errors that are small by chance would be detected.
 The criterion, fixed before the calls: 68 % within 9 % and 95 % within 4 % of 100 calls, two standard deviations of a binomial number."""
 
 from lib import runs, study

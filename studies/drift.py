@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Calibration of the stated errors and of the test for an energy drift: many runs without energy drift, for schemes of second and fourth
-order, at constant energy and with each thermostat, as reported by the program. Each run is suspended and resumed, so it is judged at
-several lengths. --design walk: most conserved energies perform a random walk; noise: none does, and the shadow energy is judged too."""
+"""Calibration of the stated errors and of the test for an energy drift: many runs without energy drift, for schemes of
+second and fourth order, at constant energy and with each thermostat, as reported by the program. Each run is suspended
+and resumed, so it is judged at several lengths. --design walk: most conserved energies perform a random walk; noise:
+none does, and the shadow energy is judged too."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -40,7 +41,7 @@ KEPT = ("R", "R_error", "drift_kJ_per_mol_ps", "drift_error", "drift_p_value", "
 
 
 def judged(o, cell, seed):
-    """The report of one run at each of its lengths."""
+    """The report of a run at each of its lengths."""
     density, cutoff, temperature, sample = BOXES[cell.model, cell.count]
     sample = sample if o.design == "walk" else max(4, cell.step)
     tables = {"system": {"molecules": runs.molecules(cell.model, cell.count), "density": density, "temperature": temperature, "seed": seed},

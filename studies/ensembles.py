@@ -2,8 +2,8 @@
 """A test of whether runs sample their ensemble, for every thermostat, barostat and hybrid Monte Carlo.
 
 Pairs of runs at two temperatures and at two pressures: the log ratio of the densities of potential energy (or volume) has the slope
-that theory gives (lib/slopes.py). Then the same at one temperature: potential energy and pressure agree for all thermostats, hybrid
-Monte Carlo and constant energy."""
+that theory gives (lib/slopes.py). A second test is at a single temperature: potential energy and pressure agree for all
+thermostats, hybrid Monte Carlo and constant energy."""
 
 from math import erfc, sqrt
 from pathlib import Path

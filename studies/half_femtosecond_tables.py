@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Tables of the time-step bias: means over the runs of a point with standard errors from their scatter, and the cost at which the bias of
-a scheme is as small as required."""
+"""Tables of the time-step bias. They show means over the runs of a point with standard errors from the scatter of runs.
+They also show the cost at which the bias of a scheme is as small as required."""
 
 from collections import defaultdict
 from math import exp, hypot, inf, log
@@ -157,7 +157,7 @@ def bias_fit(T, biases):
 
 
 def maximum(curve):
-    """The temperature at which a fit has its maximum, within the temperatures of its points."""
+    """The temperature of the maximum of a fit, within the temperature range of the points."""
     low, high = curve.domain
     flat = [root.real for root in curve.deriv().roots() if abs(root.imag) < 1e-9 and low < root.real < high]
     return float(max([low, high, *flat], key=curve))
@@ -241,7 +241,8 @@ def costs(points):
 
 
 def biases(runs, value):
-    """The mean over runs of a predicted bias, with the error that the runs state, because there are too few runs for an error from their scatter."""
+    """The mean over runs of a predicted bias, with the error that the runs state. There are too few runs for an error
+    from the scatter."""
     known = [value(run) for run in runs]
     if any(k is None or k["error"] is None for k in known):
         return None

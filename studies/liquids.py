@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Energy, pressure and the first peak of the O-O radial distribution of liquid TIP4P, SPC/E and TIP4P/2005 at
-298.15 K, from runs at constant energy with PME, with block errors."""
+"""Energy, pressure and the first peak of the O-O radial distribution of liquid TIP4P, SPC/E and TIP4P/2005 at 298.15 K,
+from runs at constant energy with PME, with block errors."""
 
 from pathlib import Path
 from statistics import fmean
@@ -48,7 +48,7 @@ def block_errors(series, column, counts):
 
 
 def properties(water, found, o):
-    """The results for one water model, from (report, energies, peak, g) of its runs."""
+    """The results for a water model, from (report, energies, peak, g) of its runs."""
     reports, series, peaks, g = zip(*found)
     parts = blocks(series, o.blocks)
     at = lambda own: at_temperature(own, waters.TEMPERATURE)

@@ -78,7 +78,7 @@ def drawn(points, max_nested=6):
 
 
 def draw(result):
-    """R against cost and against the outer step, for each law."""
+    """R against cost and against the outer step, for each electrostatic interaction."""
     from lib import figures
     laws = {law: drawn(of["points"]) for law, of in result["laws"].items()}
     looks = figures.styles(list(dict.fromkeys(s for of in laws.values() for s in of)))

@@ -40,7 +40,7 @@ class Liquid(NamedTuple):
 
     @property
     def mass(self):
-        """The mass of one molecule [u]."""
+        """The mass of a molecule [u]."""
         return sum(number(s, "mass") for s in self.sites)
 
 

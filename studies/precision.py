@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""R in mixed and in double precision: against the step from the same initial configurations, and against the length of a run.
+"""R in mixed and in double precision: against the step from the same initial configurations, and against the length of
+a run.
 
 What mixed precision adds to the fluctuation of the energy is var E = a² + c² h t Σw²/6, with the squared weights w of the force
 evaluations of a step: errors of reading energies, and a random walk."""
@@ -28,7 +29,7 @@ def ladders(o):
 
 
 def run(o, start, scheme, precision, step, length, lam=None, electrostatics="coulomb", final=None):
-    """The report of one run, and the total energies of its samples."""
+    """The report of a run, and the total energies of the samples."""
     with runs.scratch() as folder:
         tables = {"system": {"molecules": [{"model": "tip4p"}], "initial_configuration": start},
                   "forces": {"electrostatics": electrostatics, "precision": precision},
@@ -54,7 +55,7 @@ def parts(times, energies, length):
 
 
 def change(times, energies, length):
-    """Mean square change of the mean of E from one window to the next."""
+    """Mean square change of the mean of E between successive windows."""
     return float(np.mean(np.diff([p.mean() for p in parts(times, energies, length)]) ** 2))
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""`polhode study --quick` with many seeds and instruction sets: which curves lack points that the study of docs/evidence/efficiency.md has."""
+"""`polhode study --quick` with many seeds and instruction sets: which curves lack points that the study of
+docs/evidence/efficiency.md has."""
 
 import csv
 import re
@@ -42,7 +43,7 @@ def missing(points, last):
 
 
 def lone_drifts(points):
-    """The points with a significant energy drift within a curve: they do not end it."""
+    """The points within a curve that have a significant energy drift without ending the curve."""
     return [p for p in points if p["usable"] and p["drift_p_value"] is not None and p["drift_p_value"] < 0.01]
 
 

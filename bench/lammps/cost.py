@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Time per step of water in LAMMPS on one process, compared with polhode. The inputs are pair_style polhode with fix
 polhode, with atoms or with one particle per molecule, and fix polhode and fix rigid/nve/small with lj/cut/coul/cut. All
-runs have a reaction field
-or a plain cutoff of 1 nm, at 2 fs.
+runs have a reaction field or a plain cutoff of 1 nm, at 2 fs.
 
     bench/lammps/cost.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Seconds per nanosecond of rigid water in LAMMPS at equal R. Schemes of fix polhode with pair_style polhode, with
 atoms or with one particle per molecule, are compared with fix rigid/nve/small. The latter uses a table of the same
-potential. The schemes are also measured with polhode's
-default truncation by molecules, which LAMMPS pair styles do not have.
+potential. The schemes are also measured with polhode's default truncation by molecules, which LAMMPS pair styles do not
+have.
 
     bench/lammps/equal_accuracy.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so --output RESULT.json
     bench/lammps/equal_accuracy.py --stored RESULT.json

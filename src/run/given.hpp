@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options of a job as a front end was given them: texts with the names that they have there.
+// Options of a job as a front end received them: texts, with the option names of this front end.
 #pragma once
 
 #include <cstdint>

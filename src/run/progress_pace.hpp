@@ -51,8 +51,8 @@ class TerminalPace {
 /// lock.
 class SharedPace {
  public:
-  /// Whether a report is due. If several threads call this at the same time, only one receives
-  /// true.
+  /// Whether a report is due. If several threads call this at the same time, only one thread
+  /// receives true.
   /// @param elapsed  time since the job began [s]
   bool due(double elapsed) {
     double next = next_.load(std::memory_order_relaxed);

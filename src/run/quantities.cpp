@@ -115,7 +115,7 @@ std::string number_text(const Quantity& q) {
                     static_cast<const AnyValue&>(q.value));
 }
 
-/// A quantity as text: its value, its unit, the note, and the reason why there is no error.
+/// A quantity as text: value, unit, note, and the reason if there is no error.
 std::string value_text(const Quantity& q) {
   const auto* e = std::get_if<SeriesEstimate>(&q.value);
   if (e && !std::isfinite(e->value)) return not_known(e->known) + q.note;
@@ -201,7 +201,7 @@ std::string lines_of(const TextRow& row) {
 
 constexpr std::size_t label_width = 22;
 
-/// A text next to a label, whose further lines begin below its first.
+/// A text next to a label. Further lines of the text are aligned with the first line.
 std::string next_to_label(std::string text) {
   const std::string below = "\n" + std::string(label_width, ' ');
   for (auto at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))

@@ -28,8 +28,8 @@ struct ConversionRequest {
 
   static std::vector<RequestOption<ConversionRequest>> options();
   /// The settings of a conversion.
-  /// @param run  settings of the run whose molecules are the particles of a dump file; if null, the
-  ///   request gives its run file, or there is none
+  /// @param run  settings of the run with the molecules for the particles of a dump file; if null,
+  ///   the request gives its run file, or there is none
   Conversion conversion(const std::string& from, const std::string& to,
                         const Config* run = nullptr) const;
 };
@@ -70,7 +70,7 @@ struct VerificationRequest {
   static std::vector<RequestOption<VerificationRequest>> options();
   int expected_order() const;
   /// The displacement factor λ of gradient kicks.
-  /// @param scheme  scheme whose gradients have this factor
+  /// @param scheme  scheme with this factor in its gradients
   double gradient_lambda(const NestedScheme& scheme) const;
 };
 

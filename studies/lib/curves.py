@@ -45,9 +45,10 @@ def by_scheme(points):
 
 
 def usable(own):
-    """The points of a curve before the first one with a blow-up or with R above LOST. An energy drift does not end a curve here: with
-    two to four runs, that is one to three degrees of freedom, the test has almost no power. With two runs, an energy drift of twenty
-    times its error has a p-value of 3 %; and at a level of 1 %, two of 200 points without energy drift would end their curves."""
+    """The points of a curve before the first point with a blow-up or with R above LOST. An energy drift does not end a
+    curve here: with two to four runs, that is one to three degrees of freedom, the test has almost no power. With two
+    runs, an energy drift of twenty times its error has a p-value of 3 %; and at a level of 1 %, two of 200 points
+    without energy drift would end their curves."""
     return list(itertools.takewhile(lambda p: p["stable"] and p["R"] <= LOST, own))
 
 

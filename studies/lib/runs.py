@@ -49,7 +49,7 @@ def asked(o, *words, folder, **environment):
 
 
 def run(o, tables, folder, *words, name="run"):
-    """The report of a run, whose files are in the folder."""
+    """The report of a run with files in the folder."""
     Path(folder, f"{name}.toml").write_text(run_file(**tables), encoding="utf-8")
     return asked(o, "run", f"{name}.toml", "--threads", 1, "--force", *words, folder=folder)
 
@@ -78,7 +78,7 @@ def parallel(o, work, cases):
 
 
 def columns(path):
-    """A CSV file of the program as a table whose columns are named without their units."""
+    """A CSV file of the program as a table. Column names have no units."""
     import pandas  # only here: benchmarks need none
     return pandas.read_csv(path, comment="#").rename(columns=lambda name: name.split(" [")[0])
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The adviser's runs as points of a study, for their temperatures and the zero-step limits of
-// those.
+// The adviser's runs as points of a study, for temperature tables and zero-step limits.
 #pragma once
 
 #include <vector>

@@ -27,7 +27,7 @@ double in_kJ_per_ns(double power) { return power / unit("kJ/mol/ns", Dimension::
 
 std::string percent(const Estimate& x) { return with_error(100 * x.value, 100 * x.error) + " %"; }
 
-/// Results of the runs at one step; not known if one of the runs blew up.
+/// Results of the runs at a given step; not known if any run blew up.
 Quantities of_point(const Candidate& candidate, const AdviserPoint& point) {
   const bool there = !blew_up(point.runs);
   const Estimate unknown{std::nan(""), std::nan("")};
@@ -112,7 +112,7 @@ std::vector<Quantities> point_records(
   return records;
 }
 
-/// All points, of which the last ones confirm.
+/// All points. The last points are confirming runs.
 std::vector<Quantities> table_records(const Advice& advice) {
   std::vector<std::pair<std::size_t, AdviserPoint>> explored, confirmed = advice.refused;
   for (std::size_t c = 0; c < advice.candidates.size(); ++c)
@@ -139,7 +139,7 @@ AdviceFigure::Curve curve_of(const Candidate& c, std::size_t first) {
   return curve;
 }
 
-/// @param rows  their number in the table, of which the last one is the answer
+/// @param rows  number of rows in the table; the last row is the answer
 AdviceFigure figure(const AdviceReport& report, std::size_t rows) {
   const Advice& advice = report.advice;
   AdviceFigure figure{report.files.points, {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The adviser with its outputs: text, JSON, a table and a figure.
+// The adviser with all outputs: text, JSON, a table and a figure.
 #pragma once
 
 #include <string>

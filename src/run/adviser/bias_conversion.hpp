@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bias of a step in the ensemble of a run, from the bias at constant energy that the adviser's
-// runs predict (docs/theory.md, Eqs. (51) and (52)).
+// The time-step bias in the ensemble of a run. It is converted from the bias at constant energy
+// that the adviser's runs predict (docs/theory.md, Eqs. (51) and (52)).
 #pragma once
 
 #include <functional>
@@ -15,21 +15,22 @@
 
 namespace polhode {
 
-/// The response of averages at constant volume to a change of the kinetic energy, that is, of the
-/// temperature.
+/// The response of averages to a change of the kinetic energy (that is, of the temperature), at
+/// constant volume.
 struct IsochoricResponse {
   SeriesEstimate energy;    ///< response of the potential energy [1]
   SeriesEstimate pressure;  ///< response of the pressure [1/nm³]
 };
 
-/// Settings of the runs at constant temperature from whose fluctuations the response is measured.
+/// Settings of the runs at constant temperature. Their fluctuations give the response.
 struct ResponseRuns {
   double step = 0;    ///< time step of hoa2 [ps]
   double length = 0;  ///< length of each run [ps]
 };
 
-/// Measures the response by runs with a rescaling thermostat, one from each initial configuration.
-/// Fluctuations are about the common means of all runs. The first quarter of each run is discarded.
+/// Measures the response by runs with a rescaling thermostat, one run for each initial
+/// configuration. Fluctuations are about the common means of all runs. The first quarter of each
+/// run is discarded.
 /// @param stop  function called after every step; the runs end if it returns true
 IsochoricResponse isochoric_response(const std::vector<System>& starts, double temperature,
                                      const ResponseRuns& runs,

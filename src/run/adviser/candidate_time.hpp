@@ -10,9 +10,9 @@
 
 namespace polhode {
 
-/// Measures the wall-clock time per simulated ps of the candidates that have a step and no time
-/// yet, under the conditions of the run, with all threads on one system. Schemes are interleaved,
-/// so that changes of the clock rate or of the load affect all schemes equally.
+/// Measures the wall-clock time per simulated ps of all candidates with a step but without a time.
+/// The conditions are the conditions of the run, with all threads on one system. Schemes are
+/// interleaved, so that changes of the clock rate or of the load affect all schemes equally.
 /// @param seconds  approximate time for all candidates
 /// @param report   receives the name of each candidate
 /// @param stop     ends the measurement if it returns true

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a job has come whose work becomes known only as it proceeds.
+// The progress of a job with an amount of work that is not known at the start.
 #pragma once
 
 #include <algorithm>

@@ -17,7 +17,7 @@
 namespace polhode {
 namespace {
 
-/// Rejects a resumed run whose required accuracy differs from the accuracy for which its step was
+/// Rejects a resumed run if the required accuracy differs from the accuracy for which the step was
 /// chosen.
 void check_same(const std::string& file, const char* key, const std::string& then,
                 const std::string& now) {

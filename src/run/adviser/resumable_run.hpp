@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A resumable run: its system, its current state, and its results so far.
+// A resumable run: the system, the current state, and the results so far.
 #pragma once
 
 #include <functional>
@@ -16,8 +16,9 @@ struct ResumableRun {
   std::optional<RunState> state{};  ///< state of the run; empty before the first step
 };
 
-/// Advances a run to the length given by the settings, bitwise as if it had never been suspended,
-/// and returns the result of the whole run. The seed of the run replaces the seed of the settings.
+/// Advances a run to the length in the settings, and returns the result of the whole run. The
+/// result is bitwise identical to an uninterrupted run. The seed of the run replaces the seed of
+/// the settings.
 /// @param noise  noise of the forces, which gives the round-off limit of R
 /// @param stop   suspends the run when it returns true
 Outcome advance_run(ResumableRun& resumable, TrajectorySettings settings, const ForceNoise& noise,

@@ -10,12 +10,12 @@ namespace {
 
 constexpr std::size_t max_points = 12;
 constexpr double ladder = 1.25;  // ratio of successive steps if there is no power law to follow
-constexpr double min_relative_step = 1.0 / 64;  // smallest step relative to the first one
+constexpr double min_relative_step = 1.0 / 64;  // smallest step relative to the first step
 constexpr double max_shrinking = 0.25;          // largest reduction of a step
 constexpr double min_slope = 0.5;  // smallest slope of log R against log h, which round-off and
                                    // kinks reduce
-constexpr double nearby = 0.7;     // the model uses steps from this fraction of the step at which R
-                                   // equals the bound
+constexpr double nearby =
+    0.7;  // the model uses only steps above this fraction of the step at which R equals the bound
 
 /// The points before the first unusable point, and the step of this point.
 struct Range {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Chooses which steps of a scheme to measure, so that the largest step that meets a bound is found
-// with few runs and without jumping far beyond the stability limit.
+// Chooses the steps of a scheme to measure. The largest step that meets a bound is found with few
+// runs, and without large jumps beyond the stability limit.
 #pragma once
 
 #include <optional>
@@ -18,23 +18,23 @@ struct StepSearch {
 };
 
 /// The next step to measure [ps]; empty when enough is known. Steps grow by at most a factor of
-/// `max_growth` over the largest usable step, so that in the worst case a single run blows up at
-/// the stability limit. If a step beyond this limit is known, steps grow by less than half of the
-/// distance to it.
+/// `max_growth` over the largest usable step. In the worst case, a single run then blows up at the
+/// stability limit. If a step beyond this limit is known, steps grow by less than half of the
+/// distance to that step.
 ///
 /// For R, the search finds the step at which R equals the bound, first from the order of the scheme
-/// and then by interpolation. It ends with points at 1, 0.9 and 0.8 of this step. The final step is
-/// smaller, because R must stay below the bound in nearly all runs. An energy drift or a bias is
-/// hidden by noise at small steps. For these, the steps form a geometric series that ends where the
-/// bound is violated.
+/// and then by interpolation. The search ends with points at 1, 0.9 and 0.8 of this step. The final
+/// step is smaller, because R must stay below the bound in nearly all runs. An energy drift or a
+/// bias is hidden by noise at small steps. For these, the steps form a geometric series that ends
+/// where the bound is violated.
 /// @param points  points measured so far, ordered by step
 std::optional<double> next_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 
 inline constexpr double max_growth = 1.6;
 
-/// An upper estimate of the steps that can meet the bound [ps]. For R it is the step at which R
+/// An upper estimate of the steps that can meet the bound [ps]. For R this is the step at which R
 /// equals the bound, extrapolated with the order of the scheme. Otherwise, or without a usable
-/// point, it is the stability limit, as far as this is known. It is infinite if nothing is known.
+/// point, it is the stability limit if this limit is known. It is infinite if nothing is known.
 double max_expected_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 
 /// Whether runs at a step contribute to the answer, rather than only guide the search.
@@ -52,10 +52,10 @@ FoundStep found_step(const StepSearch& search, const std::vector<AdviserPoint>& 
 /// necessary, by at least 10 % at second order. It is lengthened until the bound would be `aim`.
 inline constexpr double max_caution = 0.8, aim = 0.9;
 
-/// A longer step to replace a step whose runs met the requirement with a wide margin, according to
-/// R ∝ h^exponent. It is at most 1.25 times as long. It is also at most halfway, on a logarithmic
-/// scale, to a step that is known to be too long. The result is empty if `reached` is at least
-/// `max_caution`, or if the gain is below 2 %.
+/// A longer step, according to R ∝ h^exponent. It replaces a step if the runs at that step met the
+/// requirement by a wide margin. It is at most 1.25 times as long. It is also at most halfway, on a
+/// logarithmic scale, to a step that is known to be too long. The result is empty if `reached` is
+/// at least `max_caution`, or if the gain is below 2 %.
 /// @param reached   bound of the runs divided by the required value
 /// @param too_long  shortest step known to be too long [ps]; infinite if there is none
 std::optional<double> lengthened(double step, double reached, double exponent, double too_long);

@@ -13,7 +13,7 @@ namespace polhode {
 
 /// The input of an analysis, and where the curves are written.
 struct AnalysisInput {
-  std::string trajectory;  ///< path of the trajectory, whose extension gives the format
+  std::string trajectory;  ///< path of the trajectory; the extension selects the format
   std::string names;       ///< coordinate file with the names of the atoms; empty if it is not
                            ///< needed
   Topology topology;       ///< molecules of the frames

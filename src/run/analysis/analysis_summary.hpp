@@ -22,10 +22,10 @@ struct SummarySettings {
                                       ///< velocities
   /// Temperature of the run file [K], which is used if the frames have no velocities.
   std::optional<double> run_temperature{};
-  bool constant_energy = false;     ///< whether the run is at constant energy, so that its
-                                    ///< temperature may differ from the setting
-  std::optional<double> viscosity;  ///< viscosity [u/(nm ps)]; by default, the published value if
-                                    ///< there is one
+  bool constant_energy = false;  ///< whether the run is at constant energy, so that its
+                                 ///< temperature may differ from the setting
+  std::optional<double>
+      viscosity;  ///< viscosity [u/(nm ps)]; by default, the published value if available
   std::optional<double> surroundings_permittivity;  ///< permittivity of the surroundings:
                                                     ///< `tin_foil`, or the permittivity of the
                                                     ///< reaction field

@@ -22,8 +22,8 @@ inline constexpr RelaxationName max_lag{"maximum lag", true}, decay_time{"decay 
 /// relaxation 5.6 ps; a run of at least 170 ps is needed".
 std::string not_converged(const Convergence& c, const RelaxationName& relaxation);
 
-/// An estimate as a list. If it is converged, the list has its value, and otherwise the reason why
-/// not.
+/// An estimate as a list. If the number is converged, the list has its value, and otherwise the
+/// reason.
 Quantities converging(const SeriesEstimate& estimate, const Convergence& c,
                       const RelaxationName& relaxation);
 

@@ -11,7 +11,7 @@
 
 namespace polhode {
 
-/// The standard error of an estimate; if it is not known, NaN, which files show as an empty field.
+/// The standard error of an estimate; NaN if it is not known; files then have an empty field.
 double known_error(const SeriesEstimate& estimate);
 
 /// An estimate as text, such as "2.300 ± 0.031". If the error is not known, it is the value and "±
@@ -26,8 +26,8 @@ std::string bias_text(const SeriesEstimate& bias, double value);
 CurvesFigure::Curve add(Table& table, const std::string& name, const std::string& unit,
                         const std::vector<SeriesEstimate>& values);
 
-/// Draws a curve in a panel, whose axes are extended to show it with its errors. Nothing is drawn
-/// if the curve has no value.
+/// Draws a curve with errors in a panel, and extends the axes of the panel accordingly. Nothing is
+/// drawn if the curve has no value.
 /// @param name  name in the legend; if empty, the curve is not in the legend
 void draw(CurvesFigure::Panel& panel, const std::string& name, CurvesFigure::Curve curve,
           const std::vector<SeriesEstimate>& values);
@@ -36,12 +36,12 @@ void draw(CurvesFigure::Panel& panel, const std::string& name, CurvesFigure::Cur
 /// @param from_zero  true if quantities are not negative, so that axes begin at 0
 void finish(CurvesFigure& figure, bool from_zero);
 
-/// A table file whose first column contains the values `at(k)`.
+/// A table file with the values `at(k)` in the first column.
 AnalysisFile file_over(const std::string& name, const std::string& column, const std::string& unit,
                        std::size_t rows, const std::function<double(std::size_t)>& at,
                        CurvesFigure figure);
 
-/// A table file whose first column contains the lags.
+/// A table file with the lags in the first column.
 AnalysisFile file_of_lags(const std::string& name, std::size_t lags, double interval,
                           CurvesFigure figure);
 

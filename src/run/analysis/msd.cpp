@@ -83,7 +83,7 @@ std::string why_not(const FirstFrames& f) {
                                           "molecules, but there is only one molecule";
 }
 
-/// The diffusion coefficient of one kind of molecule, and the line fitted to the mean-square
+/// The diffusion coefficient of a kind of molecule, and the line fitted to the mean-square
 /// displacements.
 struct Diffusion {
   SeriesEstimate value;  ///< diffusion coefficient in this box [1e-9 m²/s]

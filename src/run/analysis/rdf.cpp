@@ -107,7 +107,7 @@ class Rdf : public Observable {
   RadialDistribution radial_;
 };
 
-/// Adds a note if one selection has sites of several kinds of molecules.
+/// Adds a note if a selection has sites of several kinds of molecules.
 void note_pooled(const std::vector<SitePair>& pairs, const AllFrames& all) {
   std::set<std::string> noted;
   for (const SitePair& pair : pairs)

@@ -58,8 +58,8 @@ void add_to_panel(AnalysisFile& file, const Analysis& a, const NamedCorrelation&
        add(file.table, of_part(a, one.part, one.name), unit, values), values);
 }
 
-/// The files of autocorrelation functions. The functions are divided by their value at lag 0, which
-/// is in a separate column.
+/// The files of autocorrelation functions. The functions are divided by the value at lag 0. This
+/// value is in a separate column.
 std::vector<AnalysisFile> files_of(const Analysis& a, const std::vector<NamedCorrelation>& curves) {
   const std::size_t lags = curves.front().curve.mean().size();
   AnalysisFile time = file_of_lags(

@@ -36,7 +36,7 @@ constexpr std::array motions = {Motion{"hoa2", 0.004}, Motion{"velocity-verlet",
 struct Effort {
   double limit, evaluations, steps;  // durations of one repeat [s]
   std::size_t repeats, min_repeats;
-  double max_seconds;  // maximum duration for one size, after the smallest number of repeats [s]
+  double max_seconds;  // maximum duration for a size, after the smallest number of repeats [s]
 };
 constexpr Effort normal{0.5, 0.02, 0.05, 9, 2, 12}, quick{0.2, 0.01, 0.02, 5, 2, 3};
 
@@ -85,7 +85,7 @@ System liquid_water(std::size_t molecules, const Callbacks& callbacks, Workers& 
   return water;
 }
 
-// Repeats of the measurements of one kind of evaluation.
+// Repeated measurements of a kind of evaluation.
 struct EvaluationRepeats {
   std::vector<double> forces, energies, list;
   double lanes = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Performance on liquid water: force evaluations compared with the time of their bare arithmetic,
-// and the time of each part of a step.
+// Performance for liquid water: the time of a force evaluation compared with the time of its pair
+// arithmetic, and the time of each part of a step.
 #pragma once
 
 #include <string>
@@ -22,11 +22,9 @@ struct BenchmarkSettings {
 
 /// Timings of force evaluations with an up-to-date list.
 struct EvaluationTiming {
-  double switch_from = 0;                        ///< start of the switch [nm]
-  Timing forces, energies;                       ///< time of an evaluation [s]: forces only, and
-                                                 ///< with energies
-  double arithmetic = 0, energy_arithmetic = 0;  ///< time of only the arithmetic of its pairs on
-                                                 ///< one core [s]
+  double switch_from = 0;   ///< start of the switch [nm]
+  Timing forces, energies;  ///< time of an evaluation [s], without and with energies
+  double arithmetic = 0, energy_arithmetic = 0;  ///< time of the pair arithmetic on one core [s]
   std::size_t pairs = 0;                         ///< number of pairs within the cutoff
   double fill = 0;                               ///< fraction of the computed lanes that are within
                                                  ///< the cutoff
@@ -44,7 +42,7 @@ struct StepTiming {
   double ns_per_day() const { return step / units::ps_per_ns / all.best * units::seconds_per_day; }
 };
 
-/// Timings for one system size, one precision and one number of threads.
+/// Timings for a given system size, precision and number of threads.
 struct SystemTiming {
   std::size_t molecules = 0;
   Precision precision = Precision::double_precision;

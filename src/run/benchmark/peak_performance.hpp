@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Upper bounds on the performance of one core: independent multiply-adds, and pairs of four-site
-// waters whose partners are in the first-level cache with all lanes in use. Force evaluations are
-// compared with these.
+// Upper bounds on the performance of a core: independent multiply-adds, and pairs of four-site
+// waters. The partners are in the first-level cache, and all lanes are in use. Force evaluations
+// are compared with these.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ struct Limit {
   std::size_t lanes = 0;     ///< number of pairs in a pack
   double multiply_adds = 0;  ///< number of multiply-adds per ns
   BarePair forces, energies;
-  /// The computing time of numbers of pairs on one core [s].
+  /// The computing time of given numbers of pairs on one core [s].
   double seconds(std::size_t inside, std::size_t truncated, bool with_energies) const;
 };
 
@@ -51,7 +51,7 @@ POLHODE_DECLARE_LOOPS(
     /// `numbers`.
     void bare_multiply_adds(std::size_t rounds, double* numbers);
     void bare_multiply_adds(std::size_t rounds, float* numbers);
-    /// Computes the pairs of one four-site molecule with `packs` packs of partners.
+    /// Computes the pairs of a four-site molecule with `packs` packs of partners.
     /// @param own       x, y, z of the four sites of the molecule relative to its centre [nm]
     /// @param partners  16 columns per pack: the difference of the centres, four sites, one unused
     /// @param out       6 columns per pack: force and torque; room for at least twelve

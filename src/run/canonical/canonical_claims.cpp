@@ -19,7 +19,7 @@ bool distinguishable(const CanonicalPoint& one, const CanonicalPoint& other) {
   return std::abs(a.value - b.value) > confidence_half_width(doubt);
 }
 
-/// The result for one scheme from its points, in the order of their steps.
+/// The result for a scheme from its points, in the order of the steps.
 CanonicalClaim claim_of(const std::string& scheme, BiasCriterion criterion,
                         const std::vector<CanonicalPoint>& points) {
   std::vector<std::size_t> own;
@@ -85,7 +85,7 @@ CanonicalFindings::CanonicalFindings(BiasCriterion chosen,
   for (const CanonicalPoint& point : points)
     if (claims.empty() || claims.back().scheme != point.method.name)
       claims.push_back(claim_of(point.method.name, criterion, points));
-  std::vector<std::size_t> known;  // points whose cost is known
+  std::vector<std::size_t> known;  // points with a known cost
   for (std::size_t k = 0; k < points.size(); ++k)
     if (std::isfinite(points[k].evaluations_per_sample().value)) known.push_back(k);
   const auto sample = [&](std::size_t k) { return points[k].evaluations_per_sample(); };

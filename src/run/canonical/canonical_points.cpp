@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-/// Whether a quantity is a temperature, whose reference is known without a measurement.
+/// Whether a quantity is a temperature. Its reference is then known without a measurement.
 constexpr bool is_temperature(std::size_t quantity) { return quantity >= 1 && quantity <= 4; }
 
 /// The mean over the finite values; empty if there are fewer than two.
@@ -30,8 +30,8 @@ std::optional<Estimate> mean_over(const std::vector<CanonicalRun>& runs, const V
 }
 
 /// The mean of a quantity by exact sampling, over all methods except one. For each initial
-/// configuration, the mean over the steps is computed first. Then follows the mean over the
-/// configurations, whose runs are independent.
+/// configuration, the mean over the steps is computed first. Then the mean over the configurations
+/// is taken, because runs from different configurations are independent.
 std::optional<Estimate> exact_mean(const std::vector<CanonicalMethod>& methods,
                                    const std::vector<CanonicalRun>& runs,
                                    const CanonicalMethod& without, std::size_t quantity) {

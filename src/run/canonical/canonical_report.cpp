@@ -37,7 +37,7 @@ SeriesEstimate known(const std::optional<Estimate>& e) {
   return nested(e.value_or(Estimate{std::nan(""), std::nan("")}));
 }
 
-/// The k-th quantity of a point: its mean, its bias, and whether the bias is below its bounds.
+/// The k-th quantity of a point: the mean, the bias, and whether the bias is below the bounds.
 Quantity of_quantity(const CanonicalPoint& p, std::size_t k) {
   const CanonicalQuantity& q = canonical_quantities[k];
   const std::string column = q.name;
@@ -95,7 +95,7 @@ std::vector<Quantities> point_records(const CanonicalReport& report) {
   return records;
 }
 
-/// The sentences about one criterion, with its bounds as a title.
+/// The conclusions for a criterion. The title gives the bounds of the criterion.
 Quantity of_findings(const char* key, const CanonicalReport& report,
                      const CanonicalFindings& findings) {
   std::string bounds;
@@ -108,7 +108,8 @@ Quantity of_findings(const char* key, const CanonicalReport& report,
           fmt::format("{} bounds:{}; with 95 % confidence", in_words(findings.criterion), bounds)};
 }
 
-/// The quantities of the figure, one for each panel. The last panel shows the cost of a sample.
+/// The quantities of the figure. Each panel shows a quantity. The last panel shows the cost of a
+/// sample.
 constexpr std::array<std::size_t, 5> drawn = {0, 1, 2, 5, 4};
 
 /// A panel that shows a column of the table of points.

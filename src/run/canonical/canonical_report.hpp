@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A canonical study with its outputs: the record of its runs, tables, JSON and a figure.
+// A canonical study with all outputs: the record of runs, tables, JSON and a figure.
 #pragma once
 
 #include <array>
@@ -13,26 +13,25 @@
 
 namespace polhode {
 
-/// The result for one scheme: the steps that are accurate enough, by the same rule for all schemes.
+/// The result for a scheme: the steps that are accurate enough, by the same rule for all schemes.
 struct CanonicalClaim {
   std::string scheme;
-  /// The index of the point with the largest accurate step: its biases, and the biases at all
-  /// shorter steps, are below their bounds.
+  /// The index of the point with the largest accurate step. At this step and all shorter steps, the
+  /// biases are below their bounds.
   std::optional<std::size_t> accurate;
   /// The index of the first point with a bias above its bound.
   std::optional<std::size_t> beyond;
 };
 
-/// The results of a study by one criterion.
+/// The results of a study by a criterion.
 struct CanonicalFindings {
   BiasCriterion criterion;
   std::vector<CanonicalClaim> claims{};  ///< results of each scheme, in the order of the points
   /// The index of the accurate point with the fewest force evaluations per sample.
   std::optional<std::size_t> cheapest{};
-  std::vector<std::size_t> as_cheap{};  ///< other accurate points whose cost is not distinguishable
-                                        ///< from it
-  /// Points whose accuracy the data do not decide, and whose cost is not distinguishably above the
-  /// cheapest accurate point.
+  std::vector<std::size_t> as_cheap{};  ///< other accurate points with an indistinguishable cost
+  /// Points with undecided accuracy and a cost that is not distinguishably above the cheapest
+  /// accurate point.
   std::vector<std::size_t> undecided{};
 
   CanonicalFindings(BiasCriterion criterion, const std::vector<CanonicalPoint>& points);
@@ -75,7 +74,7 @@ Quantities quantities(const CanonicalReport& report);
 /// A sentence on the forces, runs and bath of a canonical study.
 std::string canonical_conditions(const Config& config);
 
-/// Sentences on the results by one criterion: one for each scheme, and one for the cheapest sample.
+/// Conclusions for a criterion: a sentence for each scheme, and a sentence on the cheapest sample.
 std::vector<std::string> canonical_sentences(const CanonicalFindings& findings,
                                              const std::vector<CanonicalPoint>& points);
 

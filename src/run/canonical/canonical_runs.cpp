@@ -169,7 +169,7 @@ void perform_canonical_runs(const Config& config, const std::vector<CanonicalRun
   const std::vector<CanonicalMethod> methods = canonical_methods(study);
   double shortest = std::numeric_limits<double>::infinity();  // smallest step [ps]
   for (const CanonicalMethod& method : methods) shortest = std::min(shortest, method.step);
-  // All methods run from one configuration before the next configuration begins. The points of an
+  // All methods run from a configuration before the next configuration begins. The points of an
   // interrupted study therefore have equal numbers of runs.
   StudyTasks<CanonicalMethod> tasks(callbacks, workers);
   for (int start = 0; start < study.runs; ++start)

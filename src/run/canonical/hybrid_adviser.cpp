@@ -25,13 +25,13 @@ namespace polhode {
 namespace {
 
 // The grid of steps and of numbers of steps. Steps are in units of the force evaluations of a step
-// divided by the Einstein frequency. They range from the first step of the adviser for constant
-// energy to beyond the step at which liquids blow up.
+// divided by the Einstein frequency. Steps range from the adviser's first step at constant energy
+// to beyond the step at which liquids blow up.
 constexpr std::array<double, 6> step_parts = {0.12, 0.17, 0.24, 0.34, 0.48, 0.68};
 constexpr std::array<std::size_t, 4> step_counts = {4, 8, 16, 32};
 constexpr double discarded = 0.2;  // fraction of each run that is discarded at its beginning
 
-/// The results of one run.
+/// The results of a run.
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 struct HybridRun {
   double acceptance = unknown, weight = unknown;

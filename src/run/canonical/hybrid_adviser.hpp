@@ -21,8 +21,8 @@ struct HybridAdviserSettings {
   std::size_t evaluations = 5'000;  ///< number of force evaluations in each pilot run
   int runs = 4;                     ///< number of runs of each choice, from independent initial
                                     ///< configurations
-  /// Number of finalists, and the factor by which their runs are longer than pilot runs. All
-  /// choices have pilot runs. Runs of the best choices with other random numbers give the answer.
+  /// Number of finalists, and the length of their runs relative to pilot runs. All choices have
+  /// pilot runs. Runs of the best choices with other random numbers give the answer.
   std::size_t finalists = 3, longer = 8;
 };
 
@@ -42,7 +42,7 @@ struct HybridAdvice {
   std::vector<HybridChoice> pilots;     ///< pilot choices, ordered by step, then by steps per
                                         ///< trajectory
   std::vector<HybridChoice> finalists;  ///< finalists, the cheapest first
-  /// Finalists that are not distinguishable from the first, because their costs differ by less than
+  /// Finalists that are not distinguishable from the first finalist: the costs differ by less than
   /// two standard errors of the difference.
   std::vector<std::size_t> equal;
   bool stopped = false;

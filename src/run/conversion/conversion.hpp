@@ -14,10 +14,10 @@
 namespace polhode {
 
 struct Conversion {
-  std::string from, to;  ///< paths of the files, whose extensions give the formats
+  std::string from, to;  ///< paths of the files; the extensions select the formats
   std::string names;     ///< file with the names of the atoms; empty if `from` has names, or `to`
                          ///< needs none
-  std::optional<Topology> particles;  ///< molecules, if each particle of `from` is one of them
+  std::optional<Topology> particles;  ///< molecules, if each particle of `from` is a molecule
   std::size_t every = 1;              ///< n, if every n-th of the selected frames is written
   double first = -std::numeric_limits<double>::infinity();  ///< first time; earlier frames are
                                                             ///< skipped [ps]

@@ -21,8 +21,8 @@
 namespace polhode {
 namespace {
 
-// Relative accuracy of the long-range forces in LAMMPS. Their errors are then smaller than the
-// errors of polhode's mesh at its default accuracy.
+// Relative accuracy of the long-range forces in LAMMPS. The errors are then smaller than the errors
+// of polhode's mesh at the default accuracy.
 constexpr double kspace_accuracy = 1e-6;
 
 void check(const Config& config) {
@@ -201,7 +201,7 @@ class Script {
                std::round(config_.run.length / h) * static_cast<double>(evaluations));
   }
 
-  // LAMMPS itself does not know that particles rotate.
+  // LAMMPS does not know that particles rotate.
   std::string thermo() const {
     const std::string columns =
         "thermo_style custom step time temp epair ke etotal econserve press";
@@ -229,8 +229,8 @@ std::vector<std::string> export_to_lammps(const Config& config, LammpsPairStyle 
   const System system = build_system(config);
   note_molecules(system, callbacks);
   const LammpsTypes types(system.topology, system.forces.mixing.pairs.empty());
-  std::vector<TextFile> texts;  // these texts are made before any file, because a law may be
-                                // rejected
+  std::vector<TextFile>
+      texts;  // these texts are made before any file, because a potential may be rejected
   PairCommands pairs;
   try {
     pairs = pair_commands(system, types, style, prefix, texts);

@@ -46,7 +46,7 @@ Quantities of_site(const Site& s) {
 }
 
 /// A molecule as a list.
-/// @param alone  whether it is the only molecule, rather than a row of a table
+/// @param alone  whether the molecule is listed separately, rather than as a row of a table
 Quantities of_molecule(const Molecule& m, bool alone) {
   const auto label = [&](const char* text) { return alone ? text : ""; };
   std::vector<Quantities> sites;

@@ -44,7 +44,7 @@ std::string error_text(const Scheme& scheme) {
 }
 
 /// A scheme as a list.
-/// @param alone  whether it is the only scheme, rather than a row of a table
+/// @param alone  whether the scheme is listed separately, rather than as a row of a table
 Quantities of_scheme(const Scheme& scheme, bool alone) {
   const auto label = [&](const char* text) { return alone ? text : ""; };
   std::vector<Quantities> stages;

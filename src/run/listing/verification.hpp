@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The order of a scheme, measured and compared with the declared one.
+// The measured order of a scheme, compared with the declared order.
 #pragma once
 
 #include "measure/order.hpp"

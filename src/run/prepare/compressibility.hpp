@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The compressibility that a stage at constant pressure shows, which sets the size of the moves of
-// its barostat.
+// The compressibility measured in a stage at constant pressure. It determines the size of barostat
+// moves.
 #pragma once
 
 #include "polhode/measure/energy_statistics.hpp"
@@ -8,16 +8,17 @@
 
 namespace polhode {
 
-/// The isothermal compressibility from the volume fluctuations in a stage [nm³ mol/kJ]. It is known
-/// only if its standard error is at most half of its value, and if the volume does not drift,
-/// because a relaxing volume varies for another reason. The stage must also have eight relaxation
-/// times of the volume, so that the variance has a relative error of 1/2.
+/// The isothermal compressibility from the volume fluctuations in a stage [nm³ mol/kJ]. The
+/// compressibility is known only if its standard error is at most half of its value. In addition,
+/// the volume must not drift, because a relaxing volume varies for another reason. The stage must
+/// also have eight relaxation times of the volume, so that the variance has a relative error of
+/// 1/2.
 /// @param length  length of the stage [ps]
 SeriesEstimate measured_compressibility(const EnergyStatistics& energies,
                                         const BarostatSettings& barostat, double length, double kT);
 
-/// The compressibility that sets the size of moves in the next stage [nm³ mol/kJ]. It is the
-/// measured compressibility if this is known. Otherwise the present value is used, unless the
+/// The compressibility that sets the size of moves in the next stage [nm³ mol/kJ]. If the measured
+/// compressibility is known, this value is used. Otherwise the present value is used, unless the
 /// volume drifts by more than the fluctuations that this value implies. Moves are then too small,
 /// and the next value is four times as large, within bounds. The sampled distribution does not
 /// depend on this value.

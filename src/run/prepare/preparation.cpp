@@ -74,8 +74,8 @@ struct PreparationFiles {
   std::vector<std::string> all() const { return {state, checkpoint, run_file}; }
 };
 
-/// The identity of a preparation, which must be the same when it is resumed: the run of its system,
-/// and its stages.
+/// The identity of a preparation: the run of the system, and the stages. It must be the same when
+/// the preparation is resumed.
 std::string identity_of(const Config& config, const System& system) {
   const std::string run = run_identity(config, system);
   const std::string stages = fmt::format("prepare.nvt = {:.12g} ps\nprepare.npt = {:.12g} ps\n",

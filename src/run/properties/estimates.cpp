@@ -29,7 +29,7 @@ constexpr const char* no_equilibrium =
     "a replica has not reached equilibrium; if longer runs do not help, the system is a crystal, a "
     "glass or a coexistence of two phases";
 
-/// The averages in equilibrium, with one run for each replica.
+/// The averages in equilibrium, with a run for each replica.
 std::vector<BlockMeans> averages_of(const PointData& data) {
   std::vector<BlockMeans> runs;
   for (const Replica& replica : data.replicas) {
@@ -54,8 +54,8 @@ std::vector<StepResponse> responses_of(const PointData& data) {
   return runs;
 }
 
-/// The dynamics, with one run for each replica, or a single run of all segments while the replicas
-/// are short.
+/// The dynamics, with a run for each replica. While the replicas are short, all segments are a
+/// single run.
 std::vector<BlockMeans> dynamics_of(const PointData& data) {
   std::vector<BlockMeans> runs;
   std::vector<BlockMeans::Block> all;
@@ -195,8 +195,8 @@ class Dynamics {
     m.step_bound = bound([&](Means all) { return eta(all, window) / mPa_s; });
   }
 
-  /// Computes the diffusion coefficient with the finite-size correction, whose error is correlated
-  /// with the error of the slope.
+  /// Computes the diffusion coefficient with the finite-size correction. The error of the
+  /// correction is correlated with the error of the slope.
   void diffusion(MeasuredProperty& m) const {
     const FitWindow window = fit_window(interval_);
     estimate(m, [this](Means all, const FitWindow& fit) { return D(all, fit); });

@@ -9,7 +9,7 @@
 
 namespace polhode {
 
-/// The data of all replicas of a state point, with a description of their system.
+/// The data of all replicas of a state point, with a description of the system.
 struct PointData {
   const Topology& topology;
   const Mixing& mixing;

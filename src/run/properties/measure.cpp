@@ -108,7 +108,7 @@ bool extend_by_one(Replica& replica, const Target& target, const ReplicaSettings
   return add_dynamics(replica, settings, equilibrated(replica));
 }
 
-/// Measures one state point.
+/// Measures a state point.
 class PointMeasurement {
  public:
   PointMeasurement(const MeasureSettings& settings, std::size_t point, const Callbacks& callbacks,
@@ -148,8 +148,8 @@ class PointMeasurement {
                        [&](const auto& p) { return p.property->measured_in == what; });
   }
 
-  /// The standard error that the replicas must reach. With n shards, the replicas of one shard need
-  /// to reach only √n times the requested error.
+  /// The standard error that the replicas must reach. With n shards, the replicas of a shard must
+  /// reach only √n times the requested error.
   double required_error(const MeasuredProperty& m) const { return share() * m.requested_error(); }
   double share() const { return std::sqrt(static_cast<double>(settings_.shard.count)); }
   /// Whether the replicas must become longer for a property.
@@ -219,7 +219,7 @@ void PointMeasurement::leave_out_missing() {
   std::erase_if(replicas_, [](const Replica& replica) { return !replica.prepared(); });
 }
 
-/// Takes the time step from the pilot, which is prepared first if it has no record.
+/// Takes the time step from the pilot. A pilot without a record is prepared first.
 /// @return  time of the preparation [s]; empty if it was not needed or was stopped
 std::optional<double> PointMeasurement::choose_step() {
   const Stopwatch watch;

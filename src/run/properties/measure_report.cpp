@@ -12,7 +12,8 @@ namespace {
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
 
-/// Remarks on a value: the corrections that it includes, and why it may not meet the request.
+/// Remarks on a value: corrections included in the value, and reasons why the value may not meet
+/// the request.
 std::string remarks(const MeasuredProperty& m) {
   std::string text;
   const auto add = [&](const std::string& remark) { text += (text.empty() ? "" : "; ") + remark; };

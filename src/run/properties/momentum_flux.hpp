@@ -17,7 +17,7 @@ inline std::array<double, 5> independent_components(const Mat3<double>& P) {
   return {(2 * P[0].x - P[1].y - P[2].z) / (2 * std::sqrt(3.0)), (P[1].y - P[2].z) / 2, yz, zx, xy};
 }
 
-/// The time integrals of five components of the pressure tensor by the trapezoidal rule, stored as
+/// The time integrals of five pressure tensor components by the trapezoidal rule, stored as
 /// displacements of two bodies. Their mean square grows like the displacement of a diffusing
 /// particle.
 class MomentumFlux {

@@ -16,7 +16,7 @@ namespace polhode {
 
 /// Units that only properties have.
 inline constexpr double cm3_per_mol =
-    1e21 / units::avogadro;                 ///< molar volume of one molecule [nm³]
+    1e21 / units::avogadro;                 ///< 1 cm³/mol as a volume per molecule [nm³]
 inline constexpr double nm2_per_ns = 1e-3;  ///< 1e-9 m²/s [nm²/ps]
 
 /// Quantities of the whole system that are averaged at constant pressure.
@@ -30,7 +30,7 @@ enum AverageOf : std::size_t {
   averages_count
 };
 
-/// The conditions on which the value of a property depends, besides its averages.
+/// The conditions that determine the value of a property, besides averages.
 struct Conditions {
   StatePoint at;
   std::size_t molecules = 0;
@@ -62,7 +62,7 @@ struct Property {
 std::span<const Property> properties();
 
 /// Finds a property by its name.
-/// @throws Error  if there is none of this name; the message suggests one
+/// @throws Error  if there is none of this name; the message suggests a name
 const Property& property(std::string_view name);
 
 /// The reason why a system does not have a property; empty if it has the property.

@@ -187,9 +187,8 @@ TrajectorySettings averages_of(const Chain& chain, const Replica& replica, doubl
   return t;
 }
 
-/// Chooses the time step: half of the maximum stable step, or a shorter step at which R and the
-/// predicted bias of the potential energy are below their bounds. Both grow as the square of the
-/// step.
+/// Chooses the time step. It is half of the maximum stable step, or a shorter step at which R and
+/// the predicted potential energy bias are below their bounds. Both grow as the square of the step.
 bool choose_step(Chain& chain, Replica& replica) {
   constexpr std::uint64_t trials = 8;
   constexpr double shorter = 1.5;

@@ -40,7 +40,8 @@ struct CorrelationsOfDynamics {
   std::size_t count = 1;
 };
 
-/// The number of the pilot replica, which chooses the time step of all replicas of a state point.
+/// The number of the pilot replica. The pilot chooses the time step of all replicas of a state
+/// point.
 inline constexpr std::uint64_t pilot = 0xFFFFFFFF;
 
 /// A segment of dynamics again, from the same start at half of the step.
@@ -77,8 +78,8 @@ struct ReplicaSettings {
   StatePoint at;
   double max_bias = 0;      ///< maximum relative time-step bias of the potential energy
   bool paired_runs = true;  ///< whether there are paired segments of dynamics
-  double step =
-      0;  ///< time step of all replicas [ps]; 0 for a pilot, which chooses it in its preparation
+  double step = 0;  ///< time step of all replicas [ps]; 0 for a pilot, which chooses the step
+                    ///< during preparation
   std::function<bool()> stop{};  ///< ends a segment, which is then discarded
 };
 

@@ -15,8 +15,8 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t shifts = 16;
-/// Distance of two sites below which their cores overlap [nm]. A law without a repulsive core would
-/// have a singularity of its charges there.
+/// Distance of two sites below which their cores overlap [nm]. A potential without a repulsive core
+/// would have a singularity due to the charges at these distances.
 constexpr double closest = 0.08;
 /// Distances of the centres, with even numbers of intervals for Simpson's rule [nm].
 struct Panel {
@@ -27,7 +27,7 @@ constexpr std::array panels = {Panel{0, 0.8, 200}, Panel{0.8, 4, 200}};
 constexpr double farthest = panels.back().to;
 
 /// Quasi-random directions and orientations that fill their space evenly. They are multiples of
-/// powers of the root of x⁶ = x + 1, modulo one, with a random shift.
+/// powers of the root of x⁶ = x + 1, modulo 1, with a random shift.
 class EvenPoints {
  public:
   explicit EvenPoints(std::uint64_t shift) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Changes of a simulation under way: of its state from outside, and of its settings. Each begins a
-// segment of the trajectory, since averages over different states or time steps mean nothing.
+// Changes of the state and the settings of a simulation in progress. Each begins a segment of the
+// trajectory, since averages over different states or time steps mean nothing.
 #include <fmt/core.h>
 
 #include <utility>
@@ -85,7 +85,7 @@ void Simulation::change(const IntegratorSettings& integrator,
   throw e.at(config_.source);
 }
 
-// Two changes without a step between them begin only one segment.
+// Changes without a step between them begin a single segment.
 RunState Simulation::next_segment(const std::string& changes) {
   RunState now = propagator_ ? propagator_->run_state() : *at_;
   now.state = system_.state;

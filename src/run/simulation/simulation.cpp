@@ -27,8 +27,8 @@ namespace {
 
 ProgramVersion this_program() { return {version(), name(current_instruction_set())}; }
 
-/// R as text, as printed in the summary. It is empty if R is not defined or not meaningful:
-/// decisions of hybrid Monte Carlo change the energy, which is not a time-step error.
+/// R as text, as printed in the summary. It is empty if R is not defined or not meaningful.
+/// Decisions of hybrid Monte Carlo change the energy, but this change is not a time-step error.
 std::string ratio_text(const RunSummary& s) {
   if (s.samples < min_samples_reported || s.potential_fluctuation.value == 0 ||
       s.ensemble.hybrid_monte_carlo)
@@ -159,8 +159,8 @@ void Simulation::check_length(std::size_t steps_done, const Segment& segment) co
                     settings_->length, simulated(*settings_, segment, steps_done)));
 }
 
-// Finds the checkpoint from which to resume, if this is requested and there is one. Existing files
-// of another run are rejected.
+// Finds the checkpoint from which to resume, if this is requested and there is a checkpoint.
+// Existing files of another run are rejected.
 std::optional<FoundCheckpoint> Simulation::find_checkpoint(const RunFileNames& names,
                                                            const OutputOptions& options,
                                                            const Callbacks& callbacks) {

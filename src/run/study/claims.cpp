@@ -29,8 +29,8 @@ Verdict worst(Verdict a, Verdict b) {
                                                             : Verdict::reproduced;
 }
 
-/// The verdict on whether R of a point is above a limit: reproduced if it is above, not reproduced
-/// if it is below.
+/// The verdict on whether R of a point is above a limit: reproduced if R is above, and not
+/// reproduced if R is below.
 Verdict above(const EfficiencyPoint& point, double limit) {
   const double R = point.ratio.value,
                off = confidence_half_width({point.ratio.error, point.runs - 1.0});
@@ -63,9 +63,9 @@ std::string reached(const Curve& c) {
   return c.usable == 0 ? "0" : fmt::format("{:.2g}", 100 * c.points[c.usable - 1].ratio.value);
 }
 
-/// The verdict on whether a curve has steps above R = `limit` whose energy drift is known not to
-/// matter. A curve that ends below the limit has none. Between the last such step and the end of
-/// the curve, nothing is known.
+/// The verdict on whether a curve has steps above R = `limit` at which the energy drift is known
+/// not to matter. A curve that ends below the limit has none. Between the last such step and the
+/// end of the curve, nothing is known.
 Verdict runs_above(const Curve& c, double limit) {
   const EfficiencyPoint* const last = last_conserving(c);
   if (last && above(*last, limit) == Verdict::reproduced) return Verdict::reproduced;

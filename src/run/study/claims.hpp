@@ -22,9 +22,9 @@ struct Claim {
   Verdict verdict = Verdict::undecided;
 };
 
-/// The verdict on whether an estimate agrees with a printed number, which stands for all values
-/// that round to it. It is reproduced if the whole 95 % interval from Student's t agrees, and not
-/// reproduced if no part of it agrees. Otherwise the data do not decide.
+/// The verdict on whether an estimate agrees with a printed number. The number stands for all
+/// values that round to it. The verdict is reproduced if the whole 95 % interval from Student's t
+/// agrees, and not reproduced if no part of the interval agrees. Otherwise the data do not decide.
 /// @param degrees_of_freedom  degrees of freedom of the error of x
 /// @param half_digit  half a unit of the last printed digit
 Verdict rounds_to(const Estimate& x, double degrees_of_freedom, double number, double half_digit);

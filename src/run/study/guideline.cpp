@@ -95,7 +95,8 @@ std::vector<Guideline> guidelines(const std::vector<Curve>& all,
 }
 
 std::optional<Crossing> crossover(const Curve& finer, const Curve& coarser) {
-  // log(cost ratio) on a fine grid of R; the crossover is the largest R at which it changes sign.
+  // log(cost ratio) on a fine grid of R; the crossover is the largest R at which this
+  // logarithm changes sign.
   const auto advantage = [&](double R) -> std::optional<double> {
     const auto a = cost_at(finer, R), b = cost_at(coarser, R);
     for (const auto& cost : {a, b})
@@ -108,8 +109,8 @@ std::optional<Crossing> crossover(const Curve& finer, const Curve& coarser) {
     const auto here = advantage(R);
     if (here && above && *above <= 0 && *here > 0) {
       const auto a = cost_at(finer, R), b = cost_at(coarser, R);
-      // The log of the cost decreases as −log R/exponent, so its error shifts the crossing by this
-      // amount.
+      // The log of the cost varies as −log R/exponent, so an error of the log of the cost shifts
+      // the crossing by this amount.
       const double slopes = std::abs(1 / b->exponent - 1 / a->exponent);
       const ErrorPart error = summed({relative_error(*a), relative_error(*b)});
       return Crossing{{R, slopes > 0 ? R * error.error / slopes : 0.0}, error.degrees_of_freedom};

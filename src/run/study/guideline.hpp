@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Results of a study: the cost of each scheme at a given accuracy, the R at which one scheme
-// overtakes another, and where the curve of each scheme ends.
+// Results of a study: the cost of each scheme at a given accuracy, the R at which a scheme becomes
+// cheaper than another, and the end of the curve of each scheme.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace polhode {
 
-/// The smallest cost at which one scheme keeps R at or below a given value.
+/// The smallest cost at which a scheme keeps R at or below a given value.
 struct CostAtRatio {
   double cost = 0;                ///< force evaluations per ps
   double error = 0;               ///< error of the cost, from the errors of R at the neighbouring
@@ -33,7 +33,7 @@ struct Guideline {
   std::optional<std::size_t> best;                ///< index of the cheapest scheme
 };
 
-/// The curve of one scheme: its points ordered by step.
+/// The curve of a scheme: points ordered by step.
 struct Curve {
   std::string scheme;
   std::vector<EfficiencyPoint> points;
@@ -47,7 +47,7 @@ struct Curve {
 /// @param points  points ordered by step
 std::size_t points_before_end(const std::vector<EfficiencyPoint>& points);
 
-/// The curves of a study, in the order in which its points name the schemes.
+/// The curves of a study, in the order in which schemes first occur in the points.
 std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points);
 
 /// The cost at a given R, by interpolation of log h over log R between neighbouring usable points.
@@ -57,7 +57,7 @@ std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio);
 std::vector<Guideline> guidelines(const std::vector<Curve>& curves,
                                   const std::vector<double>& ratios);
 
-/// The R below which one scheme is cheaper than another.
+/// The R below which a scheme is cheaper than another scheme.
 struct Crossing {
   Estimate ratio;
   double degrees_of_freedom = 0;  ///< degrees of freedom of its error

@@ -47,7 +47,7 @@ RecordColumn<Run> column_of(std::string head, std::string name, double Run::*mem
           [member](Run& run, double value) { run.*member = value; }};
 }
 
-/// The columns of records of runs of one kind.
+/// The columns in the run records of a kind of study.
 template <class Run>
 const std::vector<RecordColumn<Run>>& record_columns();
 

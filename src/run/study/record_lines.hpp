@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Records of runs as text: one line each, fields separated by semicolons, after a line that
-// identifies the study.
+// Records of runs as text. The first line identifies the study. Each further line is a record, with
+// fields separated by semicolons.
 #pragma once
 
 #include <cstddef>

@@ -54,8 +54,8 @@ void check_count(const std::vector<FreeParameter>& parameters) {
 }
 
 /// The symmetric 2 × 2 matrix of the covariances of the error brackets. If the brackets are
-/// perfectly correlated, one combination of parameters is undetermined. A small additional term
-/// keeps this combination unchanged.
+/// perfectly correlated, a combination of parameters is undetermined. A small additional term keeps
+/// this combination unchanged.
 struct Metric {
   double aa, ab, bb;
   explicit Metric(const ErrorCovariance& c)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A study from its settings to its files: the parts that do not depend on what it measures.
+// A study from settings to files: all parts that are independent of the measured quantities.
 #pragma once
 
 #include <fmt/core.h>

@@ -77,7 +77,7 @@ std::vector<Quantities> point_records(const StudyReport& report) {
   return records;
 }
 
-/// The cost of scheme c, and its ratio to that of velocity Verlet where both are known.
+/// The cost of scheme c, and its ratio to the cost of velocity Verlet if both are known.
 std::string cost_text(const Guideline& line, std::size_t c, std::size_t verlet) {
   const std::optional<CostAtRatio>& cost = line.costs[c];
   if (!cost) return "-";

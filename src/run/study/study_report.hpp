@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A study with its outputs: the record of its runs, tables, JSON and a figure.
+// A study with all outputs: the record of runs, tables, JSON and a figure.
 #pragma once
 
 #include <string>

@@ -21,7 +21,7 @@ struct StudyRequest {
 
 /// Performs the study of the settings, or makes the tables and the figure of a record. An
 /// interrupted study resumes from its record.
-/// @param use  function of the report of either ensemble, whose result is returned
+/// @param use  function of the report of either ensemble; its result is returned
 template <class Use>
 auto perform_study(Config config, const StudyRequest& request, OutputOptions output,
                    const Callbacks& callbacks, Workers& workers, const Use& use) {

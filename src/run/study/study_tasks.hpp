@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What studies have in common between their points and their runs.
+// Functions shared by studies, between points and runs.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace polhode {
 /// Whether two time steps [ps] are equal up to round-off.
 inline bool same_step(double a, double b) { return std::abs(a - b) < 1e-12; }
 
-/// The runs of a scheme at one step, sorted by initial configuration, so that sums do not depend on
+/// The runs of a scheme at a step, sorted by initial configuration. Sums then do not depend on
 /// which run ended first. The scheme is named as in records.
 template <class Run>
 std::vector<Run> runs_of(const std::string& scheme, double step, const std::vector<Run>& runs) {
@@ -59,13 +59,13 @@ class StudyTasks {
   bool empty() const { return tasks_.empty(); }
   const std::vector<Task>& all() const { return tasks_; }
 
-  /// Sorts runs so that the most expensive ones are first and the last ones are short.
+  /// Sorts runs so that the most expensive runs are first and the last runs are short.
   void sort_by_work() {
     std::stable_sort(tasks_.begin(), tasks_.end(),
                      [](const Task& a, const Task& b) { return a.work > b.work; });
   }
 
-  /// Makes the needed ones of the first `count` initial configurations.
+  /// Makes the needed configurations among the first `count` initial configurations.
   /// @param work  work for each configuration, in force evaluations
   /// @param make  function that makes the configuration with a given index
   template <class Make>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Differences between the temperatures of translation and rotation, kinetic and configurational, as
-// functions of the step and for zero step: in the results of a study and of the adviser.
+// Differences between kinetic and configurational temperatures and between translation and
+// rotation, at each step and for zero step. They are part of the results of studies and of the
+// adviser.
 #pragma once
 
 #include <vector>

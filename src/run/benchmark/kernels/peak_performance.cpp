@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Peak performance of the processor: independent multiply-adds, and pairs of four-site water alone.
+// Peak performance of the processor: independent multiply-adds, and pairs of four-site waters
+// without other work.
 #include "run/benchmark/peak_performance.hpp"
 #include "polhode/base/always_inline.hpp"
 

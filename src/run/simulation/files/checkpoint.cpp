@@ -215,7 +215,7 @@ bool fit(const TimeBlocks& blocks, const TimeBlocks& fresh) {
          });
 }
 
-/// Whether a response with its first sample has as many sums as a new one, or is empty.
+/// Whether a response with its first sample has as many sums as a new response, or is empty.
 bool fit(const StepResponse& read, const StepResponse& fresh) {
   return read.first.size() == (read.blocks.blocks.empty() ? 0 : fresh.first.size()) &&
          fit(read.blocks, fresh.blocks);

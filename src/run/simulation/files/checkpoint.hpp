@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checkpoints of a run: where it stands, where its files stand, and which run it is.
+// Checkpoints of a run: the state of the run, the positions in its files, and the identity of the
+// run.
 #pragma once
 
 #include <optional>
@@ -19,7 +20,7 @@ namespace polhode {
 struct OutputMarks {
   FileMark energies;             ///< rows and bytes of the energies file
   std::vector<FileMark> frames;  ///< position in each trajectory file
-  std::size_t next_frame = 0;    ///< first step whose sample is written as the next frame
+  std::size_t next_frame = 0;    ///< first step at which the next frame is written
 };
 
 /// The progress of a preparation, in addition to the RunState of its current stage.
@@ -44,13 +45,14 @@ struct Checkpoint {
   std::optional<PreparationProgress> preparation;  ///< progress of a preparation; empty for a run
 };
 
-/// The identity of a run, which must be the same when it is resumed: a hash, followed by
-/// settings_text(). It depends on molecules, initial configuration with velocities, forces, scheme,
-/// step and equilibration. It also depends on the kinds and intervals of outputs, but not on the
-/// length of the run.
+/// The identity of a run: a hash, followed by settings_text(). It must be the same when the run is
+/// resumed. It depends on molecules, initial configuration with velocities, forces, scheme, step
+/// and equilibration. It also depends on the kinds and intervals of outputs, but not on the length
+/// of the run.
 std::string run_identity(const Config& config, const System& system);
 
-/// Writes a checkpoint, completely or not at all. The newest checkpoint becomes the previous one.
+/// Writes a checkpoint, completely or not at all. The newest checkpoint becomes the previous
+/// checkpoint.
 /// @throws RunError  if the file cannot be written
 void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
                       const ProgramVersion& program);
@@ -63,8 +65,8 @@ Checkpoint read_checkpoint(const std::string& path, const ProgramVersion& reader
 Checkpoint parse_checkpoint(std::string bytes, const std::string& path,
                             const ProgramVersion& reader);
 
-/// Reads only the state from a checkpoint. It may be the checkpoint of any run of this version,
-/// with any instruction set.
+/// Reads only the state from a checkpoint. The checkpoint may be from any run of this version, with
+/// any instruction set.
 /// @throws Error  if the file is damaged, or of another version
 State state_of_checkpoint(const std::string& path, const std::string& version);
 

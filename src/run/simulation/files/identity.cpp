@@ -15,8 +15,8 @@
 namespace polhode {
 namespace {
 
-/// The contents of the table of a law as text, because the file may have changed. It is empty for
-/// other laws.
+/// The contents of the table of a tabulated potential as text, because the file may have changed.
+/// The text is empty for other potentials.
 std::string table_identity(const ShortRangeLaw& law) {
   const auto* tabulated = std::get_if<TabulatedLaw>(&law);
   if (!tabulated) return {};

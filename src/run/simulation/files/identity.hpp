@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The identity of a run or a study as text, so that results of different ones are never mixed.
+// The identity of a run or a study as text, so that results of different runs or studies are never
+// mixed.
 #pragma once
 
 #include <initializer_list>
@@ -16,7 +17,7 @@ namespace polhode {
 std::string identity(const Config& config, const System& system,
                      std::initializer_list<double> numbers);
 
-/// The settings other than the system on which a run depends, one per line, such as
+/// The settings, other than the system, that determine a run. Each is a line such as
 /// "integrator.step = 2 fs".
 std::string settings_text(const Config& config);
 

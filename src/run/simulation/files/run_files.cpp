@@ -19,15 +19,15 @@ std::vector<FrameNumber> observables(const Energies& e) {
           {"total_energy", "kJ mol-1", e.total()}};
 }
 
-/// Whether the energies file contains time-step errors. At constant energy it does not, because
-/// they follow from the total energy.
+/// Whether the energies file contains time-step errors. At constant energy the file does not have
+/// these columns, because they follow from the total energy.
 bool samples_step_errors(const TrajectorySettings& settings) {
   return settings.shadow_sample > 0 && !settings.ensemble.constant_energy();
 }
 
-/// The files that a run writes at its end, except for files that it also reads. Existing files are
-/// removed, because they would belong to another state than the trajectory until the run ends, or
-/// if it blows up.
+/// The files that a run writes at the end, except for files that the run also reads. Existing files
+/// are removed, because they would not agree with the trajectory until the run ends, or if the run
+/// blows up.
 std::vector<std::string> last_files(const RunFileNames& names, const SystemSettings& inputs) {
   std::vector<std::string> files;
   for (const std::string& file : {names.final_state, names.plot}) {
@@ -74,8 +74,8 @@ void RunFiles::resume(const FoundCheckpoint& from) {
     reopen(marks);
   }
   remove_last();
-  // The intact checkpoint becomes the newest, because the damaged one must not become the previous
-  // one.
+  // The intact checkpoint becomes the newest, because the damaged checkpoint must not become the
+  // previous checkpoint.
   if (!from.note.empty())
     std::filesystem::rename(names_.checkpoints.previous, names_.checkpoints.newest);
 }

@@ -13,9 +13,9 @@
 
 namespace polhode {
 
-/// The growing files of a run: energies, trajectories and checkpoints. They begin with the first
-/// sample, after a checkpoint that records their start. Every file therefore has a checkpoint that
-/// refers to it.
+/// The growing files of a run: energies, trajectories and checkpoints. The files begin with the
+/// first sample, after a checkpoint that records the start of the files. Every file therefore has a
+/// checkpoint that refers to it.
 class RunFiles {
  public:
   /// @param from  checkpoint to resume from; the files are truncated to the lengths that it records
@@ -31,7 +31,7 @@ class RunFiles {
     checkpoint_.minimisation_evaluations = minimisation_evaluations;
   }
 
-  /// Appends energies, and a frame if one is due.
+  /// Appends energies, and a frame if it is due.
   /// @throws RunError  if the disk is full
   void sample(std::size_t step, const State& state, const Energies& energies);
   /// Whether the time between two checkpoints has passed.

@@ -24,7 +24,8 @@ std::string text_or_dash(double degrees_of_freedom, const SeriesEstimate& T) {
   return degrees_of_freedom == 0 ? "-" : text_of(T);
 }
 
-/// The reason why some of the printed temperatures have no error although their mean has one.
+/// The reason if some printed temperatures have no error although the mean temperature has an
+/// error.
 std::string missing_errors(const TemperatureEstimates& T, const DegreesOfFreedom& n) {
   if (T.all.known != Known::yes) return "";
   Known worst = n.translation > 0 ? T.translation.known : Known::yes;

@@ -27,8 +27,8 @@ constexpr double min_move_acceptance = 0.1;        // minimum acceptance rate of
 constexpr double max_acceptance = 0.99;            // maximum acceptance rate of hybrid Monte Carlo
 constexpr double min_weight_difference = 1e-3;
 
-/// Three standard deviations of the acceptance rate of n moves, given the probability of
-/// acceptance.
+/// Three standard deviations of the acceptance rate over n moves, for a given acceptance
+/// probability.
 double chance(double probability, std::uint64_t n) {
   return far * std::sqrt(probability * (1 - probability) / static_cast<double>(n));
 }
@@ -49,8 +49,8 @@ std::optional<Warning> volume_warning(const BarostatSummary& s, double length) {
                  "run longer, or start a new run from the final state of this run"};
 }
 
-/// Warns of a run that is too short for density and compressibility. Their errors cannot show this,
-/// because they come from the same few fluctuations.
+/// Warns of a run that is too short for density and compressibility. The stated errors cannot show
+/// this, because they are computed from the same few fluctuations.
 std::optional<Warning> length_warning(const BarostatSummary& s, const BarostatSettings& settings,
                                       double length) {
   const bool rescaling = std::holds_alternative<CellRescaling>(settings.type);

@@ -15,7 +15,7 @@ namespace {
 constexpr int states = 16;
 constexpr double apart = 1e-4;  // time between the states [ps]
 
-/// Sums of a quantity over the states, from which its sample variance is computed.
+/// Sums of a quantity over the states. They give its sample variance.
 struct Spread {
   double sum = 0, squares = 0;
   void add(double x) {

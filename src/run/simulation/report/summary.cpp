@@ -13,8 +13,8 @@ namespace polhode {
 namespace {
 
 /// The energy drift of the run. The conserved energy performs a random walk. If the shadow energy
-/// was sampled, its walk gives the strength, which is at least the strength of round-off. Otherwise
-/// the strength is unknown.
+/// was sampled, its random walk gives the strength. The strength is at least the strength due to
+/// round-off. Otherwise the strength is unknown.
 Drift drift(const TrajectoryStatistics& statistics, double rounding) {
   std::vector<WalkStrength> walks = statistics.shadow.walks();
   if (walks.empty()) return statistics.energies.drift_over_walk(rounding);

@@ -29,7 +29,7 @@ double bernoulli(int n, double x) {
 /// Number of random orientations for an average; the mean square is then known to about 10 %.
 constexpr int orientations = 400;
 
-/// The energies of the pairs of sites of two molecule types.
+/// The energies of the site pairs between two molecule types.
 class SitePairs {
  public:
   SitePairs(const Molecule& a, const Molecule& b, const PairTable& table,
@@ -107,15 +107,15 @@ double curvature(const SitePairs& pairs, std::size_t i, std::size_t j, double r)
   return (slope(r + d) - slope(r - d)) / (2 * d);
 }
 
-/// The discontinuities at one distance: their order, and a sum over pairs of sites or molecules.
+/// The discontinuities at a given distance: the order, and a sum over pairs of sites or molecules.
 /// The terms of the sum are the squares of the jumps times ⟨|v|^{2n+3}⟩.
 struct Passages {
   const ForceSettings& forces;
   double kT;
   int n;
 
-  /// The moment ⟨|v|^{2n+3}⟩ of a normal velocity, whose variance is kT times the sum of inverse
-  /// masses.
+  /// The moment ⟨|v|^{2n+3}⟩ of a normally distributed velocity. The variance is kT times the sum
+  /// of inverse masses.
   double moment(double inverse_masses) const {
     return std::pow(2 * kT * inverse_masses, n + 1.5) * std::tgamma(n + 2.0) / std::sqrt(units::pi);
   }

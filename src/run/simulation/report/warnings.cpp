@@ -94,7 +94,7 @@ bool is_corrected(const RunSummary& s) {
 }
 
 /// The ratio R without the contribution of the random walk. This contribution grows with the length
-/// of the run, but a thermostat absorbs the energy, so it does not bias averages.
+/// of the run. But a thermostat absorbs the energy, so averages are not biased.
 double stationary_ratio(const RunSummary& s) {
   if (s.ensemble.settings.constant_energy()) return s.ratio.value;
   return std::sqrt(std::max(0.0, std::pow(s.ratio.value, 2) - std::pow(s.ratio_of_walk(), 2)));
@@ -111,8 +111,8 @@ std::optional<Warning> ratio_warning(const RunSummary& s) {
       "use a shorter step, or let accuracy = \"1 %\" in [integrator] choose it"};
 }
 
-/// The R that the energy drift alone would give: the rms deviation of a straight line from its mean
-/// is its rise divided by √12.
+/// The R that the energy drift would give without other fluctuations. The rms deviation of a
+/// straight line from its mean is the rise divided by √12.
 double ratio_of_drift(const RunSummary& s) { return s.relative_drift() / std::sqrt(12.0); }
 
 double drift_bound(const RunSummary& s) {
@@ -169,8 +169,8 @@ double truncation_bound(const RunSummary& s) {
 }
 
 /// A warning about a random walk of the energy. It is given only at constant energy, because a
-/// thermostat absorbs the energy. It is not given if truncation explains the walk, which has a
-/// separate warning.
+/// thermostat absorbs the energy. The warning is not given if truncation explains the random walk,
+/// because truncation has a separate warning.
 std::optional<Warning> walk_warning(const RunSummary& s) {
   const double walked = s.ratio_of_walk();
   const double bound = std::max(std::sqrt(min_walk_share) * s.ratio.value, min_walk_ratio);
@@ -276,8 +276,9 @@ std::optional<Warning> rough_truncation(const System& system, const TrajectorySe
 }
 
 std::optional<Warning> distant_sites(const System& system) {
-  // Largest plausible bond length [nm]. It is between the longest bonds, 0.47 nm in coarse-grained
-  // chains, and the shortest bond, 0.74 Å in H2, if it is misread as 0.74 nm.
+  // Largest plausible bond length [nm]. The bound lies between two lengths. The longest bonds have
+  // 0.47 nm, in coarse-grained chains. The shortest bond, 0.74 Å in H2, would be misread as 0.74
+  // nm.
   constexpr double max_bond = 0.6;
   for (const auto& part : system.topology.parts) {
     std::vector<Site> atoms;

@@ -41,8 +41,8 @@ void check_axes(std::size_t body, const Vec3<double>& ell, const Quaternion<doub
                          L[k], k + 1));
 }
 
-/// Returns the orientation as a unit quaternion. If it is already normalized up to round-off, its
-/// bits do not change.
+/// Returns the orientation as a unit quaternion. If the quaternion is already normalized up to
+/// round-off, its bits do not change.
 Quaternion<double> checked_orientation(std::size_t body, const Quaternion<double>& s) {
   constexpr double rounding = 1e-14, smallest = 1e-100, largest = 1e100;
   const double squared = norm2(s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a state that was changed from outside is one of its molecules.
+// Checks that a state changed from outside is possible for the molecules.
 #pragma once
 
 #include "polhode/model/state.hpp"

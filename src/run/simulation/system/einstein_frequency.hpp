@@ -6,9 +6,9 @@
 
 namespace polhode {
 
-/// The Einstein frequency of the fastest degrees of freedom of a liquid [1/ps], from the forces at
-/// the positions of one state. Its square is ⟨f²⟩/(m k_B T) for translation, and ⟨τ_k²⟩/(J_k k_B T)
-/// for rotation about each axis. Averages are over each kind of molecule separately.
+/// The Einstein frequency of the fastest degrees of freedom of a liquid [1/ps], from the forces in
+/// a single state. Its square is ⟨f²⟩/(m k_B T) for translation, and ⟨τ_k²⟩/(J_k k_B T) for
+/// rotation about each axis. Averages are over each kind of molecule separately.
 double einstein_frequency(const System& system, const State& state,
                           Workers& workers = Workers::serial());
 

@@ -20,9 +20,10 @@ ForceSettings near_settings(const ForceSettings& whole, const InnerScheme& inner
 /// place if not.
 void check_near(const ForceSettings& whole, const NestedScheme& scheme, const std::string& place);
 
-/// The computing time of a near-force evaluation relative to an evaluation of all forces, at the
-/// state of the system. Energies and list builds are not included. Both evaluations are repeated
-/// several times in alternation, and the minima are used. The result is 0 without an inner scheme.
+/// The computing time of a near-force evaluation relative to an evaluation of all forces, in the
+/// current state of the system. Energies and list builds are not included. Both evaluations are
+/// repeated several times in alternation, and the minima are used. The result is 0 without an inner
+/// scheme.
 double near_weight(const System& system, const std::optional<InnerScheme>& inner);
 
 }  // namespace polhode

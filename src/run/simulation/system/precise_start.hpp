@@ -8,9 +8,9 @@
 
 namespace polhode {
 
-/// Replaces the state of a system, which has only the digits of a coordinate file, by the state in
-/// a checkpoint of the same molecules. The time does not change.
-/// @param path  path of the checkpoint of a run or of a preparation
+/// Replaces the state of a system by the state in a checkpoint of the same molecules. The replaced
+/// state has only the digits of a coordinate file. The time does not change.
+/// @param path  path of the checkpoint of a run or preparation
 /// @throws Error  if the file is damaged or of another version, or if a box edge or a site differs
 ///   by more than the rounding in common formats, 0.002 nm
 void take_checkpoint(System& system, const std::string& path);

@@ -19,8 +19,8 @@ namespace polhode {
 Minimisation minimise(System& system, const MinimisationSettings& settings = {},
                       const MinimisationWatch& watch = {}, Workers& workers = Workers::serial());
 
-/// Makes a watch that reports the progress of a minimisation, and ends it when the callbacks
-/// request this.
+/// Makes a watch that reports the progress of a minimisation, and ends the minimisation when the
+/// callbacks request this.
 MinimisationWatch watch_of(const Callbacks& callbacks);
 
 /// The result of a minimisation as text, such as "minimised in 312 steps: largest force 9.98

@@ -11,20 +11,20 @@
 namespace polhode {
 
 /// The fraction of the stability limit at which a warning is given. The fastest motions of a liquid
-/// are about twice as fast as its Einstein frequency, so a warning at the limit itself would be too
-/// late.
+/// are about twice as fast as the Einstein frequency, so a warning at the limit would be too late.
 inline constexpr double near_stability = 0.4;
 
 /// The step at which a run comes near the stability limit of its scheme [ps]. It is
 /// `near_stability` times the limit for the fastest degrees of freedom at the positions of a state.
-/// It is infinite if nothing moves, or with an inner scheme, whose limit is not known.
+/// It is infinite if nothing moves, or with an inner scheme, because the limit of nested schemes is
+/// not known.
 double max_stable_step(const System& system, const State& state, const TrajectorySettings& settings,
                        Workers& workers = Workers::serial());
 
-/// The step to try after a run blew up [ps]. It is max_stable_step() at the initial positions, as
-/// in the warning before the run, or half of the run's step if this is shorter than
-/// max_stable_step(). The result is empty if molecules overlap at the initial positions, because
-/// their forces give no information about the step.
+/// The step to try after a run blew up [ps]. This is max_stable_step() at the initial positions, as
+/// in the warning before the run. If half of the run's step is shorter, it is half of the run's
+/// step. The result is empty if molecules overlap at the initial positions, because their forces
+/// give no information about the step.
 std::optional<double> shorter_step(const System& system, const State& start,
                                    const TrajectorySettings& settings,
                                    Workers& workers = Workers::serial());

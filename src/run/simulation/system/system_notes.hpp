@@ -16,8 +16,8 @@ namespace polhode {
 /// atoms.
 void note_molecules(const System& system, const Callbacks& callbacks);
 
-/// Gives a note on the use of the velocities in the initial configuration, if there are any and the
-/// run file gives a temperature or a seed.
+/// Gives a note on the use of velocities in the initial configuration. The note requires such
+/// velocities, and a temperature or a seed in the run file.
 void note_velocities(const System& system, const Config& config, const Callbacks& callbacks);
 
 /// Gives notes on thermostat, barostat and hybrid Monte Carlo, unless the run is at constant

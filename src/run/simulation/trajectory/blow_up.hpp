@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What ends a trajectory whose energies or forces are no longer meaningful.
+// Detects energies or forces that are no longer meaningful, and ends the trajectory.
 #pragma once
 
 #include <cstddef>
@@ -35,8 +35,8 @@ class BlowUpReport {
   /// @throws BlowUp  with the molecules that collided, and the remedy
   [[noreturn]] void blow_up(std::size_t step, std::string cause) const;
 
-  /// Ends the trajectory because an energy or a force is not finite. The report has a note if a law
-  /// has an inner limit.
+  /// Ends the trajectory because an energy or a force is not finite. The report has a note if a
+  /// potential has an inner limit.
   [[noreturn]] void not_finite(std::size_t step, const std::string& cause) const;
 
  private:

@@ -10,11 +10,10 @@
 
 namespace polhode {
 
-/// Measures computing time by part of the program, and adds it to the time of an earlier part of
-/// the run.
+/// Measures computing time by part of the program, and adds the time of an earlier part of the run.
 class Clocks {
  public:
-  /// @param near  near forces of an inner scheme, if there is one
+  /// @param near  near forces of an optional inner scheme
   Clocks(const TimedForces& whole, const TimedForces* near, const Timings& earlier)
       : whole_(whole),
         near_(near),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a run does besides steps of its scheme: the bath, moves of the box, and the draws and
-// decisions of hybrid Monte Carlo.
+// Operations of a run besides the steps of the scheme: the bath, moves of the box, and the draws
+// and decisions of hybrid Monte Carlo.
 #pragma once
 
 #include <cstdint>

@@ -93,8 +93,8 @@ class Propagator::Impl {
         checkpoint(watch);
         sample(watch);
       }
-      while (steps_ < last && !stopped) {  // steps are taken one by one, so that a failed step is
-                                           // identified
+      while (steps_ < last &&
+             !stopped) {  // steps are taken individually, so that a failed step is identified
         for (std::size_t k = 0; k < settings_.steps_per_trajectory(); ++k) sampled_step(watch);
         stopped = watch.stop && watch.stop();
         if (stopped || steps_ == last || (watch.due && watch.due())) checkpoint(watch);

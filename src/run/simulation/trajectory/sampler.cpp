@@ -11,8 +11,8 @@
 namespace polhode {
 namespace {
 
-/// The fraction of the potential energy by which round-off in mixed precision may change the total
-/// energy of a run that begins almost at rest.
+/// The allowed change of the total energy by mixed-precision round-off, as a fraction of the
+/// potential energy, for a run that begins almost at rest.
 constexpr double rounding_share = 1e-5;
 
 }  // namespace
@@ -112,9 +112,10 @@ void Sampler::sample_at_bath() {
 }
 
 /// Checks the change of the energy. At constant energy, it is the change since the start. With a
-/// bath, which absorbs a drift, it is the change since the last sample. The change is compared with
-/// the initial kinetic energy or, if the bodies were almost at rest, with the released potential
-/// energy. Hybrid Monte Carlo needs no check, because it rejects such trajectories.
+/// bath this is the change since the last sample, because the bath absorbs a drift. The change is
+/// compared with the initial kinetic energy or, if the bodies were almost at rest, with the
+/// released potential energy. Hybrid Monte Carlo needs no check, because it rejects such
+/// trajectories.
 void Sampler::check_energy(std::size_t step, const Energies& now) {
   const Energies& first = statistics_.energies.first;
   const bool constant_energy = settings_.ensemble.constant_energy();

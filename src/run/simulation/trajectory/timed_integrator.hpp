@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The integrator of a trajectory with its forces, timed: of one scheme, or of two for multiple time
-// steps.
+// The integrator of a trajectory together with timed forces. It integrates a single scheme, or two
+// schemes for multiple time steps.
 #pragma once
 
 #include <optional>
@@ -57,8 +57,8 @@ class TimedIntegrator {
   const Load& last_load() {
     return apply([](const auto& integrator) -> const Load& { return integrator.last_load(); });
   }
-  /// Forces and torques of the last kick. With an inner scheme, where the outer scheme has only the
-  /// slow forces, they are all forces at a state.
+  /// Forces and torques of the last kick. With an inner scheme these are all forces in a state,
+  /// although the outer scheme uses only the slow forces.
   const Load& all_forces(const State& state) {
     if (!near) return last_load();
     whole.forces.forces_alone(state, complete_);

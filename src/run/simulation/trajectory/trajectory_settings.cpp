@@ -18,8 +18,8 @@ namespace {
 
 constexpr double max_steps = 0x1p53;  // largest number of steps that a double can count
 
-/// The name of a scheme with its bath, such as "hoa2-ends", if it is short enough. It is empty for
-/// stages without a name.
+/// The name of a scheme with a bath, such as "hoa2-ends", if the name is short enough. It is empty
+/// for stages without a name.
 std::string name_with_bath(const Scheme& scheme) {
   if (!scheme.in_table() && !scheme.has_own_name()) return "";
   if (scheme.name() == "velocity-verlet") return "obabo";
@@ -27,7 +27,7 @@ std::string name_with_bath(const Scheme& scheme) {
   return name.size() <= Scheme::max_name ? name : "";
 }
 
-/// Checks external forces: cell rescaling needs their virial, because it follows the pressure.
+/// Checks external forces. Cell rescaling needs their virial, because it uses the pressure.
 void check_external(const Config& config) {
   const ExternalForces* const external = config.forces.external.get();
   const auto& barostat = config.ensemble.barostat;
