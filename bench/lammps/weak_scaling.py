@@ -6,8 +6,8 @@ fix rigid/nve/small.
     bench/lammps/weak_scaling.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so --output RESULT.json
 
 It compiles messages.c, which counts messages and bytes. The counts per step are printed for the busiest process.
-Systems are 1, 2, 4 and 8
-processes with 512 waters each, and then 8 processes with more waters each. The bytes are also printed per molecule of the shell of
+Systems are 1, 2, 4 and 8 processes with 512 waters each, and then 8 processes with more waters each. The bytes are also
+printed per molecule of the shell of
 ghosts around a domain. FOLDER is the folder that lammps/environment.py makes. Because only messages are counted, the computer may have
 fewer cores than processes.
 """

@@ -28,8 +28,8 @@ struct JobSetting {
 /// @param job  name of the job, such as "run" or "study"
 std::span<const JobSetting> settings_of_job(std::string_view job);
 
-/// The default changes that a job makes to a run file. A quick study has fewer and shorter runs,
-/// and a preparation has a separate thermostat.
+/// Settings that a job overrides in the run file by default. For example, a quick study overrides
+/// the number and length of runs, and a preparation overrides the thermostat.
 /// @param quick  whether the quick version is requested
 Overlay overlay_of_job(std::string_view job, bool quick = false);
 
