@@ -10,12 +10,13 @@
 namespace polhode::cli {
 namespace {
 
-void print_text(const RunReport& r) {
+void print_report(const RunReport& r, const ResultForm& form) {
+  if (form.json) return fmt::print("{}\n", run_json(r));
   if (r.guarantee && !r.guarantee->met())
     log("warning: the accuracy guarantee of [integrator] accuracy was not met: {}; give a smaller "
         "accuracy, or set the step yourself\n",
         guarantee_text(*r.guarantee));
-  print_fitted(run_text(r));
+  print_results(run_quantities(r), form);
 }
 
 /// Prints the files of an interrupted run, and how to resume it.
@@ -45,10 +46,14 @@ std::string checkpoint_of(const Simulation& simulation) {
 
 void print_results(const Quantities& results, const ResultForm& form) {
   if (form.json) return fmt::print("{}\n", json_text(results));
-  if (form.verbose) return fmt::print("{}", text_of(results));  // tables are not wrapped
-  if (std::any_of(results.begin(), results.end(), [](const Quantity& q) { return q.detail; }))
+  const std::vector<TextRow> rows = text_rows(results);
+  const bool tables =
+      std::any_of(rows.begin(), rows.end(), [](const TextRow& row) { return !row.table.empty(); });
+  if (form.verbose && tables) return fmt::print("{}", text_of(results));  // tables are not wrapped
+  if (!form.verbose &&
+      std::any_of(results.begin(), results.end(), [](const Quantity& q) { return q.detail; }))
     log("--verbose also prints tables and other details\n");
-  print_fitted(text_of(results, false));
+  print_fitted(text_of(results, form.verbose));
 }
 
 void print_results(const std::string& title, const std::vector<Quantities>& records, bool json) {
@@ -58,12 +63,9 @@ void print_results(const std::string& title, const std::vector<Quantities>& reco
     print_results({{"", "", records, "", title}}, {});
 }
 
-int print_run(const RunResult& result, const Simulation& simulation, bool json) {
+int print_run(const RunResult& result, const Simulation& simulation, const ResultForm& form) {
   note_end(result, checkpoint_of(simulation));
-  if (result.report && json)
-    fmt::print("{}\n", run_json(*result.report));
-  else if (result.report)
-    print_text(*result.report);
+  if (result.report) print_report(*result.report, form);
   return result.end == RunEnd::complete ? 0 : 130;
 }
 

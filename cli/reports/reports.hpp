@@ -19,7 +19,7 @@ void print_results(const std::string& title, const std::vector<Quantities>& reco
 
 /// Prints the results of a run. If it was interrupted, this is reported on standard error.
 /// @return  exit code
-int print_run(const RunResult& result, const Simulation& simulation, bool json);
+int print_run(const RunResult& result, const Simulation& simulation, const ResultForm& form);
 
 /// Prints to standard error the step from which a run that ended with an error can be resumed, if
 /// this is possible.

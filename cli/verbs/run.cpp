@@ -16,7 +16,7 @@ int run(const JobOptions& o) {
   Workers workers = o.workers();
   Simulation simulation(o.config(), workers);
   try {
-    return print_run(simulation.run(output, console()), simulation, o.json);
+    return print_run(simulation.run(output, console()), simulation, o);
   } catch (const RunError&) {
     note_resumable(simulation);
     throw;
@@ -28,6 +28,7 @@ int run(const JobOptions& o) {
 Action run_verb(Command& command) {
   auto o = std::make_shared<JobOptions>();
   o->declare(command, "threads");
+  o->declare_verbose(command);
   command.add_settings();
   o->declare_resume(command);
   o->declare_force(command);

@@ -70,7 +70,7 @@ class Warnings(Sandbox):
         self.assertEqual(set(warnings), {"temperature", "pressure"})
         self.assertGreater(warnings["temperature"]["value"], 600)
         self.assertIn("equilibrate", warnings["temperature"]["remedy"])
-        self.assertLess(out.index("WARNINGS"), out.index("files  "))
+        self.assertLess(out.index("files  "), out.index("WARNINGS"))
         for warning in warnings.values():
             self.assertIn(warning["text"][:20], out)  # the numbers are the same to the last bit
             self.assertIn("-> " + warning["remedy"], out)

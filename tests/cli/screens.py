@@ -10,7 +10,18 @@ from run_warnings import LATTICE
 from sandbox import SMALL, Sandbox, edited
 
 COLUMNS, LINES = 80, 40
+RUN_LINES = 24  # of a run, without its warnings
 PAPER = edited(SMALL, ('["velocity-verlet"]', '["velocity-verlet", "hoa2", "gier4-fd"]'), ('["2 fs"]', '["2 fs", "4 fs"]'))
+WATER = edited(LATTICE, ('cutoff = "0.6 nm"', 'cutoff = "0.5 nm"\nskin = "0.05 nm"'), ('length = "0.4 ps"', 'length = "6 ps"\nequilibrate = "0.5 ps"'),
+               ('plot = "none"\ntrajectory_every = "0 ps"', 'plot = "svg"\nformats = ["gro", "xtc"]'))
+SHADOW = edited(WATER, ('length = "6 ps"', 'length = "6 ps"\nshadow_sample = "20 fs"'))
+BAROSTAT = '\n[barostat]\npressure = "1 bar"\n'
+# Ensemble: a run, and the rows that this run must have.
+RUNS = {
+    "constant energy": (SHADOW, ("potential energy", "temperature", "pressure", "R", "energy drift", "time-step bias", "their difference", "files")),
+    "Langevin": (WATER + '\n[thermostat]\ntype = "langevin"\n', ("ensemble", "potential energy", "temperature", "pressure", "R", "energy drift", "files")),
+    "NPT, Langevin": (WATER + '\n[thermostat]\n' + BAROSTAT, ("ensemble", "temperature", "pressure", "density", "compressibility", "R", "energy drift", "files")),
+    "NPT": (SHADOW + '\n[thermostat]\ntype = "rescaling"\n' + BAROSTAT, ("ensemble", "temperature", "pressure", "density", "R", "time-step bias", "density", "files"))}
 CANONICAL = edited(SMALL, ("[study]", '[study]\nensemble = "nvt"'), ('["velocity-verlet"]', '["obabo", "hoa2"]'), ('length = "0.1 ps"', 'length = "1 ps"'))
 
 
@@ -66,14 +77,28 @@ class Screens(Sandbox):
         self.assertIn("list build", whole)
         self.assertRegex(whole.splitlines()[-1], "^  .*best repeats")
 
-    def test_a_run_ends_with_averages_warnings_and_files(self):
-        self.write("run.toml", LATTICE)
-        lines = self.on_terminal(COLUMNS, "run", "run.toml", error=subprocess.DEVNULL).splitlines()
-        self.assertLessEqual(max(map(len, lines)), COLUMNS)
-        places = [next(k for k, line in enumerate(lines) if re.match(label, line))
-                  for label in ("speed", "potential energy", "temperature", "pressure", "R  ", "energy drift", "WARNINGS", "files")]
-        self.assertEqual(places, sorted(places))
-        self.assertGreater(places[1], len(lines) - LINES)
+    def test_a_run_ends_with_averages_files_and_warnings(self):
+        for ensemble, (text, rows) in RUNS.items():
+            with self.subTest(ensemble=ensemble):
+                lines = self.screen(text, "run", "run.toml", "--force")
+                labels = [line[:22].strip() for line in lines]
+                end = next((k for k, label in enumerate(labels) if label.startswith("WARNINGS")), len(lines))
+                self.assertLessEqual(end, RUN_LINES, "\n".join(lines))
+                at = 0
+                for row in rows:
+                    self.assertIn(row, labels[at:end])
+                    at += labels[at:end].index(row) + 1
+                self.assertRegex(lines[0], r"^64 molecules, 3000 steps of 2 fs with hoa2\S*: 6 ps in ")
+                self.assertFalse({"force evaluations", "speed", "total energy"} & set(labels))
+
+    def test_a_run_has_its_details_before_the_rest(self):
+        self.write("run.toml", WATER)
+        short, long = (self.polhode("run", "run.toml", "--force", *options).out for options in ((), ("--verbose",)))
+        for label in ("total energy", "rms fluctuations", "drift in this run", "force evaluations", "time", "speed"):
+            self.assertIn(f"\n{label:<22}", "\n" + long)
+            self.assertNotIn(f"\n{label:<22}", "\n" + short)
+        rest = short[short.index("\n\n"):]  # without the first line, which has times
+        self.assertTrue(long.endswith(rest), long)
 
     def test_an_analysis_ends_with_its_files(self):
         self.write("run.toml", edited(SMALL, ('plot = "none"', 'plot = "none"\ntrajectory_every = "4 fs"\nformats = ["gro"]')))

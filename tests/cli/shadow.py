@@ -24,7 +24,7 @@ class Shadow(Sandbox):
         plain = json.loads(self.done("run", edited(SHADOW, ('shadow_sample = "20 fs"', 'shadow_sample = "0 fs"')), "--json").out)
         self.assertNotIn("shadow", plain)
         energies = self.rows("out-energies.csv")
-        text = self.done("run", SHADOW, "--force").out
+        text = self.done("run", SHADOW, "--force", "--verbose").out
         self.assertIn("shadow energy drift", text)
         # Requesting it does not change the run.
         self.assertEqual(self.rows("out-energies.csv"), energies)

@@ -18,7 +18,7 @@ NO_NUMBER = re.compile(r"\b(inf|nan|null)\b", re.IGNORECASE)
 class Statistics(Sandbox):
     def both(self, text, *options):
         """The summary as text and as JSON."""
-        process = self.done("run", text, "--force", *options)
+        process = self.done("run", text, "--force", "--verbose", *options)
         return process.out, json.loads(self.done("run", text, "--json", "--force", *options).out)
 
     def test_too_few_samples(self):

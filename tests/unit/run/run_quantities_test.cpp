@@ -70,7 +70,7 @@ TEST_CASE("each quantity of a run is stated once, and is in its JSON") {
   for (const Quantity& q : flattened(run_quantities(report)))
     if (!q.key.empty() && q.unit.empty()) CHECK(json.contains(q.key));
   CHECK(json["errors_not_known"]["potential_error_kJ_per_mol"] == "too few samples");
-  CHECK(run_text(report).find("potential energy") != std::string::npos);
+  CHECK(text_of(run_quantities(report)).find("potential energy") != std::string::npos);
 }
 
 TEST_CASE("a temperature of one motion without an error has the reason") {
@@ -81,9 +81,10 @@ TEST_CASE("a temperature of one motion without an error has the reason") {
   s.temperatures.all = s.temperatures.translation = {300, 1, Known::yes};
   s.temperatures.rotation.fill({300, 1, Known::yes});
   const std::string words = "; a missing error is not known: ";
-  CHECK(run_text(report).find(words) == std::string::npos);
+  CHECK(text_of(run_quantities(report)).find(words) == std::string::npos);
   s.temperatures.rotation[1].known = Known::too_short;
-  CHECK(run_text(report).find(words + reason(Known::too_short)) != std::string::npos);
+  CHECK(text_of(run_quantities(report)).find(words + reason(Known::too_short)) !=
+        std::string::npos);
 }
 
 TEST_CASE(

@@ -34,13 +34,14 @@ std::string missing_errors(const TemperatureEstimates& T, const DegreesOfFreedom
   return worst == Known::yes ? "" : "; a missing error is " + not_known(worst);
 }
 
+/// @param label  of the mean; @param motions  of the temperatures by motion
 Quantities of_temperatures(const TemperatureEstimates& T, const DegreesOfFreedom& n,
-                           const std::string& label) {
+                           const std::string& label, const std::string& motions) {
   const auto axis = [&](std::size_t k) { return text_or_dash(n.rotation[k], T.rotation[k]); };
-  const std::string note = fmt::format(": translation {}, rotation {}, {}, {} K{}",
-                                       text_or_dash(n.translation, T.translation), axis(0), axis(1),
-                                       axis(2), missing_errors(T, n));
-  return {{"temperature", "K", T.all, "mean kinetic temperature", label, note},
+  return {{"temperature", "K", T.all, "mean kinetic temperature", label},
+          detail(row(motions, fmt::format("translation {}, rotation {}, {}, {} K{}",
+                                          text_or_dash(n.translation, T.translation), axis(0),
+                                          axis(1), axis(2), missing_errors(T, n)))),
           {"temperature_translation", "K", T.translation, "mean temperature of translation"},
           {"temperature_rotation", "K", T.rotation,
            "mean temperature of rotation about each principal axis"}};
@@ -83,10 +84,10 @@ std::string accepted_text(std::uint64_t some, std::uint64_t all, const SeriesEst
 Quantities of_barostat(const BarostatSummary& s) {
   return {
       {"density", "kg/m3", in_kg_per_m3(s.density), "mean of the mass over the volume", "density"},
-      {"volume", "nm3", s.volume, "mean volume", "volume"},
+      detail({"volume", "nm3", s.volume, "mean volume", "volume"}),
       {"compressibility", "1/bar", in_per_bar(s.compressibility),
        "isothermal compressibility, from the fluctuations of the volume", "compressibility",
-       ", isothermal, from the fluctuations of the volume"},
+       ", isothermal"},
       {"volume_drift", "nm3/ps", s.volume_drift.rate.value,
        "slope of a least-squares line through the volume"},
       detail(row(
@@ -154,7 +155,7 @@ Quantities of_ensemble(const EnsembleSummary& s) {
 /// @param average  the average, in the same unit
 Quantity bias_of(std::string key, std::string unit, const SeriesEstimate& bias, double average,
                  std::string label, const std::string& of = "") {
-  std::string note = fmt::format("{}, without it {:.5g} {}{}", of, average - bias.value, unit, of);
+  std::string note = fmt::format("{}, without it {:.5g}", of, average - bias.value);
   return {std::move(key), std::move(unit), bias, "", std::move(label), std::move(note)};
 }
 
@@ -187,13 +188,12 @@ Quantities of_warnings(const std::vector<Warning>& warnings) {
   Quantities all = {{"warnings", "", list, "list of the warnings"}};
   if (!warnings.empty())
     append(all, {row("", ""),
-                 {"", "", rows, "", "WARNINGS: something is probably wrong with this run"},
-                 row("", "")});
+                 {"", "", rows, "", "WARNINGS: something is probably wrong with this run"}});
   return all;
 }
 
-Quantity of_step_bias(const RunSummary& s) {
-  if (!s.step_bias) return {"step_bias", "", {}};
+Quantities of_step_bias(const RunSummary& s) {
+  if (!s.step_bias) return {{"step_bias", "", {}}};
   const StepBias& bias = *s.step_bias;
   const double per_molecule = 1 / static_cast<double>(s.molecules);
   const double translation = s.temperatures.translation.value;
@@ -208,9 +208,7 @@ Quantity of_step_bias(const RunSummary& s) {
       bias_of("density", "kg/m3", in_kg_per_m3(bias.density),
               barostat ? in_kg_per_m3(barostat->density).value : 0,
               label(barostat.has_value(), "density")),
-      bias_of("compressibility", "1/bar", in_per_bar(bias.compressibility),
-              barostat ? in_per_bar(barostat->compressibility).value : 0,
-              label(barostat.has_value(), "compressibility")),
+      {"compressibility", "1/bar", in_per_bar(bias.compressibility)},
       {"volume", "nm3", bias.volume},
       bias_of("temperature_translation", "K", bias.translation, translation, "T of translation"),
       bias_of("temperature_rotation_all", "K", bias.rotation, rotation,
@@ -220,13 +218,20 @@ Quantity of_step_bias(const RunSummary& s) {
               label(turns, "their difference")),
       {"temperature_configurational", "K",
        s.configurational_bias[0] ? Value(list_of(s.configurational_bias)) : Value()}};
+  Quantities all = {{"step_bias", "", std::move(list),
+                     "time-step bias of each average; null if unknown", "time-step bias"}};
+  Quantities others;
+  if (barostat)
+    others = {bias_of("", "1/bar", in_per_bar(bias.compressibility),
+                      in_per_bar(barostat->compressibility).value, "compressibility")};
   constexpr std::array names{"T_conf, translation", "T_conf, axis 1", "T_conf, axis 2",
                              "T_conf, axis 3"};
   for (std::size_t k = 0; k < names.size(); ++k)
     if (const auto& known = s.configurational_bias[k])
-      list.push_back(bias_of("", "K", *known, s.configurational[k]->value, names[k]));
-  return {"step_bias", "", std::move(list), "time-step bias of each average; null if unknown",
-          "time-step bias"};
+      others.push_back(bias_of("", "K", *known, s.configurational[k]->value, names[k]));
+  if (!others.empty())
+    all.push_back(detail({"", "", std::move(others), "", "other time-step biases"}));
+  return all;
 }
 
 Quantities of_averages(const RunSummary& s) {
@@ -235,13 +240,14 @@ Quantities of_averages(const RunSummary& s) {
                       "potential energy", " per molecule"},
                      detail({"total", "kJ/mol", s.total, "mean total energy per molecule",
                              "total energy", " per molecule"})};
-  append(list, of_temperatures(s.temperatures, n, "temperature"));
+  append(list, of_temperatures(s.temperatures, n, "temperature", "temperatures"));
   if (s.temperatures_at_bath) {
-    Quantities half = of_temperatures(*s.temperatures_at_bath, n, "  of half steps");
+    Quantities half =
+        of_temperatures(*s.temperatures_at_bath, n, "  of half steps", "  of half steps");
     list.push_back({"half_steps", "", flattened(half),
                     "temperatures of the momenta on which a bath within the steps acts"});
     half.front().key.clear();
-    list.push_back(half.front());
+    append(list, {half[0], half[1]});
   }
   append(list, of_configurational(s.configurational));
   const auto& barostat = s.ensemble.settings.barostat;

@@ -20,6 +20,6 @@ Quantities of_warnings(const std::vector<Warning>& warnings);
 Quantities of_averages(const RunSummary& summary);
 
 /// The time-step bias of each average; null if it is not known.
-Quantity of_step_bias(const RunSummary& summary);
+Quantities of_step_bias(const RunSummary& summary);
 
 }  // namespace polhode

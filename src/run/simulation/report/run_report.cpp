@@ -37,7 +37,8 @@ Quantities of_settings(const RunReport& r) {
           {"step", "fs", r.settings.step * units::fs_per_ps, "time step"},
           {"steps", "", s.steps, "number of steps"},
           {"length", "ps", s.length, "simulated time"},
-          {"sample", "fs", s.sample * units::fs_per_ps, "interval between samples of the energies"},
+          detail({"sample", "fs", s.sample * units::fs_per_ps,
+                  "interval between samples of the energies", "energies every", ""}),
           {"interrupted", "", r.interrupted, "whether the run was suspended before its end"},
           {"samples", "", s.samples, "number of samples of the energies"},
           {"segment", "",
@@ -79,40 +80,47 @@ Quantities of_drift(const Drift& drift, double walk, std::uint64_t samples) {
 std::string ratio_text(const RunSummary& s) {
   if (s.samples < min_samples_reported) return not_known(Known::too_few_samples);
   if (s.potential_fluctuation.value == 0) return "not defined: the potential energy is constant";
-  const bool grows = s.ratio.known == Known::grows;
-  return fmt::format(
-      "{}{}   (rms of the {} energy, {:.4g}, divided by the rms of the potential energy, {:.4g} "
-      "kJ/mol){}",
-      text_of(scaled(s.ratio, 100), "%"), grows ? ", which grows with the length of the run" : "",
-      energy_name(s), s.total_fluctuation.value, s.potential_fluctuation.value,
-      grows ? "" : missing_error(s.ratio.known));
+  return text_of(scaled(s.ratio, 100), "%") + (s.ratio.known == Known::grows
+                                                   ? ", which grows with the length of the run"
+                                                   : missing_error(s.ratio.known));
 }
 
-/// The size of the drift as text, such as "; in this run 0.4 % of the rms fluctuation of the
-/// potential energy, too little to matter".
-std::string size_text(const RunSummary& s) {
-  if (s.samples < min_samples_reported || s.potential_fluctuation.value == 0) return "";
-  return fmt::format("; in this run {:.2g} % of the rms fluctuation of the potential energy{}",
-                     percent(s.relative_drift()), drift_matters(s) ? "" : ", too little to matter");
+/// The fluctuations of which R is the ratio, and the size of the energy drift; none without them.
+Quantities conservation_details(const RunSummary& s) {
+  if (s.samples < min_samples_reported || s.potential_fluctuation.value == 0) return {};
+  return {detail(row("rms fluctuations",
+                     fmt::format("of the {} energy {:.4g} kJ/mol, of the potential energy {:.4g} "
+                                 "kJ/mol; R is their ratio",
+                                 energy_name(s), s.total_fluctuation.value,
+                                 s.potential_fluctuation.value))),
+          detail(row("drift in this run",
+                     fmt::format("of the {} energy, {:.2g} % of the rms fluctuation of the "
+                                 "potential energy{}",
+                                 energy_name(s), percent(s.relative_drift()),
+                                 drift_matters(s) ? "" : ", too little to matter")))};
 }
 
 /// Rows on energy conservation. There are none for hybrid Monte Carlo, which does not conserve any
 /// energy.
 Quantities conservation_rows(const RunSummary& s) {
   if (s.ensemble.settings.hybrid_monte_carlo) return {};
-  Quantities rows = {row("R", ratio_text(s))};
-  if (s.rounding > 0 && s.samples >= min_samples_reported)
-    rows.push_back(detail(row(
+  Quantities rows = conservation_details(s);
+  rows.push_back(row("R", ratio_text(s)));
+  if (s.rounding > 0 && s.samples >= min_samples_reported) {
+    const bool dominates = s.ratio.value < rounding_margin * s.rounding;
+    rows.push_back(row(
         "round-off limit of R",
         fmt::format("{:.2g} %, estimated{}", percent(s.rounding),
-                    s.ratio.value < rounding_margin * s.rounding
+                    dominates
                         ? "; rounding dominates R: precision = \"double\" shows the R of the scheme"
-                        : ""))));
+                        : "")));
+    rows.back().detail = !dominates;
+  }
+  const bool harmless = s.drift.known == Known::yes && s.drift.significant() && !drift_matters(s);
   rows.push_back(row(
       "energy drift",
       fmt::format(
-          "{}{}{}{}", s.ensemble.settings.constant_energy() ? "" : "of the conserved energy: ",
-          drift_text(s.drift, s.samples), size_text(s),
+          "{}{}{}", drift_text(s.drift, s.samples), harmless ? ", too little to matter" : "",
           s.walk_known ? "" : "; part of it is the random walk of rounding in mixed precision")));
   if (s.walk > 0)
     rows.push_back(
@@ -296,7 +304,14 @@ std::string guarantee_text(const GuaranteeCheck& k) {
 
 Quantities run_quantities(const RunReport& r) {
   const RunSummary& s = r.summary;
-  Quantities all = of_settings(r);
+  Quantities all = {
+      row("", fmt::format("{} molecules, {} steps of {:g} fs with {}: {:.4g} ps in {:.2f} s "
+                          "({:.3g} ns/day)",
+                          s.molecules, s.steps, r.settings.step * units::fs_per_ps,
+                          name_of({r.settings.scheme, r.settings.inner}), s.length, s.timings.all(),
+                          s.ns_per_day)),
+      row("", "")};
+  append(all, of_settings(r));
   if (!s.ensemble.settings.constant_energy())
     all.push_back(row("ensemble", description(s.ensemble.settings)));
   append(all, of_averages(s));
@@ -304,23 +319,14 @@ Quantities run_quantities(const RunReport& r) {
   append(all, of_conservation(s));
   append(all, of_shadow(s));
   append(all, of_costs(r));
+  append(all, of_step_bias(s));
+  append(all, {of_guarantee(r.guarantee), row_of_files(r.files.all())});
   append(all, of_warnings(r.warnings));
-  append(all, {of_step_bias(s), of_guarantee(r.guarantee), row_of_files(r.files.all())});
   return all;
 }
 
 std::string run_json(const RunReport& report) {
   return json_text(flattened(run_quantities(report)));
-}
-
-std::string run_text(const RunReport& r) {
-  const RunSummary& s = r.summary;
-  return fmt::format(
-             "{} molecules, {} steps of {:g} fs with {}, {:.4g} ps, energies every {:g} fs\n\n",
-             s.molecules, s.steps, r.settings.step * units::fs_per_ps,
-             name_of({r.settings.scheme, r.settings.inner}), s.length,
-             s.sample * units::fs_per_ps) +
-         text_of(run_quantities(r));
 }
 
 }  // namespace polhode

@@ -41,9 +41,6 @@ std::string guarantee_text(const GuaranteeCheck& check);
 /// The results of a run as a list, from which text, JSON and the table of the manual are made.
 Quantities run_quantities(const RunReport& report);
 
-/// The results of a run as lines of text, without files and warnings.
-std::string run_text(const RunReport& report);
-
 /// The report of a run as JSON. Names contain units, as in "length_ps"; unknown values are null.
 std::string run_json(const RunReport& report);
 
