@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "../terminal/terminal.hpp"
+#include "run/quantity_lists.hpp"
+#include "run/simulation/report/verdicts.hpp"
 
 namespace polhode::cli {
 namespace {

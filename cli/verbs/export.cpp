@@ -12,6 +12,7 @@
 #include "../verbs.hpp"
 #include "polhode/base/error.hpp"
 #include "run/conversion/lammps_export.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -15,6 +15,7 @@
 
 #include "base/threads.hpp"
 #include "bind.hpp"
+#include "io/settings/config_parts.hpp"
 #include "io/settings/quantity.hpp"
 #include "io/settings/settings.hpp"
 #include "polhode/run/simulation/system/system.hpp"

@@ -14,6 +14,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
 #include "polhode/run/outputs.hpp"
+#include "run/output_files.hpp"
 
 namespace polhode::python {
 namespace {

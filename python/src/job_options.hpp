@@ -12,6 +12,7 @@
 #include "polhode/run/outputs.hpp"
 #include "polhode/run/quantities.hpp"
 #include "run/given.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode::python {
 

@@ -17,6 +17,7 @@
 #include "run/benchmark/benchmark_report.hpp"
 #include "run/conversion/lammps_export.hpp"
 #include "run/new_run_file.hpp"
+#include "run/quantity_lists.hpp"
 #include "run/requests.hpp"
 
 namespace polhode::python {

@@ -16,6 +16,7 @@
 #include "job.hpp"
 #include "polhode/run/simulation/files/energy_file.hpp"
 #include "run/listing/molecules.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode::python {
 namespace {

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "base/from_chars.hpp"
+#include "io/settings/required_bias.hpp"
 #include "polhode/io/settings/requirement.hpp"
 
 namespace polhode {

@@ -7,9 +7,11 @@
 #include <ostream>
 
 #include "base/printable.hpp"
+#include "io/files/write_file.hpp"
 #include "io/settings/run_file_template.hpp"
 #include "io/topology/gromacs_mdp.hpp"
 #include "polhode/run/outputs.hpp"
+#include "run/output_files.hpp"
 
 namespace polhode {
 namespace {

@@ -8,7 +8,9 @@
 #include "base/instruction_set.hpp"
 #include "base/version.hpp"
 #include "io/files/draft.hpp"
+#include "io/files/write_file.hpp"
 #include "polhode/base/error.hpp"
+#include "run/output_files.hpp"
 
 namespace polhode {
 

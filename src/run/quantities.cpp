@@ -13,6 +13,7 @@
 
 #include "base/printable.hpp"
 #include "io/files/with_error.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

@@ -5,7 +5,9 @@
 
 #include <limits>
 
+#include "io/settings/config_parts.hpp"
 #include "io/settings/output_units.hpp"
+#include "io/settings/required_bias.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "run/listing/verification.hpp"
 #include "run/study/study_request.hpp"

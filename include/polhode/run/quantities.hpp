@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The results of a job as a list of quantities. Loops over this list produce the text, the JSON,
-// the CSV file and the table in the manual.
+// the CSV file and the table in the manual (src/run/quantity_lists.hpp).
 #pragma once
 
 #include <array>
@@ -12,7 +12,6 @@
 #include <variant>
 #include <vector>
 
-#include "polhode/io/files/table_file.hpp"
 #include "polhode/math/fit.hpp"
 #include "polhode/measure/correlated_series.hpp"
 
@@ -82,67 +81,17 @@ struct Quantity {
   bool detail = false;
 };
 
-/// Makes a quantity a detail.
-Quantity detail(Quantity quantity);
-
-/// A row of the text that is not in JSON; a line of its own without a label.
-Quantity row(std::string label, std::string text);
-
-/// The names of files that were written, as a row; no row without any.
-Quantity row_of_files(const std::vector<std::string>& files);
-
-/// Quantities that are omitted from the text, because it shows their numbers elsewhere.
-Quantities without_labels(Quantities list);
-
-/// An estimate from independent runs, as an estimate with value and error in a JSON object; not
-/// known if it is not finite.
-SeriesEstimate nested(const Estimate& estimate);
-
-/// Adds quantities to a list.
-void append(Quantities& list, Quantities more);
-
-/// Quantities with each estimate as two numbers, "potential_kJ_per_mol" and
-/// "potential_error_kJ_per_mol", and "errors_not_known" with the reasons.
-Quantities flattened(const Quantities& list);
-
-/// "not known: run too short".
-std::string not_known(Known known);
-
-/// ", error not known: run too short"; empty if it is known.
-std::string missing_error(Known known);
-
 /// A value with its error, "1.20 ± 0.03 ps"; with four digits if that is not known.
 std::string text_of(const SeriesEstimate& estimate, std::string_view unit = "");
-
-/// What the text shows of a quantity: a row, a title, or a title with a table.
-struct TextRow {
-  std::string label, text{}, doc{};
-  std::size_t level = 0;                          ///< level of indentation
-  std::vector<std::vector<std::string>> table{};  ///< head and rows of a table
-  std::vector<bool> left{};                       ///< whether columns of the table are texts
-};
-
-/// The quantities with labels, and the lines without labels. Details are first.
-std::vector<TextRow> text_rows(const Quantities& list);
 
 /// Rows of a list as lines of text, with a blank line after the details.
 /// @param details  whether to include them
 std::string text_of(const Quantities& list, bool details = true);
-
-/// Records as a CSV file has them: an estimate has two columns, "R" and "R_error".
-Table table_of(const std::vector<Quantities>& records);
 
 /// Keys with units, as in "length_ps"; an estimate is an object with "value", "error", and
 /// "error_not_known" where it is not.
 std::string json_text(const Quantities& list);
 /// Several lists as a JSON array.
 std::string json_text(const std::vector<Quantities>& lists);
-
-/// JSON of a list. The key "rows" holds the rows of the text as objects with "label", "text",
-/// "meaning", "level" and "table". The first row of "table" is the table head.
-std::string json_text(const Quantities& list, const std::vector<TextRow>& rows);
-
-/// A table of Markdown with the keys, their units and meanings.
-std::string documentation(const Quantities& list);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/figures/plot.hpp"
+#include "io/figures/plot.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -14,6 +14,7 @@
 #include <ostream>
 
 #include "io/files/disk.hpp"
+#include "io/files/write_file.hpp"
 #include "plot_script.hpp"
 #include "polhode/io/files/table_file.hpp"
 

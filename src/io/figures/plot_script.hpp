@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/io/figures/plot.hpp"
+#include "io/figures/plot.hpp"
 
 namespace polhode {
 

@@ -15,6 +15,7 @@
 #include "io/files/checksum.hpp"
 #include "io/files/disk.hpp"
 #include "io/files/draft.hpp"
+#include "io/files/write_file.hpp"
 
 namespace polhode {
 namespace {

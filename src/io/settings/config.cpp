@@ -10,6 +10,7 @@
 #include "base/printable.hpp"
 #include "io/files/embedded.hpp"
 #include "io/files/text_file.hpp"
+#include "io/settings/config_parts.hpp"
 #include "io/settings/settings.hpp"
 #include "list_tables.hpp"
 #include "polhode/base/error.hpp"

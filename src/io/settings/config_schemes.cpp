@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <sstream>
 
+#include "io/settings/config_parts.hpp"
+#include "io/settings/scheme_labels.hpp"
 #include "list_tables.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/settings/quantity.hpp"
+#include "io/settings/scheme_labels.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 

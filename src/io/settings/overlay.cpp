@@ -7,6 +7,7 @@
 #include <array>
 #include <sstream>
 
+#include "io/settings/config_parts.hpp"
 #include "polhode/base/error.hpp"
 #include "setting_rows.hpp"
 #include "toml_table.hpp"

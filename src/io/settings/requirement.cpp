@@ -6,6 +6,7 @@
 #include <array>
 
 #include "io/settings/quantity.hpp"
+#include "io/settings/required_bias.hpp"
 #include "io/settings/settings.hpp"
 #include "polhode/base/error.hpp"
 

@@ -5,9 +5,11 @@
 #include <algorithm>
 
 #include "base/suggest.hpp"
+#include "io/figures/plot.hpp"
 #include "io/formats/format.hpp"
+#include "io/settings/config_parts.hpp"
+#include "io/settings/required_bias.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/figures/plot.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "setting_rows.hpp"
 

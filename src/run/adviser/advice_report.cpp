@@ -9,12 +9,15 @@
 #include <utility>
 
 #include "../study/temperature_differences.hpp"
+#include "io/figures/plot.hpp"
 #include "io/files/with_error.hpp"
+#include "io/files/write_file.hpp"
 #include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/figures/plot.hpp"
 #include "run/adviser/advice_curves.hpp"
+#include "run/output_files.hpp"
+#include "run/quantity_lists.hpp"
 #include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {

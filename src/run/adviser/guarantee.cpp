@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/output_error.hpp"
+#include "io/files/write_file.hpp"
+#include "io/settings/scheme_labels.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/files/table_file.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"

@@ -7,9 +7,13 @@
 #include <optional>
 #include <utility>
 
+#include "io/figures/plot.hpp"
+#include "io/files/write_file.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
+#include "run/output_files.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

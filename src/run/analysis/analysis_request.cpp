@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/suggest.hpp"
-#include "polhode/io/figures/plot.hpp"
+#include "io/figures/plot.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 

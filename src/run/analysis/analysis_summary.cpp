@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "run/quantity_lists.hpp"
+
 namespace polhode {
 namespace {
 

@@ -12,6 +12,7 @@
 #include "model/dipole.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "run/analysis/analysis_summary.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

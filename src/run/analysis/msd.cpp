@@ -12,6 +12,7 @@
 #include "io/settings/quantity.hpp"
 #include "measure/displacement.hpp"
 #include "run/analysis/analysis_summary.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

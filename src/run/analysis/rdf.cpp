@@ -10,6 +10,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/measure/radial_distribution.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

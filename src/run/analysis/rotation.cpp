@@ -7,6 +7,7 @@
 #include "convergence_results.hpp"
 #include "curves.hpp"
 #include "measure/reorientation.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

@@ -9,6 +9,7 @@
 #include "io/settings/output_units.hpp"
 #include "measure/velocity_correlation.hpp"
 #include "run/analysis/analysis_summary.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

@@ -10,6 +10,7 @@
 #include "base/version.hpp"
 #include "forces/laws/setting_names.hpp"
 #include "io/settings/output_units.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

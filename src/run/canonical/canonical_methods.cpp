@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "io/settings/output_units.hpp"
+#include "io/settings/scheme_labels.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
 #include "polhode/integrate/scheme_text.hpp"

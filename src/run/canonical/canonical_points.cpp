@@ -6,6 +6,7 @@
 
 #include "math/prediction.hpp"
 #include "polhode/run/canonical/canonical_study.hpp"
+#include "run/canonical/canonical_report.hpp"
 #include "run/study/study_tasks.hpp"
 
 namespace polhode {

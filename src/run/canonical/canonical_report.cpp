@@ -7,12 +7,13 @@
 #include <cmath>
 
 #include "../study/study_job.hpp"
+#include "io/figures/plot.hpp"
 #include "io/files/with_error.hpp"
 #include "io/settings/ensemble_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/figures/plot.hpp"
 #include "run/canonical/canonical_record.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

@@ -78,4 +78,10 @@ std::string canonical_conditions(const Config& config);
 std::vector<std::string> canonical_sentences(const CanonicalFindings& findings,
                                              const std::vector<CanonicalPoint>& points);
 
+/// The name of a criterion: "strict" or "loose".
+const char* in_words(BiasCriterion criterion);
+
+/// The result of a comparison as text: "below the bound", "above the bound" or "undecided".
+const char* in_words(Accuracy accuracy);
+
 }  // namespace polhode

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/files/write_file.hpp"
 #include "measure/autocorrelation_time.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/forces/force_field.hpp"

@@ -13,12 +13,14 @@
 
 #include "io/files/with_error.hpp"
 #include "io/settings/output_units.hpp"
+#include "io/settings/scheme_labels.hpp"
 #include "measure/autocorrelation_time.hpp"
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/math/random.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
+#include "run/quantity_lists.hpp"
 #include "run/simulation/system/einstein_frequency.hpp"
 
 namespace polhode {

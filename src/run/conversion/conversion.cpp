@@ -11,6 +11,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
 #include "polhode/run/simulation/system/system.hpp"
+#include "run/output_files.hpp"
 
 namespace polhode {
 namespace {

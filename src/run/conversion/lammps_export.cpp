@@ -8,7 +8,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "io/files/write_file.hpp"
 #include "io/settings/quantity.hpp"
+#include "io/settings/scheme_labels.hpp"
 #include "io/topology/lammps_export.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/force_program.hpp"
@@ -16,6 +18,7 @@
 #include "polhode/io/files/table_file.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/simulation/system/system.hpp"
+#include "run/output_files.hpp"
 #include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {

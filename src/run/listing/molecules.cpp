@@ -12,6 +12,7 @@
 #include "model/dipole.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/io/topology/topology_file.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

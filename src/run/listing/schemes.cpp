@@ -9,6 +9,7 @@
 #include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/schemes.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

@@ -8,6 +8,7 @@
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 

@@ -3,6 +3,8 @@
 // moves.
 #pragma once
 
+#include <string>
+
 #include "polhode/measure/energy_statistics.hpp"
 #include "polhode/model/ensemble_settings.hpp"
 
@@ -26,5 +28,10 @@ SeriesEstimate measured_compressibility(const EnergyStatistics& energies,
 /// @param length    length of this stage [ps]
 double next_compressibility(const EnergyStatistics& energies, const BarostatSettings& barostat,
                             double length, double kT);
+
+/// The compressibility as text, such as "310 ± 40 1e-6/bar, from the fluctuations of the volume",
+/// or a text which says that the compressibility is not known yet.
+/// @param in_use  compressibility that sets the size of the moves [nm³ mol/kJ]
+std::string compressibility_text(const SeriesEstimate& measured, double in_use);
 
 }  // namespace polhode

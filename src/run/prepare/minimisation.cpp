@@ -4,7 +4,10 @@
 #include <fmt/core.h>
 
 #include "io/coordinates/gro.hpp"
+#include "io/files/write_file.hpp"
 #include "polhode/base/error.hpp"
+#include "run/output_files.hpp"
+#include "run/quantity_lists.hpp"
 #include "run/simulation/system/relaxation.hpp"
 #include "run/simulation/system/system_notes.hpp"
 

@@ -5,6 +5,8 @@
 
 #include "polhode/run/prepare/minimisation.hpp"
 #include "polhode/run/prepare/preparation.hpp"
+#include "run/prepare/compressibility.hpp"
+#include "run/quantity_lists.hpp"
 #include "run/simulation/report/averages.hpp"
 
 namespace polhode {

@@ -11,6 +11,7 @@
 #include "polhode/run/properties/measure.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/svg_figure.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

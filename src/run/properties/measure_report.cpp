@@ -6,6 +6,7 @@
 #include "io/settings/quantity.hpp"
 #include "polhode/run/properties/measure.hpp"
 #include "run/properties/property.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

@@ -25,6 +25,7 @@
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "run/prepare/compressibility.hpp"
 #include "run/properties/momentum_flux.hpp"
+#include "run/quantity_lists.hpp"
 #include "run/simulation/system/relaxation.hpp"
 #include "run/simulation/system/stable_step.hpp"
 

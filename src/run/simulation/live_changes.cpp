@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "io/settings/config_parts.hpp"
 #include "polhode/run/simulation/simulation.hpp"
 #include "run/simulation/files/identity.hpp"
 #include "run/simulation/system/check_motion.hpp"

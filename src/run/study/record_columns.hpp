@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/output_error.hpp"
+#include "io/files/write_file.hpp"
 #include "record_lines.hpp"
 #include "run/study/run_record.hpp"
 

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <utility>
 
+#include "io/files/write_file.hpp"
+
 namespace polhode {
 namespace {
 

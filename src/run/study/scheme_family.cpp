@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/settings/scheme_labels.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/schemes.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"

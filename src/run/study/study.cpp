@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "io/settings/output_units.hpp"
+#include "io/settings/scheme_labels.hpp"
 #include "math/prediction.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"

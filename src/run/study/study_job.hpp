@@ -10,8 +10,11 @@
 #include <vector>
 
 #include "io/files/draft.hpp"
+#include "io/files/write_file.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/run/outputs.hpp"
+#include "run/output_files.hpp"
+#include "run/quantity_lists.hpp"
 #include "run/simulation/system/system_notes.hpp"
 #include "run/study/study_report.hpp"
 

@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/figures/plot.hpp"
 #include "io/files/with_error.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/figures/plot.hpp"
+#include "run/quantity_lists.hpp"
 #include "run/simulation/system/near_forces.hpp"
 #include "run/study/study_record.hpp"
 #include "study_job.hpp"

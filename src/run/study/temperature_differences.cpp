@@ -8,6 +8,7 @@
 
 #include "io/files/with_error.hpp"
 #include "io/settings/output_units.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

@@ -10,10 +10,12 @@
 #include "base/instruction_set.hpp"
 #include "base/version.hpp"
 #include "io/settings/output_units.hpp"
+#include "io/settings/scheme_labels.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
+#include "run/quantity_lists.hpp"
 #include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {

@@ -11,10 +11,12 @@
 
 #include "base/printable.hpp"
 #include "base/version.hpp"
+#include "io/figures/plot.hpp"
+#include "io/files/write_file.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/figures/plot.hpp"
 #include "polhode/io/files/table_file.hpp"
 #include "polhode/rotor/free_rotor.hpp"
+#include "run/output_files.hpp"
 
 namespace polhode {
 namespace {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "../fuzz.hpp"
+#include "io/files/write_file.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/files/table_file.hpp"
 

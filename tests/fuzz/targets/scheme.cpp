@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "../fuzz.hpp"
+#include "io/settings/scheme_labels.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../errors.hpp"
+#include "io/settings/config_parts.hpp"
 
 using namespace polhode;
 

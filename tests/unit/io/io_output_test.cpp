@@ -14,6 +14,7 @@
 #include "io/coordinates/gro.hpp"
 #include "io/coordinates/xyz.hpp"
 #include "io/files/checksum.hpp"
+#include "io/files/write_file.hpp"
 #include "model/initial_state.hpp"
 #include "polhode/io/files/table_file.hpp"
 #include "polhode/io/topology/molecule_file.hpp"

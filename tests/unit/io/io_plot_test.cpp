@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/figures/plot.hpp"
+#include "io/figures/plot.hpp"
 
 #include <doctest/doctest.h>
 

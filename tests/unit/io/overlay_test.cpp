@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/settings/config_parts.hpp"
 #include "io/settings/ensemble_names.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/settings/config.hpp"

@@ -23,6 +23,7 @@
 #include "run/listing/schemes.hpp"
 #include "run/listing/verification.hpp"
 #include "run/properties/property.hpp"
+#include "run/quantity_lists.hpp"
 #include "run/study/study_report.hpp"
 
 using namespace polhode;

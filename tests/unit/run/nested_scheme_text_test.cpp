@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "../errors.hpp"
+#include "io/settings/scheme_labels.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/run/simulation/report/rounding.hpp"
 #include "run/simulation/system/near_forces.hpp"

@@ -14,6 +14,7 @@
 #include "io/settings/ensemble_names.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/run/simulation/simulation.hpp"
+#include "run/prepare/compressibility.hpp"
 #include "run/simulation/files/checkpoint.hpp"
 
 using namespace polhode;

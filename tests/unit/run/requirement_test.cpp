@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../errors.hpp"
+#include "io/settings/required_bias.hpp"
 #include "polhode/run/adviser/criterion.hpp"
 
 using namespace polhode;

@@ -12,6 +12,7 @@
 
 #include "polhode/integrate/schemes.hpp"
 #include "polhode/run/simulation/report/run_report.hpp"
+#include "run/quantity_lists.hpp"
 
 using namespace polhode;
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "../errors.hpp"
+#include "io/files/write_file.hpp"
 
 using namespace polhode;
 

@@ -9,6 +9,7 @@
 #include "polhode/io/settings/config.hpp"
 #include "polhode/run/simulation/report/warnings.hpp"
 #include "polhode/run/simulation/system/system.hpp"
+#include "run/simulation/report/warning_rules.hpp"
 
 using namespace polhode;
 

@@ -11,6 +11,7 @@
 #include "io/settings/quantity.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/run/simulation/simulation.hpp"
+#include "run/simulation/report/warning_rules.hpp"
 #include "run/simulation/system/stable_step.hpp"
 
 using namespace polhode;

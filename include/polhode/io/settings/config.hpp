@@ -159,21 +159,8 @@ struct Config {
   }
 };
 
-/// Replaces names of user-defined schemes in a text by the texts of these schemes. A name may stand
-/// without a slash, or on either side of a slash.
-std::string with_own_schemes(const std::string& text, const OwnSchemes& own);
-
-/// The reason why the temperature of a run is invalid; empty if it is valid. A temperature of 0 K
-/// is valid only with a thermostat.
-std::string wrong_temperature(const Config& config);
-
 /// Default value of lambda in mixed precision, and its smallest accepted value.
 inline constexpr double lambda_in_mixed = 1, min_lambda_in_mixed = 0.1;
-
-/// Sets the precision of a run, overriding the run file. If the run file sets no lambda, a suitable
-/// lambda is also set.
-/// @throws Error  if the run file's lambda is too small for mixed precision
-void set_precision(Config& config, Precision precision);
 
 /// Reads and checks a run file. Relative paths in the file are relative to its folder.
 /// @param overlay  settings that override the file; errors in them name the option

@@ -33,21 +33,9 @@ struct NamedScheme : NestedScheme {
   }
 };
 
-/// The scheme as a single scheme, for callers that do not support multiple time steps.
-/// @throws Error  if the scheme is nested
-Scheme single_scheme_of(const NamedScheme& scheme);
-
 /// A nested scheme as text. Each of the two schemes is given by its name, or by its stages if it is
 /// unnamed.
 std::string name_of(const NestedScheme& scheme);
-
-/// The label of a scheme in tables and figures. For a named scheme it is the name. For an unnamed
-/// scheme it is the text with single spaces between words, or the stages if the text defines names.
-std::string label_of(const NamedScheme& scheme);
-
-/// A scheme as text that nested_scheme_of() reads back to the same bits. Schemes of the table are
-/// given by name, and other schemes by their user-given name and stages.
-std::string named_text_of(const NestedScheme& scheme);
 
 /// All stages of a nested scheme as text that nested_scheme_of() reads back to the same bits.
 std::string text_of(const NestedScheme& scheme);

@@ -28,9 +28,4 @@ struct Overlay {
   const Override* find(std::string_view key) const;
 };
 
-/// The text of a run file with the settings of an overlay inserted.
-/// @throws Error  under the same conditions as parse_config(), but only for settings that no run
-///   file can have
-std::string overlaid_text(std::string_view text, const std::string& file, const Overlay& overlay);
-
 }  // namespace polhode

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "polhode/base/workers.hpp"
-#include "polhode/io/figures/plot.hpp"
+#include "polhode/io/figures/curves_figure.hpp"
 #include "polhode/io/files/table_file.hpp"
 #include "polhode/measure/step_response.hpp"
 #include "polhode/model/state.hpp"

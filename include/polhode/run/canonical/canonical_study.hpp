@@ -24,9 +24,6 @@ namespace polhode {
 /// 0.5 %, 1 % and 2 %. They were chosen when only the errors of the first data were known.
 enum class BiasCriterion { strict, loose };
 
-/// The name of a criterion: "strict" or "loose".
-const char* in_words(BiasCriterion criterion);
-
 /// A quantity whose bias is measured in a canonical study.
 struct CanonicalQuantity {
   const char* name;  ///< name of the quantity in files
@@ -79,9 +76,6 @@ struct CanonicalRun {
 /// The comparison of a bias with a bound. The bias is below the bound if its 95 % interval lies
 /// within ± the bound, and above if the interval lies outside. Otherwise the data do not decide.
 enum class Accuracy { below, above, undecided };
-
-/// The result of a comparison as text: "below the bound", "above the bound" or "undecided".
-const char* in_words(Accuracy accuracy);
 
 /// Compares a bias with a bound.
 /// @param runs  number of runs from which the error was computed; it determines the degrees of

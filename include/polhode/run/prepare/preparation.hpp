@@ -11,6 +11,7 @@
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/outputs.hpp"
 #include "polhode/run/quantities.hpp"
+#include "polhode/run/simulation/report/summary.hpp"
 #include "polhode/run/simulation/report/warnings.hpp"
 
 namespace polhode {
@@ -71,11 +72,6 @@ double estimated_density(const Topology& topology);
 /// @throws RunError  if molecules still overlap, or a stage blows up
 PreparationReport prepare(const Config& config, const OutputOptions& options = {},
                           const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
-
-/// The compressibility as text, such as "310 ± 40 1e-6/bar, from the fluctuations of the volume",
-/// or a text which says that the compressibility is not known yet.
-/// @param in_use  compressibility that sets the size of the moves [nm³ mol/kJ]
-std::string compressibility_text(const SeriesEstimate& measured, double in_use);
 
 /// The results of a preparation as a list, from which text and JSON are made.
 Quantities quantities(const PreparationReport& report);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/output_error.hpp"
+#include "io/files/write_file.hpp"
 #include "polhode/io/files/table_file.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "run/simulation/files/identity.hpp"

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "base/output_error.hpp"
+#include "io/files/write_file.hpp"
 #include "io/settings/quantity.hpp"
 
 namespace polhode {

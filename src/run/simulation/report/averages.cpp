@@ -8,6 +8,7 @@
 #include "io/settings/ensemble_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
+#include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "polhode/run/simulation/report/summary.hpp"
 #include "polhode/run/simulation/report/warnings.hpp"
 
 namespace polhode {

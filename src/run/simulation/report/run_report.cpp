@@ -12,6 +12,9 @@
 #include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
+#include "run/quantity_lists.hpp"
+#include "run/simulation/report/verdicts.hpp"
+#include "run/simulation/report/warning_rules.hpp"
 
 namespace polhode {
 namespace {

@@ -14,6 +14,7 @@
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "run/simulation/report/ensemble_warnings.hpp"
 #include "run/simulation/report/truncation_walk.hpp"
+#include "run/simulation/report/warning_rules.hpp"
 #include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {

@@ -9,6 +9,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/measure/energy.hpp"
+#include "run/quantity_lists.hpp"
 #include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {

@@ -14,7 +14,7 @@
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/model/centre_of_mass.hpp"
-#include "polhode/run/simulation/report/warnings.hpp"
+#include "run/simulation/report/warning_rules.hpp"
 #include "run/simulation/system/fitting_density.hpp"
 #include "run/simulation/system/precise_start.hpp"
 

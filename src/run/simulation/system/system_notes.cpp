@@ -11,7 +11,7 @@
 #include "io/settings/output_units.hpp"
 #include "polhode/ensemble/barostat.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
-#include "polhode/run/simulation/report/warnings.hpp"
+#include "run/simulation/report/warning_rules.hpp"
 
 namespace polhode {
 

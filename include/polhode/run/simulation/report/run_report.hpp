@@ -9,6 +9,7 @@
 #include "polhode/run/adviser/guarantee.hpp"
 #include "polhode/run/quantities.hpp"
 #include "polhode/run/simulation/files/run_file_names.hpp"
+#include "polhode/run/simulation/report/summary.hpp"
 #include "polhode/run/simulation/report/warnings.hpp"
 
 namespace polhode {
@@ -29,14 +30,6 @@ struct RunReport {
       guarantee;  ///< check of a complete run at constant energy against its bound on R
   bool interrupted = false;
 };
-
-/// The result of a drift test as text: "significant", "not significant", or the reason why it is
-/// not known.
-std::string verdict(const Drift& drift);
-
-/// A guarantee check as text, such as "R = 0.31 ± 0.02 % over 15 ps; the accuracy guarantee is 0.4
-/// %". If a bias is bounded, the text gives the bias instead of R.
-std::string guarantee_text(const GuaranteeCheck& check);
 
 /// The results of a run as a list, from which text, JSON and the table of the manual are made.
 Quantities run_quantities(const RunReport& report);

@@ -2,11 +2,7 @@
 // What is probably wrong with a simulation, with what to do about it.
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
-
-#include "polhode/run/simulation/report/summary.hpp"
 
 namespace polhode {
 
@@ -20,60 +16,5 @@ struct Warning {
   std::string text;
   std::string remedy;
 };
-
-/// "warning: text; remedy".
-std::string line_of(const Warning& warning);
-
-/// Warns of ions without interactions beyond the cutoff: molecules have a net charge, and
-/// electrostatics are plain Coulomb or a reaction field. The value is the largest net charge [e].
-std::optional<Warning> cutoff_of_ions(const System& system);
-
-/// A warning about a molecule with a site that is too far from all other sites for a bond. The
-/// positions were probably given in ångström instead of nm.
-std::optional<Warning> distant_sites(const System& system);
-
-/// Warns if velocities of the initial configuration do not have the temperature of the run file,
-/// and no thermostat changes it. The deviation exceeds four standard deviations of a canonical
-/// kinetic temperature, T √(2/n) for n degrees of freedom.
-std::optional<Warning> velocities_of_file(const System& system, const Config& config);
-
-/// A step beyond max_stable_step() at the state of the system. The value is the step times the
-/// Einstein frequency of the fastest degrees of freedom.
-std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
-                                           Workers& workers = Workers::serial());
-
-/// Warns of a truncation that is not smooth enough for scheme and step. The total energy is
-/// predicted to walk by more than 0.1 % of the fluctuation of the potential energy. The canonical
-/// fluctuation of the kinetic energy, kT √(n/2) for n degrees of freedom, is used instead. The
-/// value is the R of this walk.
-std::optional<Warning> rough_truncation(const System& system, const TrajectorySettings& settings);
-
-/// Warnings of ions, the step, and the results of a run (docs/manual/outputs.md, Warnings).
-std::vector<Warning> warnings(const RunSummary& summary, const System& system,
-                              const TrajectorySettings& settings, const Config& config,
-                              Workers& workers = Workers::serial());
-
-/// The temperature that a run file asks for.
-struct TargetTemperature {
-  double value = 0;      ///< [K]
-  bool ignored = false;  ///< the velocities of the initial configuration were kept
-  bool kept = false;     ///< whether a thermostat or hybrid Monte Carlo holds it
-};
-
-/// The warnings that follow from results.
-/// @param target  nothing if any temperature is right
-std::vector<Warning> warnings_of_results(const RunSummary& summary,
-                                         const std::optional<TargetTemperature>& target);
-
-/// Whether the contribution of the energy drift to R exceeds half of R, and also exceeds 0.1 %.
-bool drift_matters(const RunSummary& summary);
-
-/// The standard deviation of the mean temperature of runs at constant energy, with momenta drawn or
-/// rescaled at a temperature T [K]. It is at most T/√(2n) for n degrees of freedom.
-///
-/// The kinetic energy is then the mean at T, and the potential energy has the canonical variance
-/// k_B T² C. All degrees of freedom share the deviation, hence T² C k_B/(C + n k_B/2)². This is
-/// largest for C = n k_B/2, the value of harmonic oscillators.
-double temperature_scatter(double temperature, double degrees_of_freedom);
 
 }  // namespace polhode

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "polhode/base/vec3.hpp"
+#include "polhode/io/figures/curves_figure.hpp"
 
 namespace polhode {
 
@@ -38,32 +39,6 @@ struct EnergyFigure {
 /// name with other extensions.
 /// @param format  "svg" or "png"
 bool energy_plot(const EnergyFigure& figure, const std::string& format, std::ostream& warnings);
-
-/// The data of a figure that plots columns of a CSV file as lines against its first column, in
-/// panels.
-struct CurvesFigure {
-  std::string csv;
-  std::string title, x_label, y_label;
-  double left = 0, right = 1;  ///< limits of the common horizontal axis
-  std::size_t across = 0;      ///< panels in a row; 0 chooses as many as are readable
-  struct Curve {
-    std::string name;       ///< name in the legend; curves without a name are not in the legend
-    std::size_t column;     ///< number of the column in the file, from 1
-    std::size_t error = 0;  ///< column of the standard errors, drawn as a band; 0 for no band
-  };
-  /// A straight line between two points, such as a fit.
-  struct Line {
-    std::string name;
-    std::array<double, 2> x, y;
-  };
-  struct Panel {
-    std::string title;
-    std::vector<Curve> curves;
-    std::vector<Line> lines{};
-    double low = 0, high = 1;  ///< limits of the vertical axis
-  };
-  std::vector<Panel> panels{};
-};
 
 /// Draws a figure of curves. Script and image are written next to the CSV file, under its name with
 /// other extensions.
