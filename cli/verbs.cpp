@@ -5,6 +5,27 @@
 
 namespace polhode::cli {
 
+// Each in verbs/.
+Action advise_verb(Command& command);
+Action analyze_verb(Command& command);
+Action bench_verb(Command& command);
+Action convert_verb(Command& command);
+Action energy_verb(Command& command);
+Action export_verb(Command& command);
+Action measure_verb(Command& command);
+Action merge_verb(Command& command);
+Action minimise_verb(Command& command);
+Action molecules_verb(Command& command);
+Action new_verb(Command& command);
+Action prepare_verb(Command& command);
+Action run_verb(Command& command);
+Action schemes_verb(Command& command);
+Action settings_verb(Command& command);
+Action study_verb(Command& command);
+Action top_verb(Command& command);
+Action tune_scheme_verb(Command& command);
+Action verify_verb(Command& command);
+
 const std::vector<VerbGroup>& verb_groups() {
   static const std::vector<VerbGroup> groups = {
       {"simulate",

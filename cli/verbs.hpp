@@ -13,26 +13,6 @@ namespace polhode::cli {
 
 using Action = std::function<int()>;
 
-Action advise_verb(Command& command);
-Action analyze_verb(Command& command);
-Action bench_verb(Command& command);
-Action convert_verb(Command& command);
-Action energy_verb(Command& command);
-Action export_verb(Command& command);
-Action measure_verb(Command& command);
-Action merge_verb(Command& command);
-Action minimise_verb(Command& command);
-Action molecules_verb(Command& command);
-Action new_verb(Command& command);
-Action prepare_verb(Command& command);
-Action run_verb(Command& command);
-Action schemes_verb(Command& command);
-Action settings_verb(Command& command);
-Action study_verb(Command& command);
-Action top_verb(Command& command);
-Action tune_scheme_verb(Command& command);
-Action verify_verb(Command& command);
-
 struct Verb {
   const char* name;
   const char* description;
@@ -44,7 +24,8 @@ struct VerbGroup {
   std::vector<Verb> verbs;
 };
 
-/// All verbs, in the order in which help lists them.
+/// All verbs, in the order in which help lists them. Help, overview and the indices of the manual
+/// and of Python follow from this table.
 const std::vector<VerbGroup>& verb_groups();
 
 std::vector<std::string> verb_names();

@@ -9,15 +9,13 @@
     print(run.ratio)                        # R
     simulation.state.positions              # a view (n, 3) [nm]
 
-The verbs of the command line are functions: run, prepare, minimise, measure, merge, energy, analyze, convert, export,
-advise, study, tune_scheme, verify, molecules, schemes, top, bench, new. Quantities are texts with
+The verbs of the command line are functions of the same names. Quantities are texts with
 units such as "2 fs", or quantities of pint or openmm.unit. Invalid input raises polhode.Error.
 """
 
-from . import _core
+from . import _core, _jobs
 from ._files import Frame, read, read_frames, write
-from ._jobs import (advise, analyze, bench, convert, energy, export, minimise, new, prepare, run, study,
-                    tune_scheme)
+from ._jobs import *
 from ._lookup import Molecule, Scheme, molecules, schemes, verify
 from ._measure import measure, merge
 from ._progress import hooks as Progress
@@ -34,10 +32,9 @@ __version__ = _core.version
 
 __all__ = ["EnergySeries", "Error", "ExternalForces", "Frame", "Molecule", "OutputError",
            "Progress", "Report", "Run", "RunError", "Scheme", "Settings", "Simulation", "State",
-           "advise", "analyze", "bench", "convert", "energy", "export", "free_rotation", "instruction_set",
-           "measure", "merge", "minimise", "molecules", "new", "prepare", "quantity", "read", "read_frames",
-           "rotate_table", "rotation_matrix", "run", "schemes", "settings", "study", "top",
-           "tune_scheme", "verify", "write"]
+           "free_rotation", "instruction_set", "measure", "merge", "molecules", "quantity", "read", "read_frames",
+           "rotate_table", "rotation_matrix", "schemes", "settings", "top", "verify", "write"]
+__all__ += _jobs.__all__
 
 
 def instruction_set():

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bath of a scheme: the flow of its O stages, which controls the temperature.
+// The bath of a scheme, which keeps a temperature: the flow O of its stages.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,14 @@
 
 namespace polhode {
 
+/// The bodies of a thermostat, and the settings that all types of thermostats have.
+struct ThermostatBodies {
+  LangevinSettings langevin;  ///< contains temperature and seed
+  DegreesOfFreedom degrees_of_freedom;
+  const Bodies& bodies;
+  Workers& workers;
+};
+
 /// Applies a thermostat over a time t, for which the Maxwell distribution is stationary, and sums
 /// the heat that the bodies receive. The random numbers are functions of the seed and of the stage.
 /// A run that is resumed with the same heat() therefore continues bit for bit.
@@ -25,32 +33,12 @@ class Thermostat {
 
   void operator()(State& state, double t, StageNumber at);
 
-  /// Kinetic energies of translation and rotation [kJ/mol]. They include the motion of the centre
-  /// of mass if it is free.
-  struct Motions {
-    double kinetic, translation, rotation;
-  };
-
   double heat() const { return heat_; }  ///< heat given to the bodies so far [kJ/mol]
   void resume_from(double heat) { heat_ = heat; }
 
  private:
-  // The following overloads apply each type of thermostat and return the heat that the bodies
-  // receive.
-  double act(const Langevin& type, State& state, double t, StageNumber at) const;
-  double act(const Rescaling& type, State& state, double t, StageNumber at) const;
-  double act(const SeparateRescaling& type, State& state, double t, StageNumber at) const;
-
-  Motions motions(const State& state) const;
-  /// The factor by which momenta are scaled, from the kinetic energy and the number n of degrees of
-  /// freedom. The time is in units of the time constant.
-  double factor(double kinetic, double n, double time, std::uint64_t stream) const;
-
   ThermostatSettings settings_;
-  LangevinSettings langevin_;
-  DegreesOfFreedom degrees_of_freedom_;
-  const Bodies& bodies_;
-  Workers& workers_;
+  ThermostatBodies of_;
   double heat_ = 0;
 };
 

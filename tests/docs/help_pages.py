@@ -3,7 +3,8 @@
 meanings of its options; with --write both are updated. No default in a help text is a number of its own.
 
 The page docs/manual/VERB.md contains the help in the fenced block below `<!-- help: VERB -->`, and the index
-docs/manual/README.md that of the program below `<!-- help -->`.
+docs/manual/README.md that of the program below `<!-- help -->`. The verbs are also in a table of the index, in a table of contents
+of the site, and in the page of the Python interface.
 """
 
 import re
@@ -17,13 +18,21 @@ OPTION = re.compile(r"^  --([\w-]+)\S*(?: \S+)*?\s{2,}(.+)$", re.M)
 ENTRY = re.compile(r"^        (\w+(?:, \**\w+)*)( \(.*?\))?: (.*(?:\n {12}.*)*)\n", re.M)
 
 
+# Page: the lines of verbs in it, and the line of one.
+INDICES = {
+    "docs/manual/README.md": (r"(?<=\| verb \| does \|\n\| --- \| --- \|\n)(?:\|.*\n)+", "| [{verb}]({verb}.md) | {meaning} |"),
+    "docs/site/index.md": (r"(?<=\ndocs/manual/README\n)(?:docs/manual/.*\n)+?(?=docs/manual/python\n)", "docs/manual/{verb}"),
+    "docs/api/python.md": (r"(?<=\nVerbs\n-----\n\n)(?:\.\. autofunction:: .*\n)+", ".. autofunction:: {name}")}
+
+
 def help_text(program, *verb):
     return subprocess.run([program, *verb, "--help"], text=True, capture_output=True, check=True).stdout.strip() + "\n"
 
 
 def verbs(program):
+    """The verbs and what they do, in the order in which the program lists them."""
     listed = help_text(program).partition("examples\n")[0]
-    return re.findall(r"^  ([\w-]+)", listed, re.M)
+    return dict(re.findall(r"^  ([\w-]+) +(.*)", listed, re.M))
 
 
 def with_help(text, verb, shown):
@@ -63,17 +72,32 @@ def with_meanings(source, verb, shown):
     return source[:function.start(2)] + arguments + source[function.end(2):]
 
 
+def with_verbs(text, page, meanings):
+    """A page with the lines of all verbs that it does not have elsewhere; None: it has no place for them."""
+    pattern, line = INDICES[page]
+    block = re.search(pattern, text)
+    if not block:
+        return None
+    before, after = text[:block.start()], text[block.end():]
+    elsewhere = (before + after).splitlines()
+    shown = [line.format(verb=verb, name=verb.replace("-", "_"), meaning=meaning) for verb, meaning in meanings.items()]
+    return before + "".join(f"{one}\n" for one in shown if one not in elsewhere) + after
+
+
 def main():
     given = options(__doc__, "bring pages and docstrings up to date", program=True)
     program, root, wrong = given.program, given.root, []
 
     def keep(path, text):
         if text is None:
-            wrong.append(f"{path.relative_to(root)} has no block ```text with the help; add one")
+            wrong.append(f"{path.relative_to(root)} has no place for the help or the list of verbs; add it")
         elif not is_current(path, text, given.write):
             wrong.append(f"{path.relative_to(root)} shows another help than the program prints; run this test with --write")
 
-    for verb in ("", *verbs(program)):
+    meanings = verbs(program)
+    for page in INDICES:
+        keep(root / page, with_verbs((root / page).read_text(encoding="utf-8"), page, meanings))
+    for verb in ("", *meanings):
         shown = help_text(program, *([verb] if verb else []))
         page = root / f"docs/manual/{verb or 'README'}.md"
         keep(page, with_help(page.read_text(encoding="utf-8") if page.exists() else "", verb, shown))

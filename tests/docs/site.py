@@ -24,12 +24,15 @@ def entries(page):
                 yield line
 
 
-def public_names():
-    tree = ast.parse((ROOT / "python/polhode/__init__.py").read_text(encoding="utf-8"))
-    for node in tree.body:
-        if isinstance(node, ast.Assign) and node.targets[0].id == "__all__":
-            return set(ast.literal_eval(node.value))
-    return set()
+def public_names(module="__init__"):
+    """The names in __all__ of a module, and of those that it adds to its own: `__all__ += _jobs.__all__`."""
+    names = set()
+    for node in ast.parse((ROOT / f"python/polhode/{module}.py").read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.AugAssign) and node.target.id == "__all__":
+            names |= public_names(node.value.value.id)
+        elif isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") == "__all__":
+            names |= set(ast.literal_eval(node.value))
+    return names
 
 
 def findings():

@@ -28,6 +28,9 @@ SOUND = {
     "tests/reference/a.cpp": SPDX + 'int goes, on;\n',
     "tests/reference/a.py": SPDX.replace("//", "#") + "text = 'goes on'\n",
     "data/molecules/a.toml": 'source = "one1990"\n',
+    "src/run/soar.hpp": SPDX + "int soar_over(int height);\n",
+    "cli/verbs/soar.cpp": SPDX + "Action soar_verb(Command&) {\n  return [] { return soar_over(2); };\n}\n",
+    "python/polhode/__init__.py": SPDX.replace("//", "#") + '__all__ = ["new", "soar"]\n',
     "src/base/pack.hpp": SPDX + "#include <hwy/highway.h>\n",
     "include/polhode/io/file.hpp": SPDX + '#include "polhode/forces/laws/settings.hpp"\n',
     "src/io/file.cpp": SPDX + "#include <fmt/core.h>\n\n"
@@ -78,6 +81,7 @@ FAULTS = [
     ("tidy", "include/polhode/io/tidied.hpp", "inline bool is_equal(int x) { return x == x; }\n", 3),
     ("verbs", "cli/verbs.cpp", SPDX + '{{"fly", "move through the air",\n  fly_verb}};\n', 2),
     ("verbs", "cli/verbs.cpp", SPDX + '{{"new", "write a run file", new_verb}};\n', 2),
+    ("verbs", "cli/verbs.cpp", SPDX + '{{"soar", "stay in the air", soar_verb}};\n', 2),
     ("words", "docs/notes.md", "It is long,\nand Goes\non.\n", 3),
     ("words", "docs/notes.md", "It takes some 20 ps.\n", 2),
     ("words", "docs/glossary.md", "\n| do not write | write |\n| --- | --- |\n", 1),

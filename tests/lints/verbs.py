@@ -1,33 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""Each verb of the command line has its function in Python, and both call the same function of the
-library: the verbs are those of cli/verbs.cpp."""
+"""Each verb of the command line has its function in Python, and both call the same functions of the library: those of
+run/ that the verb's file calls, but for those that only show results. The verbs are those of cli/verbs.cpp."""
 
 import re
 
-from tree import Finding, line_of, lines, main
+from tree import Finding, line_of, lines, main, without_comments
 
-# Verb: functions of the library that its file of the command line and the Python module call.
-CALLS = {
-    "new": ["new_run_file"],
-    "prepare": ["prepare"],
-    "minimise": ["minimise_configuration"],
-    "run": ["Simulation"],
-    "measure": ["measure", "quantities"],
-    "merge": ["measure", "quantities"],
-    "energy": ["single_point", "quantities"],
-    "analyze": ["run_analysis"],
-    "convert": ["convert"],
-    "export": ["export_to_lammps"],
-    "advise": ["run_adviser", "advise_hybrid", "quantities"],
-    "study": ["perform_study"],
-    "tune-scheme": ["tune", "quantities"],
-    "verify": ["verify", "quantities"],
-    "molecules": ["find_molecules", "records"],
-    "schemes": ["all_schemes", "quantities"],
-    "settings": ["settings_json"],
-    "top": ["integrate_top", "draw_top", "rotated_table"],
-    "bench": ["run_benchmark", "quantities"],
-}
+SHOWN = re.compile(r"\w+_(?:text|json|help)|text_of|json_text|row_of_files")
+DECLARED = re.compile(r"^(?!class|struct|using|#|namespace|template|enum|\}|return)[A-Za-z_][^;{}()=\n]*?\b(\w+)\(|^class (\w+)", re.M)
+DEFINED = re.compile(r"^(?:int|void|Action) (\w+)\(", re.M)
+LISTED = re.compile(r"^__all__ \+?= (\[[^\]]*\])", re.M)
 
 
 def text_of(paths):
@@ -36,14 +18,16 @@ def text_of(paths):
 
 def calls(text, function):
     """Whether a function is called, or passed on, in some C++ text."""
-    return re.search(rf"\b{function}\b\s*[(<,)]|\b{function} simulation\(", text) is not None
+    return re.search(rf"\b{function}\b\s*[(<,)]|\b{function} \w+\(", text) is not None
 
 
 def python_names(root):
-    """The public names of the package."""
-    package = root / "python/polhode/__init__.py"
-    text = text_of([package] if package.exists() else [])
-    return set(re.findall(r'"([a-z_A-Z]+)"', text.partition("__all__ = [")[2].partition("]")[0]))
+    """The public names of the package, and of its modules of which it has all."""
+    package = root / "python/polhode"
+    text = text_of([package / "__init__.py"] if package.exists() else [])
+    modules = [package / f"{name}.py" for name in re.findall(r"^from \.(\w+) import \*", text, re.M)]
+    listed = LISTED.findall("\n".join([text, text_of(modules)]))
+    return {name for names in listed for name in re.findall(r'"(\w+)"', names)}
 
 
 def verbs_of(path):
@@ -55,24 +39,26 @@ def verbs_of(path):
         yield match[1], line_of(text, match.start())
 
 
+def library(root):
+    """The functions and classes that headers of run/ declare."""
+    headers = [p for folder in ("include/polhode/run", "src/run") for p in sorted((root / folder).rglob("*.hpp"))]
+    return {name for found in DECLARED.findall(text_of(headers)) for name in found if name}
+
+
 def check(root):
-    verbs = root / "cli/verbs.cpp"
-    python = text_of(sorted((root / "python/src").glob("*.cpp")))
-    command_line = text_of(sorted((root / "cli").rglob("*.cpp")))
-    names = python_names(root)
+    verbs, names, declared = root / "cli/verbs.cpp", python_names(root), library(root)
+    python = text_of(sorted((root / "python/src").glob("*.[ch]pp")))
+    sources = [without_comments(text_of([path])) for path in sorted((root / "cli/verbs").glob("*.cpp"))]
     for verb, number in verbs_of(verbs):
-        if verb not in CALLS:
-            yield Finding(verbs, number, f"{verb} is not in tests/lints/verbs.py; add its "
-                                         "library functions, and a function in python/polhode")
-            continue
         name = verb.replace("-", "_")
         if name not in names:
             yield Finding(verbs, number, f"{verb} has no function polhode.{name}; add it")
-        for function in CALLS[verb]:
-            for where, code in (("cli", command_line), ("python/src", python)):
-                if not calls(code, function):
-                    yield Finding(verbs, number, f"{where} does not call {function}() for {verb}; "
-                                                 "both front ends must")
+        source = next((text for text in sources if f"Action {name}_verb(" in text), "")
+        called = {f for f in declared - set(DEFINED.findall(source)) if calls(source, f)}
+        if not called:
+            yield Finding(verbs, number, f"{verb} calls no function of run/; verbs only read options and print")
+        for function in sorted(f for f in called if not SHOWN.fullmatch(f) and not calls(python, f)):
+            yield Finding(verbs, number, f"python/src does not call {function}() for {verb}; both front ends must")
 
 
 if __name__ == "__main__":

@@ -13,8 +13,8 @@ namespace polhode {
 /// What random numbers are used for; no two uses share a number.
 enum class RandomUse : std::uint64_t {
   langevin = 1,
-  rescaling,
-  separate_rescaling,
+  thermostat,           ///< a thermostat's first numbers; a run has one thermostat
+  thermostat_rotation,  ///< and its second ones, where rotation has its own
   cell_rescaling,
   volume_move,
   hybrid_momenta,

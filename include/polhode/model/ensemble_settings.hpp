@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Settings of temperature and pressure control, for run files and for the thermostats and barostats
-// of polhode/ensemble.
+// of polhode/ensemble. Each type has a name, as in run files, and a title.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace polhode {
 
 /// Langevin thermostat, which acts on each momentum separately [davidchack2009].
 struct Langevin {
+  static constexpr std::string_view name = "langevin", title = "Langevin thermostat";
   double friction = 1;             ///< friction γ of translation [1/ps]
   double rotational_friction = 1;  ///< friction γ of rotation [1/ps]
   friend bool operator==(const Langevin&, const Langevin&) = default;
@@ -20,12 +22,16 @@ struct Langevin {
 
 /// Stochastic velocity rescaling, with one factor for all momenta [bussi2007].
 struct Rescaling {
+  static constexpr std::string_view name = "rescaling", title = "stochastic velocity rescaling";
   double time_constant = 0.5;  ///< time constant τ [ps]
   friend bool operator==(const Rescaling&, const Rescaling&) = default;
 };
 
 /// Stochastic velocity rescaling with separate factors for translation and rotation.
 struct SeparateRescaling {
+  static constexpr std::string_view name = "separate-rescaling";
+  static constexpr std::string_view title =
+      "separate stochastic velocity rescaling of translation and rotation";
   double time_constant = 0.5;  ///< time constant τ of both factors [ps]
   friend bool operator==(const SeparateRescaling&, const SeparateRescaling&) = default;
 };
@@ -37,6 +43,7 @@ using CoupledEdges = std::array<bool, 3>;
 
 /// Barostat by stochastic cell rescaling [bernetti2020].
 struct CellRescaling {
+  static constexpr std::string_view name = "cell-rescaling", title = "stochastic cell rescaling";
   double time_constant = 2;  ///< time constant τ of the volume [ps]
   /// Whether moves are accepted or rejected, so that the distribution is exact for any interval
   /// [roberts1996]. If false, every move is accepted, as in the published method.
@@ -46,6 +53,7 @@ struct CellRescaling {
 
 /// Monte Carlo barostat: volume moves of random size, which are accepted or rejected.
 struct VolumeMoves {
+  static constexpr std::string_view name = "monte-carlo", title = "Monte Carlo moves";
   friend bool operator==(const VolumeMoves&, const VolumeMoves&) = default;
 };
 

@@ -15,13 +15,9 @@ namespace polhode {
 template <class Variant>
 inline constexpr auto type_names = nullptr;
 
-template <>
-inline constexpr std::array<std::string_view, 3> type_names<ThermostatSettings> = {
-    "langevin", "rescaling", "separate-rescaling"};
-
-template <>
-inline constexpr std::array<std::string_view, 2> type_names<BoxMoves> = {"cell-rescaling",
-                                                                         "monte-carlo"};
+template <class... Types>
+inline constexpr std::array<std::string_view, sizeof...(Types)> type_names<std::variant<Types...>> =
+    {Types::name...};
 
 template <class... Types>
 constexpr std::string_view type_name(const std::variant<Types...>& type) {

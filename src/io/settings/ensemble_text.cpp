@@ -3,6 +3,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <map>
+#include <string>
+#include <variant>
+
 #include "io/settings/quantity.hpp"
 #include "io/settings/settings.hpp"
 #include "polhode/io/settings/config.hpp"
@@ -13,36 +18,28 @@ namespace {
 
 const std::vector<std::string_view> tables = {"thermostat", "barostat", "hybrid_monte_carlo"};
 
-std::string in_ps(double time) { return fmt::format("{:.12g} ps", time); }
-std::string in_bar(double pressure) {
-  return fmt::format("{:.12g} bar", pressure / unit("bar", Dimension::pressure));
+/// "Monte Carlo moves"
+template <class... Types>
+std::string title_of(const std::variant<Types...>& type) {
+  return std::visit([](const auto& one) { return std::string(one.title); }, type);
 }
-std::string per_ps(double rate) { return fmt::format("{:.12g} 1/ps", rate); }
 
-std::string text_of(const Langevin& type) {
-  const std::string rotation =
-      type.rotational_friction == type.friction
-          ? ""
-          : fmt::format(" ({} for rotation)", per_ps(type.rotational_friction));
-  return fmt::format("Langevin thermostat with a friction of {}{}", per_ps(type.friction),
-                     rotation);
-}
-std::string text_of(const Rescaling& type) {
-  return fmt::format("stochastic velocity rescaling with a time constant of {}",
-                     in_ps(type.time_constant));
-}
-std::string text_of(const SeparateRescaling& type) {
-  return fmt::format(
-      "separate stochastic velocity rescaling of translation and rotation with a time constant of "
-      "{}",
-      in_ps(type.time_constant));
-}
-std::string text_of(const CellRescaling&) { return "stochastic cell rescaling"; }
-std::string text_of(const VolumeMoves&) { return "Monte Carlo moves"; }
-
-template <class Variant>
-std::string text_of_type(const Variant& type) {
-  return std::visit([](const auto& one) { return text_of(one); }, type);
+/// " with a friction of 1 1/ps"; settings whose default is another one and that have its value are
+/// left out.
+std::string parameters_of_thermostat(const EnsembleSettings& settings) {
+  std::string text;
+  std::map<std::string, std::string> values;
+  for (const auto& [path, value] : ensemble_texts(settings)) {
+    const Setting& one = setting(path);
+    if (one.table != "thermostat" || one.by.empty()) continue;
+    values["value of `" + one.key + '`'] = value;
+    if (const auto same = values.find(one.fallback); same != values.end() && same->second == value)
+      continue;
+    std::string words = one.key;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    text += fmt::format("{} a {} of {}", text.empty() ? " with" : " and", words, value);
+  }
+  return text;
 }
 
 }  // namespace
@@ -76,13 +73,13 @@ std::string wrong_setting(const EnsembleSettings& settings) {
 std::string description(const EnsembleSettings& s) {
   if (s.constant_energy()) return "constant energy";
   std::string text = fmt::format("{:g} K", s.temperature);
-  if (s.thermostat) text += ", " + text_of_type(*s.thermostat);
+  if (s.thermostat) text += ", " + title_of(*s.thermostat) + parameters_of_thermostat(s);
   if (s.hybrid_monte_carlo)
     text += fmt::format(", hybrid Monte Carlo with trajectories of {} steps",
                         s.hybrid_monte_carlo->steps);
   if (s.barostat)
-    text += fmt::format(", {} of the box to {}", text_of_type(s.barostat->type),
-                        in_bar(s.barostat->pressure));
+    text += fmt::format(", {} of the box to {:.12g} bar", title_of(s.barostat->type),
+                        s.barostat->pressure / unit("bar", Dimension::pressure));
   return text;
 }
 

@@ -17,7 +17,8 @@ std::vector<std::pair<std::string, std::string>> ensemble_texts(const EnsembleSe
 /// A description of the first ensemble setting that is out of its bounds; empty if all are valid.
 std::string wrong_setting(const EnsembleSettings& settings);
 
-/// The ensemble as text for notes and reports, such as "NVT, Langevin, friction 1 1/ps".
+/// The ensemble as text for notes and reports, such as "300 K, Langevin thermostat with a friction
+/// of 1 1/ps".
 std::string description(const EnsembleSettings& settings);
 
 /// Groups of coupled edges as text: "xyz", or "xy z" for two groups.

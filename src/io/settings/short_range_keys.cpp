@@ -4,6 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "base/suggest.hpp"
 #include "io/topology/potential_table.hpp"
@@ -42,10 +45,16 @@ double exponent(TomlTable& table, std::string_view key, std::string_view example
   return *value;
 }
 
+/// The names of all laws, in their order.
+template <class... Laws>
+std::vector<std::string> names_of(const std::variant<Laws...>&) {
+  return {name(ShortRangeLaw(Laws()))...};
+}
+
 }  // namespace
 
 ShortRangeKeys read_short_range(TomlTable& table, LawOwner owner, const std::string& file) {
-  static const std::vector<std::string> laws = {"lennard-jones", "mie", "buckingham", "tabulated"};
+  const std::vector<std::string> laws = names_of(ShortRangeLaw{});
   const std::string law = table.text("law").value_or(laws[0]);
   table.require(std::find(laws.begin(), laws.end(), law) != laws.end(), "law",
                 fmt::format("must be one of: {}{}", join_names(laws), did_you_mean(law, laws)));
