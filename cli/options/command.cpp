@@ -16,11 +16,6 @@ const CommandOption& CommandOption::required() const {
   return *this;
 }
 
-const CommandOption& CommandOption::separated_by(char delimiter) const {
-  option_->delimiter(delimiter);
-  return *this;
-}
-
 CommandOption Command::add_flag(const std::string& name, bool& value, const std::string& meaning) {
   return CommandOption(*app_->add_flag(name, value, meaning));
 }
@@ -30,10 +25,7 @@ CommandOption Command::add_option(const std::string& name, Value& value,
                                   const std::string& meaning) {
   return CommandOption(*app_->add_option(name, value, meaning));
 }
-template CommandOption Command::add_option(const std::string&, double&, const std::string&);
 template CommandOption Command::add_option(const std::string&, std::string&, const std::string&);
-template CommandOption Command::add_option(const std::string&, std::vector<double>&,
-                                           const std::string&);
 template CommandOption Command::add_option(const std::string&, std::vector<std::string>&,
                                            const std::string&);
 

@@ -24,8 +24,6 @@ class CommandOption {
   explicit CommandOption(CLI::Option& option) : option_(&option) {}
 
   const CommandOption& required() const;
-  /// Allows one word to hold several values, separated by this character.
-  const CommandOption& separated_by(char delimiter) const;
 
  private:
   CLI::Option* option_;
@@ -48,7 +46,7 @@ class Command {
 
   CommandOption add_flag(const std::string& name, bool& value, const std::string& meaning);
   /// Declares an option or an argument.
-  /// @tparam Value  std::string, a number, or a std::vector of either; command.cpp lists the types
+  /// @tparam Value  std::string, or a std::vector of them; command.cpp lists both
   /// @param name    name such as "--step", or "FILE" for an argument without a name
   /// @param value   receives the value when the command line is parsed; before that, it is the
   ///   default

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 import numbers
 
 from . import _core
@@ -86,11 +85,6 @@ def quantity_text(value, dimension, name):
     return value
 
 
-def optional_text(value, dimension, name):
-    """The text of an argument that must be a quantity or None."""
-    return None if value is None else quantity_text(value, dimension, name)
-
-
 def quantity(value: Quantity, dimension: str, name: str = "quantity") -> float:
     """The number of a quantity in the units of the library: nm, ps, u, e, K, kJ/mol.
 
@@ -121,8 +115,3 @@ def positive(value, dimension, name) -> float:
 
         raise Error(f"{name} = \"{text_of(value)}\" must be longer than 0; write for example \"2 fs\"")
     return number
-
-
-def is_finite_number(value):
-    """Whether a value is an int or a finite float."""
-    return isinstance(value, numbers.Real) and math.isfinite(value)

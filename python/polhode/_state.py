@@ -84,11 +84,6 @@ class State(Guarded):
         """
         return _Change(self._core, self._settings)
 
-    def _set(self, **arrays):
-        with self.change() as state:
-            for name, values in arrays.items():
-                getattr(state, name)[...] = values
-
 
 def _column(index, name, doc):
     """A writable array of a change, into which an assignment copies."""

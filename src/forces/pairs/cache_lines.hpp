@@ -9,17 +9,8 @@
 
 namespace polhode {
 
-/// The stride for rows of a given length. It is a whole number of cache lines, but not a multiple
-/// of four lines. Otherwise the same column of successive rows would map to few sets of the cache.
-template <class T>
-std::size_t spread_lines(std::size_t numbers) {
-  constexpr std::size_t line = pack_bytes / sizeof(T);
-  const std::size_t count = blocks(numbers, line);
-  return (count % 4 == 0 ? count + 1 : count) * line;
-}
-
-/// The stride for planes of a given size: an odd number of cache lines, because many planes are
-/// read one after another.
+/// The stride for rows or planes of a given size: an odd number of cache lines. Otherwise the same
+/// column of successive rows would map to few sets of the cache.
 template <class T>
 std::size_t odd_lines(std::size_t numbers) {
   constexpr std::size_t line = pack_bytes / sizeof(T);

@@ -11,11 +11,8 @@
 
 namespace polhode {
 
-/// Reads the first frame of a GRO file.
+/// Parses the first frame of a GRO file; `file` is the file name in error messages.
 /// @throws Error  with file, line, the text found and the text expected
-Frame read_gro(const std::string& path);
-
-/// Parses the first frame of a text; `file` is the file name in error messages.
 Frame parse_gro(std::string_view text, const std::string& file);
 
 /// Writes a frame. Positions have `decimals` decimals, and velocities have one more, as in GROMACS.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "atom_kinds.hpp"
@@ -267,11 +266,6 @@ void append_gro(std::iostream& file, const FrameView& frame, std::uint64_t) {
 Frame parse_gro(std::string_view text, const std::string& file) {
   std::istringstream in{std::string(text)};
   return first_frame(in, file);
-}
-
-Frame read_gro(const std::string& path) {
-  std::ifstream in = open_text_file(path);
-  return first_frame(in, path);
 }
 
 void write_gro(std::ostream& out, const Frame& frame, int decimals) {

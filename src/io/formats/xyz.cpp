@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "io/coordinates/xyz.hpp"
-
+// Extended XYZ in the dialect of ASE and OVITO: Lattice, Properties and Time in the comment line.
+// Positions are in Å, the time in ps and velocities, if any, in Å/ps. Massless sites, if any, have
+// the species X.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -284,11 +285,5 @@ std::unique_ptr<FrameReader> xyz_reader(std::istream& in, const std::string& fil
 }
 
 void append_xyz(std::iostream& out, const FrameView& frame, std::uint64_t) { write(out, frame); }
-
-void write_xyz(std::ostream& out, const Frame& frame) { write(out, view_of(frame)); }
-
-void write_xyz(std::ostream& out, const State& state, const Topology& topology) {
-  write(out, view_of(state, topology));
-}
 
 }  // namespace polhode

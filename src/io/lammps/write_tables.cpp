@@ -15,6 +15,12 @@
 namespace polhode {
 namespace {
 
+/// The energy and force between two types at a distance, truncated as in the settings.
+struct TabulatedPair {
+  double u;  ///< energy [kJ/mol]
+  double f;  ///< force −u' [kJ/mol/nm]
+};
+
 // The potential of a pair of types, evaluated for two molecules with a single site at the centre.
 class PairLaw {
  public:
@@ -64,12 +70,6 @@ class PairLaw {
 };
 
 }  // namespace
-
-TabulatedPair pair_at(const LammpsTypes::Type& a, const LammpsTypes::Type& b,
-                      const Topology& topology, const ForceSettings& settings, bool charges,
-                      double r) {
-  return PairLaw(a, b, topology, settings, charges).at(r);
-}
 
 std::vector<std::string> write_lammps_tables(std::ostream& out, const Topology& topology,
                                              const ForceSettings& settings,

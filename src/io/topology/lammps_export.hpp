@@ -56,17 +56,6 @@ inline constexpr std::string_view lammps_particle_section = "Orientations";
 void write_lammps_molecule(std::ostream& out, const Topology& topology, std::size_t part,
                            const LammpsTypes& types);
 
-/// The energy and force between two types at a distance, truncated as in the settings.
-struct TabulatedPair {
-  double u;  ///< energy [kJ/mol]
-  double f;  ///< force −u' [kJ/mol/nm]
-};
-/// Evaluates the interaction of two types.
-/// @param charges  whether the Coulomb interaction is included
-TabulatedPair pair_at(const LammpsTypes::Type& a, const LammpsTypes::Type& b,
-                      const Topology& topology, const ForceSettings& settings, bool charges,
-                      double r);
-
 /// The number of distances in a table. They are equally spaced in r² from lammps_table_start to the
 /// cutoff [nm].
 inline constexpr std::size_t lammps_table_size = 20000;

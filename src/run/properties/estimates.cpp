@@ -21,7 +21,6 @@ namespace polhode {
 namespace {
 
 using Means = std::span<const double>;
-using Statistic = std::function<double(Means)>;
 
 constexpr const char* too_short = "the runs are too short";
 

@@ -18,14 +18,19 @@ ErrorPart relative_error(const CostAtRatio& at) {
   return {at.error / at.cost, at.degrees_of_freedom};
 }
 
-}  // namespace
-
+/// The number of points before the end of a curve, which all tables, claims and figures use. A
+/// curve ends at the first step with a run that blew up. It ends earlier if all steps from some
+/// step on drift. A single step that drifts although a longer step does not is attributed to
+/// chance.
+/// @param points  points ordered by step
 std::size_t points_before_end(const std::vector<EfficiencyPoint>& points) {
   std::size_t count = 0;
   while (count < points.size() && points[count].stable) ++count;
   while (count > 0 && points[count - 1].drifts()) --count;
   return count;
 }
+
+}  // namespace
 
 std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points) {
   std::vector<Curve> all;

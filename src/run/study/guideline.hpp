@@ -40,13 +40,6 @@ struct Curve {
   std::size_t usable = 0;  ///< number of points before the end
 };
 
-/// The number of points before the end of a curve, which all tables, claims and figures use. A
-/// curve ends at the first step with a run that blew up. It ends earlier if all steps from some
-/// step on drift. A single step that drifts although a longer step does not is attributed to
-/// chance.
-/// @param points  points ordered by step
-std::size_t points_before_end(const std::vector<EfficiencyPoint>& points);
-
 /// The curves of a study, in the order in which schemes first occur in the points.
 std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points);
 

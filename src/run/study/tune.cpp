@@ -167,13 +167,12 @@ Quantities of_family(const Tuned& t) {
           {"scheme", "", text_of(t.scheme), "stages of the optimized scheme", "as text"}};
 }
 
-}  // namespace
-
-double correlation(const ErrorCovariance& c) { return c.ab / std::sqrt(c.aa * c.bb); }
-
+/// rms of a bracket, from the sum of its mean squares over the runs [kJ/mol].
 double rms_bracket(double squares, const TuneSettings& settings) {
   return std::sqrt(squares / settings.runs);
 }
+
+}  // namespace
 
 TuneResult tune(const Config& config, const TuneSettings& given, const Callbacks& callbacks,
                 Workers& workers) {
@@ -214,17 +213,18 @@ TuneResult tune(const Config& config, const TuneSettings& given, const Callbacks
 Quantities quantities(const TuneResult& r) {
   std::vector<Quantities> families;
   for (const Tuned& family : r.families) families.push_back(of_family(family));
-  Quantities list = {{"molecules", "", r.molecules, "number of molecules", "molecules"},
-                     {"step", "fs", r.settings.step * units::fs_per_ps, "time step", "step"},
-                     {"runs", "", r.settings.runs,
-                      "number of runs that measure, and of runs that confirm", "runs"},
-                     {"length", "ps", r.settings.length, "length of each run", "length"},
-                     {"rms_first_bracket", "kJ/mol", rms_bracket(r.covariance.aa, r.settings),
-                      "rms of the first error bracket times h²", "first bracket"},
-                     {"rms_second_bracket", "kJ/mol", rms_bracket(r.covariance.bb, r.settings),
-                      "rms of the second error bracket times h²", "second bracket"},
-                     {"correlation", "", correlation(r.covariance),
-                      "correlation of the two error brackets", "correlation"}};
+  Quantities list = {
+      {"molecules", "", r.molecules, "number of molecules", "molecules"},
+      {"step", "fs", r.settings.step * units::fs_per_ps, "time step", "step"},
+      {"runs", "", r.settings.runs, "number of runs that measure, and of runs that confirm",
+       "runs"},
+      {"length", "ps", r.settings.length, "length of each run", "length"},
+      {"rms_first_bracket", "kJ/mol", rms_bracket(r.covariance.aa, r.settings),
+       "rms of the first error bracket times h²", "first bracket"},
+      {"rms_second_bracket", "kJ/mol", rms_bracket(r.covariance.bb, r.settings),
+       "rms of the second error bracket times h²", "second bracket"},
+      {"correlation", "", r.covariance.ab / std::sqrt(r.covariance.aa * r.covariance.bb),
+       "correlation of the two error brackets", "correlation"}};
   if (r.short_steps)
     list.push_back({"eta_of_short_steps", "", *r.short_steps, "optimal eta for short steps",
                     "eta of short steps"});

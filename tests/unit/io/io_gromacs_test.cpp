@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "../errors.hpp"
-#include "io/coordinates/gro.hpp"
+#include "polhode/io/coordinates/frame_file.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/io/topology/topology_file.hpp"
 #include "polhode/math/rotation.hpp"
@@ -383,7 +383,7 @@ TEST_CASE("force fields and boxes distributed with GROMACS are read") {
                         {"gromos54a7", "spce", "spc216", 0.316557}}) {
     CAPTURE(c.field);
     CAPTURE(c.water);
-    const Frame frame = read_gro(*data + '/' + c.box + ".gro");
+    const Frame frame = read_start(*data + '/' + c.box + ".gro");
     const std::string box = c.box;
     const std::size_t atoms = box == "tip5p" ? 5 : box == "tip4p" ? 4 : 3;  // of a molecule there
     const std::string text = fmt::format(

@@ -56,11 +56,6 @@ struct TuneResult {
   bool interrupted = false;  ///< true if interrupted; the numbers are meaningless then
 };
 
-/// The correlation coefficient of the two error brackets.
-double correlation(const ErrorCovariance& covariance);
-/// The rms of an error bracket, from the sum of its mean squares over the runs [kJ/mol].
-double rms_bracket(double squares, const TuneSettings& settings);
-
 /// Tunes the free parameters of schemes. The step is the step of the run file unless the settings
 /// give a step.
 /// @throws RunError  if a run blows up
