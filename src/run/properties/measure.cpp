@@ -33,8 +33,7 @@ namespace polhode {
 namespace {
 
 /// Numbers of segments of each replica before the first decision, which are enough for errors to be
-/// known. After each decision, lengths grow by a constant factor, because frequent decisions would
-/// favour errors that are small by chance.
+/// known. Lengths then grow by a factor. Frequent decisions would favour errors small by chance.
 constexpr std::size_t first_averages = 24, first_dynamics = 4;
 constexpr double growth = 1.5;
 /// Number of segments after which a replica that has not reached equilibrium is not continued.
