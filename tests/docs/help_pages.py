@@ -20,7 +20,7 @@ ENTRY = re.compile(r"^        (\w+(?:, \**\w+)*)( \(.*?\))?: (.*(?:\n {12}.*)*)\
 
 # Page: the lines of verbs in it, and the line of one.
 INDICES = {
-    "docs/manual/README.md": (r"(?<=\| verb \| does \|\n\| --- \| --- \|\n)(?:\|.*\n)+", "| [{verb}]({verb}.md) | {meaning} |"),
+    "docs/manual/README.md": (r"(?<=\| verb \| task \|\n\| --- \| --- \|\n)(?:\|.*\n)+", "| [{verb}]({verb}.md) | {meaning} |"),
     "docs/site/index.md": (r"(?<=\ndocs/manual/README\n)(?:docs/manual/.*\n)+?(?=docs/manual/python\n)", "docs/manual/{verb}"),
     "docs/api/python.md": (r"(?<=\nVerbs\n-----\n\n)(?:\.\. autofunction:: .*\n)+", ".. autofunction:: {name}")}
 
