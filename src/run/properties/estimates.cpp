@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string_view>
 
@@ -21,6 +22,7 @@ namespace polhode {
 namespace {
 
 using Means = std::span<const double>;
+using Statistic = std::function<double(Means)>;
 
 constexpr const char* too_short = "the runs are too short";
 
