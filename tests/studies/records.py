@@ -12,6 +12,7 @@ from pathlib import Path
 import study_path  # first: it says where the others are
 import built_program
 import all_schemes
+import properties
 from lib import figures
 
 ROOT = study_path.ROOT
@@ -78,6 +79,27 @@ class AllSchemes(unittest.TestCase):
         again = {system: {"ranking": all_schemes.ranking(of["points"], orders)} for system, of in self.stored["systems"].items()}
         for row in all_schemes.report({"systems": again}).splitlines():
             self.assertIn(row, self.page)
+
+
+class Properties(unittest.TestCase):
+    def test_the_pages_have_the_tables_of_the_record(self):
+        result = json.loads((RECORDS / "2026-11-26-properties.json").read_text(encoding="utf-8"))
+        for page, made in (("docs/properties.md", properties.summary), ("docs/evidence/properties.md", properties.tables)):
+            text = (ROOT / page).read_text(encoding="utf-8")
+            for line in made(result).splitlines():
+                self.assertIn(line, text, page)
+
+    def test_each_deviation_above_3_is_discussed(self):
+        """The page names model and property of each deviation above 3."""
+        result = json.loads((RECORDS / "2026-11-26-properties.json").read_text(encoding="utf-8"))
+        discussed = (ROOT / "docs/evidence/properties.md").read_text(encoding="utf-8").split("## Deviations above 3")[1]
+        for model, name in properties.large_deviations(result):
+            self.assertIn(f"**{model}, {properties.NAMES.get(name, name)}**", discussed)
+
+    def test_a_deviation_is_in_units_of_the_combined_error(self):
+        value, entry = {"value": 13.0, "error": 3.0}, {"value": "8", "error": "4"}
+        self.assertAlmostEqual(properties.deviation(value, entry), 1)
+        self.assertAlmostEqual(properties.deviation(value, {"value": "62.3", "error": ""}), (13 - 62.3) / (9 + 0.01) ** 0.5)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: MIT
+"""Properties of rigid models by `polhode measure`, compared with published values.
+
+The systems, state points and requested errors are in `properties.toml`, the published values with their sources in
+`published.csv`. A deviation is the difference over the combined standard error of both values; a published value without an
+error counts as known to one unit of its last digit. The criterion, fixed before the runs: deviations above 3 are explained or
+listed as open."""
+
+import csv
+import tomllib
+from math import floor, log10
+from pathlib import Path
+
+from lib import runs, study
+
+HERE = Path(__file__).parent
+NAMES = {"density": "density", "potential-energy": "potential energy", "enthalpy-of-vaporization": "enthalpy of vaporization",
+         "dielectric-constant": "dielectric constant", "second-virial-coefficient": "second virial coefficient",
+         "heat-capacity": "heat capacity", "rotational-relaxation": "rotational relaxation time"}
+SHORT = {"density": "density", "enthalpy-of-vaporization": "ΔH", "diffusion": "D₀", "viscosity": "η", "dielectric-constant": "ε"}
+
+
+def cases():
+    with open(HERE / "properties.toml", "rb") as file:
+        table = tomllib.load(file)
+    return [case | {"properties": table["errors"][case["errors"]]} for case in table["case"]]
+
+
+def system(case, folder):
+    """The words of a system; one whose sigma is mixed geometrically is a run file."""
+    if "mixing" not in case:
+        return [case["system"], *(["--molecules", case["molecules"]] if "molecules" in case else [])]
+    tables = {"system": {"molecules": runs.molecules(case["system"], case["molecules"]), "density": case["density"], "temperature": "300 K"},
+              "forces": {"cutoff": "0.9 nm", "electrostatics": "pme", "dispersion_correction": True, "mixing": case["mixing"], "precision": "mixed"}}
+    Path(folder, f"{case['system']}.toml").write_text(runs.run_file(**tables), encoding="utf-8")
+    return [f"{case['system']}.toml"]
+
+
+def published():
+    with open(HERE / "published.csv", encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def measured(o):
+    chosen = [c for c in cases() if not o.only or c["name"] in o.only]
+    with runs.scratch(o) as folder:
+        def one(case):
+            words = [word for pair in case["properties"].items() for word in pair]
+            limit = ["--time-limit", o.time_limit] if o.time_limit else []
+            asked = runs.asked(o, "measure", *system(case, folder), *words, "--at", case["at"], "--threads", o.threads, *limit, "--output", case["name"], folder=folder)
+            return {"system": case["system"], "points": asked["points"]}
+
+        return {"cases": runs.parallel(o, one, chosen)}
+
+
+def uncertainty(text, error):
+    """The error of a published value; without one, a unit of its last digit."""
+    if error:
+        return float(error)
+    return 10.0 ** -len(text.split(".")[1]) if "." in text else 1.0
+
+
+def matching(entries, system, point, name):
+    return [e for e in entries if e["model"] == system and e["property"] == name and abs(float(e["temperature_K"]) - point["temperature_K"]) < 0.5
+            and (not e["pressure_bar"] or abs(float(e["pressure_bar"]) - point["pressure_bar"]) < 1)]
+
+
+def deviation(value, entry):
+    error = uncertainty(entry["value"], entry["error"])
+    return (value["value"] - float(entry["value"])) / (value["error"] ** 2 + error ** 2) ** 0.5
+
+
+def text(value, error):
+    """A value with its standard error in units of the last two digits: 997.77(80)."""
+    if not error:
+        return f"{float(value):.6g}"
+    digits = max(0, 1 - floor(log10(float(error))))
+    scaled = round(float(error) * 10**digits)
+    return f"{float(value):.{digits}f}({scaled})" if digits else f"{float(value):.0f}({float(error):.0f})"
+
+
+SUMMARY = ("density", "enthalpy-of-vaporization", "diffusion", "viscosity", "dielectric-constant")
+
+
+def summary(result):
+    """One row for each pure liquid with the properties that users compare first."""
+    rows, units = [], {}
+    for case in result["cases"]:
+        for point in case["points"]:
+            of = {p["name"]: p for p in point["properties"]}
+            if "enthalpy-of-vaporization" not in of:
+                continue
+            units |= {name: of[name]["unit"] for name in SUMMARY if name in of}
+            rows.append([case["system"], f"{point['temperature_K']:g} K", *(shown(of.get(name)) for name in SUMMARY)])
+    heads = [f"{SHORT[name]} [{units[name]}]" if units.get(name) else SHORT[name] for name in SUMMARY]
+    return study.table(["model", "temperature", *heads], rows)
+
+
+def shown(p):
+    return "" if p is None else "not converged" if p["value"]["value"] is None else text(p["value"]["value"], p["value"]["error"])
+
+
+def tables(result):
+    """A table for each case, with the published values."""
+    entries, parts = published(), []
+    for case in result["cases"]:
+        for point in case["points"]:
+            rows = []
+            for p in point["properties"]:
+                found = matching(entries, case["system"], point, p["name"]) if p["value"]["value"] is not None else []
+                for k, entry in enumerate(found or [None]):
+                    own = [NAMES.get(p["name"], p["name"]), p["unit"], shown(p)] if k == 0 else ["", "", ""]
+                    other = ["", "", ""] if entry is None else [text(entry["value"], entry["error"]) + ("" if entry["read"] == "yes" else "*"),
+                                                               f"{deviation(p['value'], entry):+.1f}", f"[[{entry['source']}]]"]
+                    rows.append([*own, *other])
+            of = f", {point['molecules']} molecules" if "second-virial-coefficient" not in [p["name"] for p in point["properties"]] else ""
+            parts.append(f"**{case['system']}** at {point['temperature_K']:g} K and {point['pressure_bar']:g} bar{of}:\n\n"
+                         + study.table(["property", "unit", "polhode", "published", "deviation", "source"], rows))
+    return "\n".join(parts)
+
+
+def large_deviations(result):
+    """(system, property) of each deviation above 3."""
+    entries = published()
+    return {(case["system"], p["name"]) for case in result["cases"] for point in case["points"] for p in point["properties"]
+            if p["value"]["value"] is not None for entry in matching(entries, case["system"], point, p["name"]) if abs(deviation(p["value"], entry)) > 3}
+
+
+def report(result):
+    return summary(result) + "\n" + tables(result)
+
+
+def main():
+    o = study.options(__doc__, {"only": ["argon-eos1"], "time_limit": "2 s"}, only=([""], "names of cases; all if empty"),
+                      threads=(1, "simultaneous replicas of a case"), time_limit=("", "time limit of a case; empty: none"))
+    o.only = [name for name in o.only if name]
+    study.perform(o, measured, report)
+
+
+if __name__ == "__main__":
+    main()
