@@ -120,7 +120,7 @@ START_FILE = [
     ("box of zero length", ATOMS.replace("   2.50000   2", "   0.00000   2"), ["start.gro:5", "longer than 0 nm"]),
     ("atoms of another molecule", ATOMS.replace("AR", "OW"), ["start.gro", "'OW'", "'Ar'"]),
     ("fewer molecules than counted", ATOMS.replace("    2\n", "    1\n", 1).replace("    2argon   AR    2   1.500   1.500   1.500\n", ""),
-     ["start.gro", "1 atoms", "2 molecules", "count"]),
+     ["start.gro", "1 atoms", "2 molecules", "the number in the file"]),
     ("more molecules than counted", ATOMS.replace("    2\n", "    3\n", 1).replace(
         "   2.50000   2.5", "    3argon   AR    3   2.000   2.000   2.000\n   2.50000   2.5"), ["start.gro", "3 atoms", "2 molecules"]),
     ("two atoms at the same position", ATOMS.replace("1.500", "0.510"), ["molecules 1 and 2 overlap", "0.0173 nm", "0.085 nm"]),

@@ -281,7 +281,7 @@ class HostileFiles(Sandbox):
 
     def test_bins_and_windows_beyond_memory_are_refused(self):
         self.done("run", SMALL.replace("[output]", '[output]\ntrajectory_every = "4 fs"'))
-        for option, words in [(["--bin", "1e-20 nm"], ["1e-20 nm", "wider"]), (["--window", "1e300 ps"], ["1e+300", "shorter"])]:
+        for option, words in [(["--bin", "1e-20 nm"], ["1e-20 nm", "larger width"]), (["--window", "1e300 ps"], ["1e+300", "shorter"])]:
             self.refused(["analyze", "out-trajectory.gro", "--molecules", "argon 27", "--plot", "none", *option], words)
 
     def test_records_of_a_study_are_read_in_linear_time(self):

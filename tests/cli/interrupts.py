@@ -89,7 +89,7 @@ class Interrupts(Sandbox):
         process = self.interrupted(lambda: time.monotonic() > begin + 0.5, signal.SIGINT, "top", "--J", "1,2,3",
                                    "--L", "0.1,0.2,1", "--step", "0.1", "--length", "1e7", "--output", "top")
         self.assertIn("step 0.1", process.out)
-        self.assertTrue(process.err.endswith("interrupted; the table ends at the last sample before\n"), process.err)
+        self.assertTrue(process.err.endswith("interrupted; the table ends at the last sample before the interrupt\n"), process.err)
         self.assertEqual(self.contents(), {})
 
     def test_bench(self):
