@@ -49,8 +49,8 @@ Quantities of_properties(const PreparationReport& r) {
       {"potential", "kJ/mol", s.potential, "", "potential energy",
        " per molecule, " + change_of(s.potential_drift)},
       {"potential_drift_p_value", "", s.potential_drift.p_value},
-      {"equilibrium_start", "ps", s.equilibrium_start, "", "equilibrium",
-       fmt::format(" ps of the last {:.3g} ps on", s.length)},
+      {"equilibrium_start", "ps", s.equilibrium_start, "", "equilibrium from",
+       fmt::format(" of the last {:.3g} ps", s.length)},
       {"compressibility", "1/bar", compressibility}};
   if (p.pressure)
     list.push_back(

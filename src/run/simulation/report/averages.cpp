@@ -266,14 +266,10 @@ Quantities of_averages(const RunSummary& s) {
                                barostat->pressure / unit("bar", Dimension::pressure))
                  : ""}});
   append(list, of_ensemble(s.ensemble));
-  const Quantity start = {"equilibrium_start",
-                          "ps",
-                          s.equilibrium_start,
-                          "time from which on the potential energy and the volume are stationary, "
-                          "to within a twentieth of the run",
-                          "equilibrium",
-                          " ps on: potential energy and volume are stationary"};
-  list.push_back(s.equilibrium_start > 0 ? start : detail(start));
+  list.push_back(detail({"equilibrium_start", "ps", s.equilibrium_start,
+                         "time from which on the potential energy and the volume are stationary, "
+                         "to within a twentieth of the run",
+                         "equilibrium from"}));
   list.push_back(detail({"momentum", "", s.momentum, "sum of all momenta at the end [u nm/ps]",
                          "total momentum", " u nm/ps"}));
   return list;
