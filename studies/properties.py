@@ -72,7 +72,7 @@ def deviation(value, entry):
 
 def text(value, error):
     """A value with its standard error in units of the last two digits: 997.77(80)."""
-    if not error:
+    if not error or float(error) < 1e-6 * abs(float(value)):
         return f"{float(value):.6g}"
     digits = max(0, 1 - floor(log10(float(error))))
     scaled = round(float(error) * 10**digits)
