@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "io/settings/ensemble_names.hpp"
@@ -396,12 +397,18 @@ CorrelationsOfDynamics::CorrelationsOfDynamics(const Topology& topology) {
 }
 
 std::size_t equilibrated(const Replica& replica) {
+  // The effort grows as n² √n with the number n of parts, so a long replica has longer parts.
+  constexpr std::size_t max_parts = 600;
+  const std::size_t joined = replica.averages.size() * parts_of_averages / max_parts + 1;
   std::size_t start = 0;
   for (const auto member : {&AveragesSegment::potentials, &AveragesSegment::volumes}) {
-    std::vector<double> series;
+    std::vector<double> all, series;
     for (const AveragesSegment& segment : replica.averages)
-      series.insert(series.end(), (segment.*member).begin(), (segment.*member).end());
-    start = std::max(start, equilibration(series).start);
+      all.insert(all.end(), (segment.*member).begin(), (segment.*member).end());
+    for (std::size_t k = 0; k + joined <= all.size(); k += joined)
+      series.push_back(std::accumulate(&all[k], &all[k] + joined, 0.0) /
+                       static_cast<double>(joined));
+    start = std::max(start, joined * equilibration(series).start);
   }
   return (start + parts_of_averages - 1) / parts_of_averages;
 }

@@ -309,10 +309,11 @@ Quantities run_quantities(const RunReport& r) {
   const RunSummary& s = r.summary;
   Quantities all = {
       row("", fmt::format("{} molecules, {} steps of {:g} fs with {}: {:.4g} ps in {:.2f} s "
-                          "({:.3g} ns/day)",
+                          "({} ns/day)",
                           s.molecules, s.steps, r.settings.step * units::fs_per_ps,
                           name_of({r.settings.scheme, r.settings.inner}), s.length, s.timings.all(),
-                          s.ns_per_day)),
+                          s.ns_per_day < 100 ? fmt::format("{:.3g}", s.ns_per_day)
+                                             : fmt::format("{:.0f}", s.ns_per_day))),
       row("", "")};
   append(all, of_settings(r));
   if (!s.ensemble.settings.constant_energy())
