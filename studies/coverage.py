@@ -23,7 +23,7 @@ def values(o, words, seed, folder):
 def measured(o):
     words = [word for pair in PROPERTIES.items() for word in pair]
     with runs.scratch(o) as folder:
-        calls = runs.parallel(o, lambda seed: runs.kept(folder, f"call{seed}", lambda: values(o, words, seed, folder)), range(1, o.calls + 1))
+        calls = runs.parallel(o, lambda seed: runs.kept(folder, f"call{seed}", lambda: values(o, words, seed, folder)), range(o.first, o.first + o.calls))
     return {"calls": calls}
 
 
@@ -51,7 +51,7 @@ def report(result):
 
 
 def main():
-    o = study.options(__doc__, {"calls": 2}, calls=(100, "calls, with seeds from 1 on"), molecules=(64, "argon atoms"), at=("160 K, 500 bar", "state point"))
+    o = study.options(__doc__, {"calls": 2}, calls=(100, "calls, each with another seed"), first=(1, "seed of the first call"), molecules=(64, "argon atoms"), at=("160 K, 500 bar", "state point"))
     study.perform(o, measured, report)
 
 

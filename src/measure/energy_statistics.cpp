@@ -204,7 +204,7 @@ double EnergyStatistics::samples_before_equilibrium() const {
     std::vector<double> series;
     for (const BlockMeans::Block& block : means.blocks())
       series.push_back(block.sum[column] / block.weight);
-    start = std::max(start, equilibration(series).start);
+    start = std::max(start, equilibrium_start(series));
   }
   double before = 0;
   for (std::size_t k = 0; k < start; ++k) before += means.blocks()[k].weight;

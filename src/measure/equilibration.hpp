@@ -20,4 +20,10 @@ struct Equilibration {
 /// @return  the equilibration; the whole series is kept if it has fewer than 10 samples
 Equilibration equilibration(std::span<const double> series);
 
+/// The start of equilibrium in a series: the start by equilibration() if the mean of the discarded
+/// samples deviates from the mean of the rest by more than four standard errors of the difference,
+/// and 0 otherwise. Without this condition, samples of a stationary series are discarded because
+/// they lie far from the mean. Fluctuations and errors are then too small.
+std::size_t equilibrium_start(std::span<const double> series);
+
 }  // namespace polhode

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -129,11 +128,10 @@ struct Stage {
   double heat = 1;  ///< temperature relative to the temperature of the state point
   bool has_barostat = false;
 };
-constexpr double max_heat = 2.5;  // of all stages
 /// The second stage melts the lattice. Near the melting point, a crystal would survive the other
 /// stages.
-constexpr std::array stages = {Stage{500},           Stage{2500, max_heat}, Stage{2500},
-                               Stage{2500, 1, true}, Stage{2500, 1, true},  Stage{5000, 1, true}};
+constexpr std::array stages = {Stage{500},           Stage{2500, 2.5},     Stage{2500},
+                               Stage{2500, 1, true}, Stage{2500, 1, true}, Stage{5000, 1, true}};
 
 /// Checks that the system is a liquid.
 /// @throws RunError  if the density is too low for a liquid
@@ -147,68 +145,33 @@ void check_liquid(Chain& chain) {
                     chain.settings().at.text(), density / unit("kg/m3", Dimension::density)));
 }
 
-/// The longest step of the preparation [ps]: a molecule moves at most 0.005 nm in a step while the
-/// lattice melts, a fraction of the distance over which repulsion sets in. Forces of one state do
-/// not show the hard collisions that follow.
-double max_preparation_step(const Topology& topology, double temperature) {
-  constexpr double max_move = 0.005;
-  double lightest = std::numeric_limits<double>::infinity();
-  for (const auto& part : topology.parts) lightest = std::min(lightest, part.molecule.mass);
-  return max_move / std::sqrt(3 * units::boltzmann * max_heat * temperature / lightest);
-}
-
-TrajectorySettings settings_of(const Chain& chain, const Replica& replica, const Stage& stage,
-                               std::uint64_t stream, double step) {
-  const double length = step * static_cast<double>(stage.steps);
-  TrajectorySettings t = chain.trajectory(scheme_of("baoab"), step, length, stream);
-  t.ensemble.temperature *= stage.heat;
-  t.ensemble.thermostat = Langevin{0.01 / step, 0.01 / step};
-  if (stage.has_barostat)
-    t.ensemble.barostat = barostat(chain.settings(), replica.compressibility, step);
-  return t;
-}
-
-/// Simulates a stage of the preparation. A stage that blows up is repeated with half of the step.
-/// @param step  of the stage [ps]; becomes the step of the next stage
-/// @return      false if it was stopped
-bool simulate(Chain& chain, Replica& replica, const Stage& stage, std::uint64_t stream,
-              double& step) {
-  constexpr int max_attempts = 4;
-  const double temperature = chain.settings().at.temperature;
-  const State start = chain.system().state;
-  std::optional<Trajectory> done;
-  TrajectorySettings t = settings_of(chain, replica, stage, stream, step);
-  for (int attempt = 1; !done; ++attempt) try {
-      done = chain.run(t);
-      if (!done) return false;
-    } catch (const RunError&) {
-      if (attempt == max_attempts) throw;
-      step = rounded(step / 2);
-      chain.system().state = start;
-      t = settings_of(chain, replica, stage, stream, step);
-    }
-  if (stage.has_barostat)
-    replica.compressibility = next_compressibility(done->statistics.energies, *t.ensemble.barostat,
-                                                   t.length, units::boltzmann * temperature);
-  check_liquid(chain);
-  // In a dilute gas the forces give no information about collisions, so the step does not grow
-  // after the first stage.
-  const double stable = rounded(std::min(
-      chain.max_stable_step(t) / 4, max_preparation_step(chain.system().topology, temperature)));
-  step = stream == preparing ? stable : std::min(step, stable);
-  return true;
-}
-
 /// Relaxes a replica at constant volume, and then at constant pressure with adaptive barostat
 /// moves.
 bool relax(Chain& chain, Replica& replica) {
   System& system = chain.system();
+  const ReplicaSettings& settings = chain.settings();
   check_separated(system, minimise(system, relaxed));
-  draw_momenta(system, derived_seed(chain.settings().config.system.seed, replica.index));
+  draw_momenta(system, derived_seed(settings.config.system.seed, replica.index));
+  const double kT = units::boltzmann * settings.at.temperature;
   double step = first_step;
   std::uint64_t stream = preparing;
-  for (const Stage& stage : stages)
-    if (!simulate(chain, replica, stage, stream++, step)) return false;
+  for (const Stage& stage : stages) {
+    const double length = step * static_cast<double>(stage.steps);
+    TrajectorySettings t = chain.trajectory(scheme_of("baoab"), step, length, stream++);
+    t.ensemble.temperature *= stage.heat;
+    t.ensemble.thermostat = Langevin{0.01 / step, 0.01 / step};
+    if (stage.has_barostat) t.ensemble.barostat = barostat(settings, replica.compressibility, step);
+    const auto done = chain.run(t);
+    if (!done) return false;
+    if (stage.has_barostat)
+      replica.compressibility =
+          next_compressibility(done->statistics.energies, *t.ensemble.barostat, length, kT);
+    check_liquid(chain);
+    // In a dilute gas the forces give no information about collisions, so the step does not grow
+    // any more.
+    const double stable = rounded(chain.max_stable_step(t) / 4);
+    step = stream == preparing + 1 ? stable : std::min(step, stable);
+  }
   return true;
 }
 
@@ -408,7 +371,7 @@ std::size_t equilibrated(const Replica& replica) {
     for (std::size_t k = 0; k + joined <= all.size(); k += joined)
       series.push_back(std::accumulate(&all[k], &all[k] + joined, 0.0) /
                        static_cast<double>(joined));
-    start = std::max(start, joined * equilibration(series).start);
+    start = std::max(start, joined * equilibrium_start(series));
   }
   return (start + parts_of_averages - 1) / parts_of_averages;
 }

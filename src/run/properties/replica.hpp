@@ -69,7 +69,7 @@ struct Replica {
 inline constexpr std::size_t steps_of_averages = 1250, steps_of_sample = 10,
                              steps_of_shadow_sample = 50, parts_of_averages = 5,
                              steps_of_lags = 4000, lags = 400, windows_in_segment = 4;
-/// One of as many segments of dynamics is paired with one at half of the step: a quarter more work.
+/// One segment of dynamics in eight is repeated at half of the step, which is a quarter more work.
 inline constexpr std::size_t paired_every = 8;
 
 /// Settings that all replicas of a state point share.
@@ -83,8 +83,8 @@ struct ReplicaSettings {
   std::function<bool()> stop{};  ///< ends a segment, which is then discarded
 };
 
-/// Prepares a replica from a lattice or an initial configuration, by minimisation, an NVT stage and
-/// an NPT stage. A pilot then chooses the time step.
+/// Prepares a replica from a lattice or an initial configuration, by minimisation, and by stages at
+/// constant volume and at constant pressure. A pilot then chooses the time step.
 /// @return  false if it was stopped; the replica is then unchanged
 /// @throws RunError  if the replica blows up, or the molecules evaporate
 bool prepare(Replica& replica, const ReplicaSettings& settings);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "polhode/measure/energy_statistics.hpp"
@@ -47,6 +48,43 @@ TEST_CASE("the end of equilibration and the error of the mean are those of red")
 TEST_CASE("a short series is kept whole") {
   CHECK(equilibration(std::array{9.0, 0.0, 0.0}).start == 0);
   CHECK(equilibration({}).start == 0);
+}
+
+TEST_CASE("equilibrium starts at the transient, and at once in a stationary series") {
+  // With a transient of several standard deviations the start is that of red.
+  CHECK(equilibrium_start(series(200, 20, 5)) == 34);
+  CHECK(equilibrium_start(series(400, 60, 2)) == 79);
+
+  // Of stationary series with an autocorrelation of 0.5^k, 5 % lose samples. The bounds are three
+  // standard deviations of a binomial number: 20 ± 3 √(400 0.05 0.95). The mean variance of what is
+  // kept differs from the variance of the whole series by less than 1 %, three standard errors of
+  // the difference.
+  constexpr int runs = 400, length = 120;
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  int discarded = 0;
+  double kept = 0, all = 0;
+  for (int run = 0; run < runs; ++run) {
+    std::vector<double> x;
+    double now = normal(random);
+    for (int t = 0; t < length; ++t) {
+      x.push_back(now);
+      now = 0.5 * now + std::sqrt(0.75) * normal(random);
+    }
+    const std::size_t start = equilibrium_start(x);
+    discarded += start > 0;
+    const auto square = [&](std::size_t from) {
+      double sum = 0;
+      for (std::size_t t = from; t < x.size(); ++t) sum += x[t] * x[t];
+      return sum / static_cast<double>(x.size() - from);
+    };
+    kept += square(start) / runs;
+    all += square(0) / runs;
+  }
+  CAPTURE(discarded);
+  CHECK(discarded >= 7);
+  CHECK(discarded <= 33);
+  CHECK(kept == doctest::Approx(all).epsilon(0.01));
 }
 
 TEST_CASE("a run knows where its potential energy or its volume became stationary") {

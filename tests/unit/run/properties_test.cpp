@@ -136,6 +136,36 @@ TEST_CASE("the first of eight segments of dynamics is repeated at half of the st
   check_error([&] { request.settings(); }, {"paired_runs", "must be yes or no"});
 }
 
+TEST_CASE("equilibrium of a long replica starts at the end of its transient") {
+  // 300 segments of 5 parts are searched in 500 groups of 3. The potential energy falls by 20
+  // deviations of the parts within 50 segments, and is found within a time constant, 10 segments.
+  Replica replica{.index = 0};
+  int part = 0;
+  for (int k = 0; k < 300; ++k) {
+    AveragesSegment segment{};
+    for (std::size_t p = 0; p < parts_of_averages; ++p, ++part) {
+      segment.potentials.push_back(20 * std::exp(-part / 50.0) + std::sin(0.37 * part * part));
+      segment.volumes.push_back(std::cos(0.37 * part * part));
+    }
+    replica.averages.push_back(segment);
+  }
+  const double expected = 50 * std::log(20 / 0.3) / 5;  // the transient is a third of a deviation
+  CHECK(static_cast<double>(equilibrated(replica)) > expected - 10);
+  CHECK(static_cast<double>(equilibrated(replica)) < expected + 10);
+}
+
+TEST_CASE("a pilot whose box explodes at the first trial step chooses a shorter one") {
+  // With this seed, half of the maximum stable step ends in a collision after which the barostat
+  // makes the box explode.
+  MeasureRequest request = argon();
+  request.seed = {"0", "seed"};
+  const MeasureSettings settings = request.settings();
+  Replica replica{.index = pilot};
+  REQUIRE(
+      prepare(replica, {.config = settings.config, .at = settings.points[0], .max_bias = 0.002}));
+  CHECK(replica.prepared());
+}
+
 TEST_CASE("a record that is damaged or of something else is refused") {
   const Folder folder;
   const std::string path = folder / "a.replica";
