@@ -127,13 +127,6 @@ std::string estimate_text(const SeriesEstimate& e) {
   return e.known == Known::yes ? with_error(e.value, e.error) : "not known";
 }
 
-std::string fit_cell(const StateFit& fit) {
-  return fmt::format("{}, χ² {:.2g} with {} degrees of freedom{}",
-                     fit.degree == 3 ? "cubic" : "quadratic", fit.chi_squared,
-                     fit.degrees_of_freedom(),
-                     fit.misfit() ? "; the points deviate by more than their errors" : "");
-}
-
 /// The densities at one pressure, with a line at their maximum.
 std::string density_figure(const MeasureReport& report, const DensityMaximum& m) {
   std::vector<const MeasuredPoint*> points;
@@ -149,9 +142,14 @@ std::string density_figure(const MeasureReport& report, const DensityMaximum& m)
     curve.error.push_back(point->density.error);
   }
   std::vector<double> marks;
-  if (m.obstacle.empty()) marks.push_back(m.temperature.value);
-  return svg(
-      {"density; the line is its maximum", "temperature (K)", "kg/m3", {curve}, marks, false});
+  const bool known = m.obstacle.empty();
+  if (known) marks.push_back(m.temperature.value);
+  return svg({known ? "density; the dashed line marks its maximum" : "density",
+              "temperature (K)",
+              "kg/m3",
+              {curve},
+              marks,
+              false});
 }
 
 std::string of_curves(const MeasureReport& report) {
@@ -165,7 +163,7 @@ std::string of_curves(const MeasureReport& report) {
         "<tr><td class=\"number\">{:g}</td><td class=\"number\">{}</td>"
         "<td class=\"number\">{}</td><td>{}</td></tr>\n",
         bar(m.pressure), estimate_text(m.temperature), estimate_text(m.density),
-        m.obstacle.empty() ? fit_cell(m.fit) : html(m.obstacle));
+        m.obstacle.empty() ? m.fit.text() : html(m.obstacle));
   }
   if (!maxima.empty())
     text +=
@@ -179,7 +177,7 @@ std::string of_curves(const MeasureReport& report) {
         "<tr><td>{}</td><td>{}</td><td class=\"number\">{} {}</td><td class=\"number\">{}</td>"
         "<td class=\"number\">{:.1f}</td><td>{}</td></tr>\n",
         s.property->name, html(s.at.text()), estimate_text(s.slope), html(s.property->unit),
-        estimate_text(s.fluctuation), s.deviation, fit_cell(s.fit));
+        estimate_text(s.fluctuation), s.deviation, s.fit.text());
   if (!slopes.empty())
     text +=
         "<h3>Slopes</h3>\n<div class=\"wide\"><table><tr><th>property</th><th>state</th>"

@@ -100,14 +100,6 @@ Quantities of_point(const MeasuredPoint& point) {
   return list;
 }
 
-/// How well a polynomial describes the points.
-std::string fit_text(const StateFit& fit) {
-  return fmt::format("{} polynomial, chi2 {:.2g} with {} degrees of freedom{}",
-                     fit.degree == 3 ? "cubic" : "quadratic", fit.chi_squared,
-                     fit.degrees_of_freedom(),
-                     fit.misfit() ? ": the points deviate from it by more than their errors" : "");
-}
-
 Quantities of_fit(const StateFit& fit) {
   return {{"degree", "", static_cast<std::int64_t>(fit.degree), "degree of the polynomial: 2 or 3"},
           {"chi_squared", "", fit.chi_squared,
@@ -125,7 +117,7 @@ Quantities of_maximum(const DensityMaximum& m) {
   append(list, of_fit(m.fit));
   list.push_back({"not_known", "", m.obstacle.empty() ? Value() : Value(m.obstacle),
                   "reason why there is no maximum; null if there is one"});
-  list.push_back({"", "", m.obstacle.empty() ? fit_text(m.fit) : m.obstacle, "", "remarks"});
+  list.push_back({"", "", m.obstacle.empty() ? m.fit.text() : m.obstacle, "", "remarks"});
   return list;
 }
 
@@ -142,7 +134,7 @@ Quantities of_slope(const SlopeValue& s) {
        "slope minus fluctuation, in standard errors of the difference", "deviation"}};
   list.back().digits = 2;
   append(list, of_fit(s.fit));
-  list.push_back({"", "", fit_text(s.fit), "", "remarks"});
+  list.push_back({"", "", s.fit.text(), "", "remarks"});
   return list;
 }
 

@@ -180,6 +180,14 @@ bool StateFit::misfit() const {
   return n > 0 && chi_squared > n + 3 * std::sqrt(2 * n);
 }
 
+std::string StateFit::text() const {
+  const std::string polynomial = degree == 3 ? "cubic polynomial" : "quadratic polynomial";
+  if (degrees_of_freedom() == 0) return polynomial + " through the points";
+  return fmt::format("{}, chi2 {:.2g} with {} degrees of freedom{}", polynomial, chi_squared,
+                     degrees_of_freedom(),
+                     misfit() ? ": the points deviate from it by more than their errors" : "");
+}
+
 StateCurves state_curves(const std::vector<MeasuredPoint>& points) {
   constexpr auto T = &StatePoint::temperature, p = &StatePoint::pressure;
   StateCurves found;

@@ -57,6 +57,7 @@ TEST_CASE("the maximum of a parabola or a cubic is found exactly") {
   CHECK(three.maxima[0].density.value == doctest::Approx(999).epsilon(1e-10));
   CHECK(three.maxima[0].fit.degree == 2);
   CHECK(three.maxima[0].fit.degrees_of_freedom() == 0);
+  CHECK(three.maxima[0].fit.text() == "quadratic polynomial through the points");
   CHECK(state_curves(densities({260, 270, 280, 300}, parabola)).maxima[0].fit.degree == 2);
   const StateCurves five = state_curves(densities({250, 265, 280, 295, 310}, cubic));
   CHECK(five.maxima[0].fit.degree == 3);
@@ -157,6 +158,8 @@ TEST_CASE("each pressure has its own curve, and points without averages have non
 TEST_CASE("points that deviate from the polynomial by more than their errors are told") {
   const std::vector<double> temperatures = {250, 262, 274, 286, 298, 310};
   const auto wavy = [](double T) { return cubic(T) + (std::fmod(T - 250, 24) < 1 ? 1 : -1); };
-  CHECK(state_curves(densities(temperatures, wavy)).maxima[0].fit.misfit());
+  const StateFit misfit = state_curves(densities(temperatures, wavy)).maxima[0].fit;
+  CHECK(misfit.misfit());
+  CHECK(misfit.text().find("the points deviate") != std::string::npos);
   CHECK(!state_curves(densities(temperatures, cubic)).maxima[0].fit.misfit());
 }
