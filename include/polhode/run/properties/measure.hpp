@@ -128,7 +128,8 @@ struct StateFit {
   std::size_t degrees_of_freedom() const { return points - degree - 1; }
   /// Whether the points deviate from the polynomial by much more than their errors.
   bool misfit() const;
-  /// The degree with the quality of the fit: "cubic polynomial, chi2 1.2 with 3 degrees of freedom".
+  /// The degree with the quality of the fit: "cubic polynomial, chi2 1.2 with 3 degrees of
+  /// freedom".
   std::string text() const;
 };
 
