@@ -38,7 +38,7 @@ def _differs(value, default):
 
 
 # Arguments that have no effect on the contents of files, as on the command line.
-_WITHOUT_EFFECT = ("resume", "force", "threads", "progress", "messages")
+_WITHOUT_EFFECT = ("resume", "force", "threads", "executor", "progress", "messages")
 
 
 def call_text(function, given) -> str:

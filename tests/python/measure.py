@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""polhode.measure: the same records from threads, from processes, and from dask where it is installed."""
+"""polhode.measure: the same records from threads, processes, dask and MPI, where these are installed."""
 
 import importlib.util
 import os
 import pathlib
+import subprocess
+import sys
 import tempfile
 import unittest
 from concurrent.futures import ProcessPoolExecutor
@@ -13,6 +15,14 @@ import polhode
 
 CALL = {"system": "argon", "properties": {"density": "1 %", "compressibility": "30 %"}, "molecules": 64,
         "at": "160 K, 500 bar"}
+
+ON_MPI = """
+import polhode
+from mpi4py.futures import MPIPoolExecutor
+if __name__ == "__main__":
+    with MPIPoolExecutor() as pool:
+        polhode.measure(**{call}, output="mpi", executor=pool)
+"""
 
 
 class Measure(unittest.TestCase):
@@ -41,6 +51,7 @@ class Measure(unittest.TestCase):
         with ProcessPoolExecutor(2) as pool:
             polhode.measure(**CALL, output="pool", executor=pool)
         self.assertEqual(self.records("pool"), self.records("here"))
+        self.assertNotIn("executor", pathlib.Path("pool.html").read_text(encoding="utf-8"))  # the recorded call has the same results without it
 
     @unittest.skipUnless(importlib.util.find_spec("distributed"), "dask's distributed is not installed")
     def test_dask_computes_the_same_bits(self):
@@ -49,6 +60,15 @@ class Measure(unittest.TestCase):
         with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
             polhode.measure(**CALL, output="dask", executor=client.get_executor())
         self.assertEqual(self.records("dask"), self.records("here"))
+
+    @unittest.skipUnless(importlib.util.find_spec("mpi4py"), "mpi4py is not installed")
+    def test_mpi_computes_the_same_bits(self):
+        """Two processes compute replicas, a third gives them out."""
+        polhode.measure(**CALL, output="here", threads=1)
+        pathlib.Path("on_mpi.py").write_text(ON_MPI.format(call=CALL), encoding="utf-8")
+        mpiexec = pathlib.Path(sys.executable).parent / "mpiexec"
+        subprocess.run([mpiexec, "-n", "3", sys.executable, "-m", "mpi4py.futures", "on_mpi.py"], check=True, timeout=600)
+        self.assertEqual(self.records("mpi"), self.records("here"))
 
     def test_paired_runs_can_be_left_out(self):
         call = {**CALL, "properties": {"viscosity": "50 %"}}
