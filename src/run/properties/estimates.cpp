@@ -15,6 +15,7 @@
 #include "polhode/base/units.hpp"
 #include "polhode/math/fit.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
+#include "run/properties/contributions.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/second_virial.hpp"
 
@@ -29,46 +30,6 @@ constexpr const char* too_short = "the runs are too short";
 constexpr const char* no_equilibrium =
     "a replica has not reached equilibrium; if longer runs do not help, the system is a crystal, a "
     "glass or a coexistence of two phases";
-
-/// The averages in equilibrium, with a run for each replica.
-std::vector<BlockMeans> averages_of(const PointData& data) {
-  std::vector<BlockMeans> runs;
-  for (const Replica& replica : data.replicas) {
-    std::vector<BlockMeans::Block> blocks;
-    for (std::size_t k = equilibrated(replica); k < replica.averages.size(); ++k)
-      blocks.push_back(replica.averages[k].sums);
-    runs.emplace_back(std::move(blocks));
-  }
-  return runs;
-}
-
-std::vector<StepResponse> responses_of(const PointData& data) {
-  std::vector<StepResponse> runs;
-  for (const Replica& replica : data.replicas) {
-    if (replica.averages.empty()) continue;
-    StepResponse run{.first = replica.averages.front().response.first, .blocks = {}};
-    for (std::size_t k = equilibrated(replica); k < replica.averages.size(); ++k)
-      run.blocks.blocks.push_back(replica.averages[k].response.blocks.blocks.front());
-    run.blocks.samples_per_block = run.blocks.blocks.empty() ? 1 : run.blocks.blocks[0].weight;
-    runs.push_back(runs.empty() ? run : run.relative_to(runs.front().first));
-  }
-  return runs;
-}
-
-/// The dynamics, with a run for each replica. While the replicas are short, all segments are a
-/// single run.
-std::vector<BlockMeans> dynamics_of(const PointData& data) {
-  std::vector<BlockMeans> runs;
-  std::vector<BlockMeans::Block> all;
-  std::size_t shortest = std::numeric_limits<std::size_t>::max();
-  for (const Replica& replica : data.replicas) {
-    runs.emplace_back(replica.dynamics);
-    all.insert(all.end(), replica.dynamics.begin(), replica.dynamics.end());
-    shortest = std::min(shortest, replica.dynamics.size());
-  }
-  if (shortest >= min_samples) return runs;
-  return {BlockMeans(std::move(all))};
-}
 
 Conditions conditions_of(const PointData& data) {
   return {.at = data.at,
@@ -89,25 +50,21 @@ void estimate_average(MeasuredProperty& m, const PointData& data) {
   const Conditions conditions = conditions_of(data);
   const Property& property = *m.request.property;
   const auto statistic = [&](Means means) { return property.value(means, conditions); };
-  const std::vector<BlockMeans> runs = averages_of(data);
+  const Contributions contributions(data, MeasuredIn::averages);
+  m.contributions = contributions.text();
+  if (contributions.not_in_equilibrium > 0) m.obstacle = no_equilibrium;
+  const std::vector<BlockMeans> runs = averages_of(contributions);
   m.value = pooled_estimate(runs, statistic);
   if (m.value.known != Known::yes) {
-    m.obstacle = in_equilibrium(data) ? too_short : no_equilibrium;
+    if (m.obstacle.empty()) m.obstacle = too_short;
     return;
   }
-  const std::vector<StepResponse> responses = responses_of(data);
+  const std::vector<StepResponse> responses = responses_of(contributions);
   const SeriesEstimate bias = step_bias(responses, conditions.degrees_of_freedom,
                                         FixedMeans::kinetic_energy_and_pressure, statistic);
   if (bias.known != Known::yes) return;
   m.bias = bias;
   m.value = without(m.value, bias);
-}
-
-double edge_of(const PointData& data) {
-  double sum = 0;
-  for (const Replica& replica : data.replicas)
-    sum += std::cbrt((replica.moving ? *replica.moving : replica.state).box.volume());
-  return data.replicas.empty() ? 0 : sum / static_cast<double>(data.replicas.size());
 }
 
 /// The window for fits of lines, which begins at a third of the longest lag.
@@ -178,15 +135,19 @@ std::optional<StepBound> step_bound(const std::vector<StepPair>& pairs,
 class Dynamics {
  public:
   explicit Dynamics(const PointData& data)
-      : data_(data), runs_(dynamics_of(data)), which_(data.topology) {
+      : data_(data),
+        contributions_(data, MeasuredIn::dynamics),
+        runs_(dynamics_of(contributions_)),
+        which_(data.topology) {
     const auto any =
         std::find_if(runs_.begin(), runs_.end(), [](const auto& run) { return !run.empty(); });
     if (any == runs_.end()) return;
-    interval_ = lag_interval(data.replicas.front());
+    interval_ = lag_interval(*contributions_.all.front().replica);
     length_ = any->blocks().front().sum.size() / which_.count;
-    edge_ = edge_of(data);
+    edge_ = edge_of(contributions_);
   }
   bool empty() const { return length_ == 0; }
+  const Contributions& contributions() const { return contributions_; }
 
   void viscosity(MeasuredProperty& m) const {
     const FitWindow window = fit_window(interval_);
@@ -250,10 +211,10 @@ class Dynamics {
   /// A bound of the time-step bias of a statistic, from the paired segments.
   std::optional<StepBound> bound(const Statistic& statistic) const {
     std::vector<StepPair> pairs;
-    for (const Replica& replica : data_.replicas)
-      for (const PairedSegment& paired : replica.paired)
-        if (paired.of < replica.dynamics.size())
-          pairs.push_back({replica.dynamics[paired.of], paired.half_step});
+    for (const auto& [replica, from] : contributions_.all)
+      for (const PairedSegment& paired : replica->paired)
+        if (paired.of < replica->dynamics.size())
+          pairs.push_back({replica->dynamics[paired.of], paired.half_step});
     return step_bound(pairs, statistic);
   }
   BlockMeans function(std::size_t which) const {
@@ -281,6 +242,7 @@ class Dynamics {
   }
 
   const PointData& data_;
+  Contributions contributions_;
   std::vector<BlockMeans> runs_;
   CorrelationsOfDynamics which_;
   double interval_ = 0, edge_ = 0;
@@ -298,6 +260,9 @@ void estimate_dynamics(MeasuredProperty& m, const PointData& data) {
     dynamics.diffusion(m);
   else
     dynamics.relaxation(m);
+  m.contributions = dynamics.contributions().text();
+  if (m.obstacle.empty() && dynamics.contributions().not_in_equilibrium > 0)
+    m.obstacle = no_equilibrium;
   if (m.value.known != Known::yes && m.obstacle.empty()) m.obstacle = too_short;
 }
 
@@ -320,14 +285,6 @@ double MeasuredProperty::requested_error() const {
 
 bool MeasuredProperty::reached() const {
   return value.known == Known::yes && obstacle.empty() && value.error <= requested_error();
-}
-
-bool in_equilibrium(const PointData& data) {
-  constexpr double max_discarded = 0.5;
-  return std::all_of(data.replicas.begin(), data.replicas.end(), [](const Replica& replica) {
-    return static_cast<double>(equilibrated(replica)) <=
-           max_discarded * static_cast<double>(replica.averages.size());
-  });
 }
 
 MeasuredProperty estimate(const RequestedProperty& request, const PointData& data) {
@@ -386,10 +343,11 @@ std::vector<EquilibrationTrace> traces_of(const PointData& data) {
 
 /// The mean-square displacement of each kind of molecule, and of the integrated momentum flux.
 std::vector<MeasuredCurve> curves_of(const PointData& data) {
-  const std::vector<BlockMeans> runs = dynamics_of(data);
+  const Contributions contributions(data, MeasuredIn::dynamics);
+  const std::vector<BlockMeans> runs = dynamics_of(contributions);
   if (runs.empty() || runs.front().empty()) return {};
   const CorrelationsOfDynamics which(data.topology);
-  const double interval = lag_interval(data.replicas.front());
+  const double interval = lag_interval(*contributions.all.front().replica);
   const std::size_t length = runs.front().blocks().front().sum.size() / which.count;
   const auto curve = [&](std::string title, std::string in, std::size_t correlation,
                          double factor) {
@@ -407,7 +365,7 @@ std::vector<MeasuredCurve> curves_of(const PointData& data) {
   for (std::size_t part = 0; part < which.displacement.size(); ++part)
     curves.push_back(curve("mean-square displacement of " + data.topology.parts[part].molecule.name,
                            "nm2", which.displacement[part], 1));
-  const double edge = edge_of(data);
+  const double edge = edge_of(contributions);
   const double to_mPa = edge * edge * edge / (5 * units::boltzmann * data.at.temperature) /
                         unit("mPa s", Dimension::viscosity);
   curves.push_back(curve("momentum flux: its slope is the viscosity", "mPa s ps",
@@ -422,8 +380,9 @@ MeasuredPoint described(const PointData& data) {
                       .molecules = data.topology.size(),
                       .replicas = data.replicas.size(),
                       .step_min = std::numeric_limits<double>::infinity(),
-                      .edge = edge_of(data)};
+                      .edge = edge_of(Contributions(data, MeasuredIn::dynamics))};
   for (const Replica& replica : data.replicas) {
+    if (!replica.prepared()) continue;
     const double segment = replica.step * static_cast<double>(steps_of_averages);
     const auto discarded = static_cast<double>(equilibrated(replica));
     point.step_min = std::min(point.step_min, replica.step);

@@ -2,23 +2,12 @@
 // The values of properties from the replicas of a state point.
 #pragma once
 
-#include <span>
+#include <vector>
 
 #include "polhode/run/properties/measure.hpp"
-#include "run/properties/replica.hpp"
+#include "run/properties/contributions.hpp"
 
 namespace polhode {
-
-/// The data of all replicas of a state point, with a description of the system.
-struct PointData {
-  const Topology& topology;
-  const Mixing& mixing;
-  StatePoint at;
-  std::span<const Replica> replicas;
-};
-
-/// Whether each replica has at least as many segments in equilibrium as before it.
-bool in_equilibrium(const PointData& data);
 
 /// Estimates a property with its error. The error is not known until there is enough data.
 MeasuredProperty estimate(const RequestedProperty& request, const PointData& data);

@@ -43,7 +43,8 @@ std::string row_of(const MeasuredProperty& m) {
             : "");
   if (m.finite_size)
     corrections += fmt::format("Finite-size correction {:.3g} included. ", *m.finite_size);
-  if (!m.obstacle.empty()) corrections += "Not converged: " + m.obstacle + ".";
+  if (!m.obstacle.empty()) corrections += "Not converged: " + m.obstacle + ". ";
+  if (!m.contributions.empty()) corrections += "Value " + m.contributions + ".";
   return fmt::format(
       "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td>"
       "<td>{}</td></tr>\n",

@@ -22,6 +22,7 @@ std::string remarks(const MeasuredProperty& m) {
     add("not converged: " + m.obstacle);
   else if (!m.reached())
     add(fmt::format("requested: ± {:.2g}", m.requested_error()));
+  if (!m.contributions.empty()) add(m.contributions);
   if (m.bias)
     add(fmt::format("time-step bias {} subtracted", with_error(m.bias->value, m.bias->error)));
   if (m.step_bound)
@@ -61,6 +62,8 @@ Quantities of_property(const MeasuredProperty& m) {
            "finite-size correction included in the value; null without a correction"},
           {"not_converged", "", m.obstacle.empty() ? Value() : Value(m.obstacle),
            "reason why the value has not converged; null if it has"},
+          {"contributions", "", m.contributions.empty() ? Value() : Value(m.contributions),
+           "number of replicas that contribute, and why the others do not; null if all contribute"},
           {"definition", "", p.definition, "definition of the property"},
           {"", "", remarks(m), "", "remarks"}};
 }

@@ -3,6 +3,7 @@
 #include "run/properties/estimates.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -166,12 +167,61 @@ TEST_CASE("the time-step bias is subtracted") {
   CHECK(m.value.value == doctest::Approx(U / waters - m.bias->value).epsilon(1e-12));
 }
 
-TEST_CASE("a property of averages is not known before equilibrium") {
+namespace {
+
+/// A replica whose potential energies, except in its last third, are higher by 1 %: in equilibrium
+/// too late.
+Replica late(std::uint64_t index) {
+  Replica replica = steady(index);
+  for (std::size_t k = 0; k < 2 * segments_of_averages / 3; ++k)
+    for (double& U : replica.averages[k].potentials) U += 41;
+  return replica;
+}
+
+}  // namespace
+
+TEST_CASE("replicas that are too short or not in equilibrium do not withhold the values") {
+  const std::vector<Replica> all = four([](std::uint64_t k) { return steady(k); });
+  const auto value_of = [](const std::vector<Replica>& replicas) {
+    return measured("potential-energy", replicas);
+  };
+  CHECK(value_of(all).contributions.empty());
+  for (std::size_t contributing = 3; contributing > 0; --contributing) {
+    CAPTURE(contributing);
+    std::vector<Replica> first = all;
+    first.resize(contributing);
+    const MeasuredProperty alone = value_of(first);
+    REQUIRE(alone.value.known == Known::yes);
+    std::vector<Replica> with_short = all, with_late = all;
+    for (std::size_t k = contributing; k < all.size(); ++k) {
+      with_short[k].averages.resize(11);  // an error needs 12
+      with_late[k] = late(k);
+    }
+    if (contributing == 2) with_short[3] = Replica{.index = 3};  // not prepared yet
+    const MeasuredProperty some = value_of(with_short), others = value_of(with_late);
+    CHECK(some.value.value == alone.value.value);
+    CHECK(some.value.error == alone.value.error);
+    CHECK(some.value.modes == alone.value.modes);
+    CHECK(some.obstacle.empty());
+    CHECK(some.contributions == fmt::format("from {} of 4 replicas, {} too short so far",
+                                            contributing, 4 - contributing));
+    // Without equilibrium, longer runs may move the value.
+    CHECK(others.value.value == alone.value.value);
+    CHECK(others.value.error == alone.value.error);
+    CHECK(others.obstacle.find("a replica has not reached equilibrium") == 0);
+    CHECK(others.contributions == fmt::format("from {} of 4 replicas, {} not in equilibrium",
+                                              contributing, 4 - contributing));
+  }
+}
+
+TEST_CASE("a property of averages is not known while all replicas are short or late") {
   std::vector<Replica> replicas = four([](std::uint64_t k) { return steady(k); });
-  replicas[1].averages.clear();
+  for (Replica& replica : replicas) replica.averages.resize(11);
   const MeasuredProperty m = measured("density", replicas);
   CHECK(m.value.known != Known::yes);
-  CHECK(!m.obstacle.empty());
+  CHECK(m.obstacle == "the runs are too short");
+  CHECK(measured("density", four(late)).value.known != Known::yes);
+  CHECK(measured("density", four(late)).obstacle.find("equilibrium") != std::string::npos);
 }
 
 namespace {
@@ -341,6 +391,17 @@ TEST_CASE("paired segments at half of the step bound the time-step bias of dynam
   CHECK(measured("viscosity", replicas).step_bound->pairs == 3);
   replicas[1].dynamics.resize(8);
   CHECK(!measured("viscosity", replicas).step_bound);
+}
+
+TEST_CASE("a replica without dynamics does not withhold the values of dynamics") {
+  std::vector<Replica> replicas = exact();
+  const SeriesEstimate all = measured("viscosity", replicas).value;
+  replicas[0] = Replica{.index = 0};  // the first, from which the interval of lags was taken
+  replicas[1].averages = late(1).averages;
+  const MeasuredProperty m = measured("viscosity", replicas);
+  CHECK(m.value.value == doctest::Approx(all.value).epsilon(1e-12));
+  CHECK(m.contributions == "from 2 of 4 replicas, 1 too short so far, 1 not in equilibrium");
+  CHECK(m.obstacle.find("a replica has not reached equilibrium") == 0);
 }
 
 TEST_CASE("five components of an isotropic tensor have equal variance and no covariance") {

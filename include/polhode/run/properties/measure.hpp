@@ -79,6 +79,8 @@ struct MeasuredProperty {
   /// Values obtained from increasing parts of the data, for figures; the last entry uses all data.
   std::vector<SeriesEstimate> stages{};
   std::string obstacle;  ///< reason why the value is not converged; empty if it is
+  /// The number of replicas that contribute, and why the others do not; empty if all contribute.
+  std::string contributions{};
 
   /// The requested standard error in the unit of the property.
   double requested_error() const;

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "run/properties/contributions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+/// Whether a replica with `all` segments has at least as many in equilibrium as before it.
+bool is_in_equilibrium(std::size_t before, std::size_t all) { return 2 * before <= all; }
+
+}  // namespace
+
+bool in_equilibrium(const PointData& data) {
+  return std::all_of(data.replicas.begin(), data.replicas.end(), [](const Replica& replica) {
+    return is_in_equilibrium(equilibrated(replica), replica.averages.size());
+  });
+}
+
+Contributions::Contributions(const PointData& data, MeasuredIn what) {
+  for (const Replica& replica : data.replicas) {
+    const std::size_t from = equilibrated(replica), length = replica.averages.size();
+    const bool is_long =
+        what == MeasuredIn::averages ? length >= from + min_samples : !replica.dynamics.empty();
+    if (!is_in_equilibrium(from, length))
+      ++not_in_equilibrium;
+    else
+      (is_long ? all : too_short).push_back({&replica, from});
+  }
+  if (all.empty()) all.swap(too_short);
+}
+
+std::string Contributions::text() const {
+  if (too_short.empty() && not_in_equilibrium == 0) return "";
+  const std::size_t replicas = all.size() + too_short.size() + not_in_equilibrium;
+  std::string why;
+  if (!too_short.empty()) why += fmt::format(", {} too short so far", too_short.size());
+  if (not_in_equilibrium > 0) why += fmt::format(", {} not in equilibrium", not_in_equilibrium);
+  return fmt::format("from {} of {} replicas{}", all.size(), replicas, why);
+}
+
+std::vector<BlockMeans> averages_of(const Contributions& contributions) {
+  std::vector<BlockMeans> runs;
+  for (const auto& [replica, from] : contributions.all) {
+    std::vector<BlockMeans::Block> blocks;
+    for (std::size_t k = from; k < replica->averages.size(); ++k)
+      blocks.push_back(replica->averages[k].sums);
+    runs.emplace_back(std::move(blocks));
+  }
+  return runs;
+}
+
+std::vector<StepResponse> responses_of(const Contributions& contributions) {
+  std::vector<StepResponse> runs;
+  for (const auto& [contribution, from] : contributions.all) {
+    const Replica& replica = *contribution;
+    if (replica.averages.empty()) continue;
+    StepResponse run{.first = replica.averages.front().response.first, .blocks = {}};
+    for (std::size_t k = from; k < replica.averages.size(); ++k)
+      run.blocks.blocks.push_back(replica.averages[k].response.blocks.blocks.front());
+    run.blocks.samples_per_block = run.blocks.blocks.empty() ? 1 : run.blocks.blocks[0].weight;
+    runs.push_back(runs.empty() ? run : run.relative_to(runs.front().first));
+  }
+  return runs;
+}
+
+std::vector<BlockMeans> dynamics_of(const Contributions& contributions) {
+  std::vector<BlockMeans> runs;
+  std::vector<BlockMeans::Block> all;
+  std::size_t shortest = std::numeric_limits<std::size_t>::max();
+  for (const auto& [replica, from] : contributions.all) {
+    runs.emplace_back(replica->dynamics);
+    all.insert(all.end(), replica->dynamics.begin(), replica->dynamics.end());
+    shortest = std::min(shortest, replica->dynamics.size());
+  }
+  if (shortest >= min_samples) return runs;
+  return {BlockMeans(std::move(all))};
+}
+
+double edge_of(const Contributions& contributions) {
+  double sum = 0, count = 0;
+  for (const auto& [replica, from] : contributions.all) {
+    if (!replica->prepared()) continue;
+    sum += std::cbrt((replica->moving ? *replica->moving : replica->state).box.volume());
+    ++count;
+  }
+  return count == 0 ? 0 : sum / count;
+}
+
+}  // namespace polhode

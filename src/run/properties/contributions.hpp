@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The data of the replicas of a state point, and which of them contribute to a value.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/measure/step_response.hpp"
+#include "run/properties/replica.hpp"
+
+namespace polhode {
+
+/// The data of all replicas of a state point, with a description of the system.
+struct PointData {
+  const Topology& topology;
+  const Mixing& mixing;
+  StatePoint at;
+  std::span<const Replica> replicas;
+};
+
+/// Whether each replica has at least as many segments in equilibrium as before it.
+bool in_equilibrium(const PointData& data);
+
+/// A replica that contributes to a value, with its first segment in equilibrium.
+struct Contribution {
+  const Replica* replica = nullptr;
+  std::size_t from = 0;
+};
+
+/// The replicas that contribute to a value. Replicas that are not in equilibrium never contribute,
+/// and replicas that are too short for an error only if all are.
+struct Contributions {
+  std::vector<Contribution> all, too_short;
+  std::size_t not_in_equilibrium = 0;
+
+  Contributions(const PointData& data, MeasuredIn what);
+
+  /// How many replicas contribute, and why the others do not; empty if all contribute.
+  std::string text() const;
+};
+
+/// The averages in equilibrium, with a run for each replica.
+std::vector<BlockMeans> averages_of(const Contributions& contributions);
+/// The step responses of the same segments, relative to a common first sample.
+std::vector<StepResponse> responses_of(const Contributions& contributions);
+/// The dynamics, with a run for each replica. While the replicas are short, all segments are a
+/// single run.
+std::vector<BlockMeans> dynamics_of(const Contributions& contributions);
+/// The mean box edge of the dynamics, or at constant pressure without dynamics [nm].
+double edge_of(const Contributions& contributions);
+
+}  // namespace polhode
