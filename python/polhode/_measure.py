@@ -47,7 +47,8 @@ def measure(system: Path, properties: str | Sequence[str] | Mapping[str, Quantit
     Args:
         system: run file, molecule file, name of a model, or a mixture: "spce 488, na-spce 12".
         properties: names, or a dict of names with their errors: {"density": "0.1 %"}; default of the error: 1 %.
-        at (str or list of str): state points: "298.15 K, 1 bar", "250 K to 320 K, 7 points".
+        at (str or list of str): state points: "298.15 K, 1 bar", "298.15 K, 997 kg/m3" at constant volume, "250 K to 320 K,
+            7 points".
         molecules (int): number of molecules of a pure substance; default: 256.
         replicas (int): number of independent simulations of each state point; default: 4.
         paired_runs (bool): repeat an eighth of the dynamics at half of the step to bound its time-step bias, for a quarter
@@ -64,7 +65,7 @@ def measure(system: Path, properties: str | Sequence[str] | Mapping[str, Quantit
 
     Raises:
         Error: if there is no such property, or the model does not have it.
-        RunError: if a replica blows up, or the molecules evaporate.
+        RunError: if a replica blows up, or the state is a vapour, two phases or a solid.
     """
     return _measured(measure, locals(), executor=executor)
 

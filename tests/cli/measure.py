@@ -132,6 +132,44 @@ plot = "none"
         process = self.measured("--time-limit", "0.01 s")
         self.assertIn("the time limit is reached; the same command resumes", process.err)
 
+    def test_replicas_that_are_missing_do_not_withhold_values(self):
+        self.measured()
+        for k in (0, 3):
+            (self.folder / f"out-160K-500bar-r{k}.replica").unlink()
+        process = self.measured("--time-limit", "0.01 s")
+        self.assertIn("from 2 of 4 replicas, 2 too short so far", " ".join(process.out.split()))
+        point = json.loads(self.measured("--time-limit", "0.01 s", "--json").out)["points"][0]
+        found = point["properties"][0]
+        self.assertEqual(found["contributions"], "from 2 of 4 replicas, 2 too short so far")
+        self.assertGreater(found["value"]["error"], 0)
+        # Those of the same two replicas alone.
+        alone = json.loads(self.measured("--json", verb="merge").out)["points"][0]["properties"][0]
+        self.assertEqual(found["value"], alone["value"])
+
+    def test_a_state_point_at_constant_volume(self):
+        """The pressure at the density of 500 bar is 500 bar."""
+        at_pressure = json.loads(self.measured("compressibility", "10 %", "--json").out)["points"][0]
+        density, compressibility = (m["value"] for m in at_pressure["properties"])
+        self.assertIsNone(at_pressure["density_kg_per_m3"])
+        arguments = ("argon", "pressure", "10 bar", "isochoric-heat-capacity", "5 %", "--molecules", "64", "--at",
+                     f"160 K, {density['value']:.6g} kg/m3", "--output", "out")
+        process = self.polhode("measure", *arguments, "--json")
+        self.assertEqual(process.returncode, 0, process.err)
+        self.assertIn("at constant volume", process.err)
+        point = json.loads(process.out)["points"][0]
+        self.assertIsNone(point["pressure_bar"])
+        self.assertAlmostEqual(point["density_kg_per_m3"] / density["value"], 1, delta=1e-5)
+        pressure, heat_capacity = (m["value"] for m in point["properties"])
+        # An error of the density is one of the pressure by the compressibility. Ensembles of 64 molecules differ by
+        # kT times the curvature of p(V), about 1 % of kT/(V compressibility) = 15 bar here. Four standard errors.
+        by_density = density["error"] / density["value"] / (1e-6 * compressibility["value"])
+        self.assertLess(abs(pressure["value"] - 500), 4 * (pressure["error"]**2 + by_density**2)**0.5 + 5)
+        self.assertGreater(heat_capacity["value"], 1.5 * 8.314)  # the ideal gas; the dense liquid has about 2.2 R
+        self.assertLess(heat_capacity["value"], 3 * 8.314)
+        again = self.polhode("measure", *arguments, "--json")
+        self.assertEqual(json.loads(again.out)["points"], json.loads(process.out)["points"])
+        self.assertNotIn("a pilot chooses", again.err)
+
     def test_an_error_that_takes_too_long_is_said_first(self):
         long = [word if word != "1 %" else "0.0000002 %" for word in LIQUID]
         process = self.polhode(*long)
@@ -214,6 +252,10 @@ epsilon = "1 kJ/mol"
                 (("argon", "densty"), ["no property 'densty'", "did you mean 'density'"]),
                 (("argn", "density"), ["argn"]),
                 (("argon", "density", "--at", "300"), ["--at", "300"]),
+                (("argon", "density", "--at", "90 K, 1400 kg/m3"), ["density cannot be measured", "constant pressure"]),
+                (("argon", "pressure", "--at", "90 K, 1 bar"), ["pressure cannot be measured", "give a density"]),
+                (("argon", "pressure", "--at", "90 K, 1 kg/m3"), ["too low for a liquid"]),
+                (("argon", "pressure", "--at", "90 K, 1 kg/m3, 1 bar"), ["--at", "a pressure and a density"]),
                 (("argon", "density", "--at", "-3 K"), ["above 0 K"]),
                 (("argon", "density", "5 kJ"), ["in % or in kg/m3"]),
                 (("argon", "dielectric-constant"), ["no molecule has a dipole"]),
@@ -226,10 +268,16 @@ epsilon = "1 kJ/mol"
             self.refused(("measure", *arguments), words)
         self.refused(("merge", "argon", "density"), ["no record"])
 
-    def test_a_vapour_is_said(self):
-        process = self.polhode("measure", "argon", "density", "--molecules", "64", "--at", "300 K, 1 bar", "--output", "out")
-        self.assertEqual(process.returncode, 1, process.err)
-        self.assertIn("evaporate", process.err)
+    def test_a_state_that_is_no_liquid_is_said(self):
+        for molecules, at, words in (
+                ("64", "300 K, 1 bar", ["evaporate", "a lower temperature or a higher pressure"]),
+                ("64", "40 K, 1 bar", ["is a solid", "a higher temperature"]),
+                ("256", "100 K, 600 kg/m3", ["separate into two phases", "the density of the liquid"])):
+            name = "density" if "bar" in at else "pressure"
+            process = self.polhode("measure", "argon", name, "--molecules", molecules, "--at", at, "--output", "out")
+            self.assertEqual(process.returncode, 1, process.err)
+            for word in (f"error: at {at} the molecules", *words):
+                self.assertIn(word, process.err)
 
 
 if __name__ == "__main__":

@@ -60,8 +60,11 @@ void estimate_average(MeasuredProperty& m, const PointData& data) {
     return;
   }
   const std::vector<StepResponse> responses = responses_of(contributions);
-  const SeriesEstimate bias = step_bias(responses, conditions.degrees_of_freedom,
-                                        FixedMeans::kinetic_energy_and_pressure, statistic);
+  const SeriesEstimate bias =
+      step_bias(responses, conditions.degrees_of_freedom,
+                data.at.constant_volume() ? FixedMeans::kinetic_energy
+                                          : FixedMeans::kinetic_energy_and_pressure,
+                statistic);
   if (bias.known != Known::yes) return;
   m.bias = bias;
   m.value = without(m.value, bias);

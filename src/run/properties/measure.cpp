@@ -12,21 +12,19 @@
 #include <span>
 
 #include "base/stopwatch.hpp"
-#include "io/files/checksum.hpp"
 #include "io/files/draft.hpp"
 #include "io/files/with_error.hpp"
 #include "io/files/write_file.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/run/prepare/preparation.hpp"
 #include "run/output_files.hpp"
 #include "run/properties/estimates.hpp"
 #include "run/properties/expected_time.hpp"
+#include "run/properties/point_system.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/replica.hpp"
 #include "run/properties/replica_file.hpp"
-#include "run/simulation/files/identity.hpp"
 #include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {
@@ -34,7 +32,7 @@ namespace {
 
 /// Numbers of segments of each replica before the first decision, which are enough for errors to be
 /// known. Lengths then grow by a factor. Frequent decisions would favour errors small by chance.
-constexpr std::size_t first_averages = 24, first_dynamics = 4;
+constexpr std::size_t first_dynamics = 4;
 constexpr double growth = 1.5;
 /// Number of segments after which a replica that has not reached equilibrium is not continued.
 constexpr std::size_t max_equilibration = 600;
@@ -68,38 +66,6 @@ bool has(const Replica& replica, const Target& target) {
   return replica.prepared() && replica.averages.size() >= target.averages &&
          replica.dynamics.size() >= target.dynamics;
 }
-
-/// Data that all replicas of a state point share.
-struct PointSystem {
-  ReplicaSettings common;
-  Topology topology;
-  std::string identity;
-
-  PointSystem(const MeasureSettings& settings, const StatePoint& at)
-      : common{.config = settings.config,
-               .at = at,
-               .max_bias = max_bias(settings),
-               .paired_runs = settings.paired_runs} {
-    Config& config = common.config;
-    config.system.temperature = at.temperature;
-    topology = build_topology(config.system);
-    Config lattice = config;
-    if (config.system.initial_configuration.empty() && !config.system.density && !config.system.box)
-      lattice.system.density = estimated_density(topology);
-    identity =
-        text_hash(polhode::identity(config, build_system(lattice), {at.temperature, at.pressure}));
-  }
-
-  /// The maximum time-step bias: a third of the smallest relative error requested for an average,
-  /// or 0.1 % if none is requested.
-  static double max_bias(const MeasureSettings& settings) {
-    double bound = 0.001;
-    for (const RequestedProperty& p : settings.properties)
-      if (p.relative && p.property->measured_in == MeasuredIn::averages)
-        bound = std::min(bound, p.error / 3);
-    return bound;
-  }
-};
 
 /// Performs the next piece of work of a replica.
 /// @return  false if it was stopped
@@ -177,6 +143,7 @@ class PointMeasurement {
   std::vector<MeasuredProperty> evaluate(std::span<const Replica> replicas) const;
   bool next(Target& target, const std::vector<MeasuredProperty>& values, bool equilibrium) const;
   void show(const std::vector<MeasuredProperty>& values, bool equilibrium) const;
+  void warn_of_tension() const;
   PointData data(std::span<const Replica> replicas) const {
     return {system_.topology, system_.common.config.forces.mixing, at(), replicas};
   }
@@ -370,9 +337,9 @@ void PointMeasurement::show_plan(const Target& target,
   const double seconds = steps * seconds_per_step.value_or(0) / at_once;
   callbacks_.note(fmt::format(
       "plan at {}: {} replicas of {} molecules, hoa2 at {:g} fs; first {:.0f} ps of each at "
-      "constant pressure{}{}; longer where an error is not reached",
+      "constant {}{}{}; longer where an error is not reached",
       at().text(), replicas_.size(), system_.topology.size(), step * units::fs_per_ps,
-      averages * step,
+      averages * step, at().constant_volume() ? "volume" : "pressure",
       dynamics > 0
           ? fmt::format(
                 " and {:.0f} ps for dynamics{}", dynamics * step,
@@ -440,10 +407,23 @@ MeasuredPoint PointMeasurement::perform() {
   }
   MeasuredPoint point = described(data(replicas_));
   point.properties = evaluate(replicas_);
-  point.density = estimate({&property("density")}, data(replicas_)).value;
-  point.enthalpy = estimate({&property("enthalpy")}, data(replicas_)).value;
+  if (!at().constant_volume()) {
+    point.density = estimate({&property("density")}, data(replicas_)).value;
+    point.enthalpy = estimate({&property("enthalpy")}, data(replicas_)).value;
+  }
   for (MeasuredProperty& m : point.properties) m.stages = stages_of(m.request, data(replicas_));
+  if (at().constant_volume()) warn_of_tension();
   return point;
+}
+
+/// Warns of a negative pressure, at which a larger system may separate into two phases.
+void PointMeasurement::warn_of_tension() const {
+  const SeriesEstimate p = estimate({&property("pressure")}, data(replicas_)).value;
+  if (p.known != Known::yes || p.value + three_sigma(p) >= 0) return;
+  callbacks_.note(fmt::format(
+      "warning: at {} the pressure is negative, {} bar; the liquid is under tension, and a larger "
+      "system may separate into two phases",
+      at().text(), with_error(p.value, p.error)));
 }
 
 }  // namespace
@@ -473,9 +453,13 @@ MeasureReport measure(const MeasureSettings& settings, const Callbacks& callback
                         callbacks);
   const Topology topology = build_topology(settings.config.system);
   const bool has_mesh = settings.config.forces.electrostatics == Electrostatics::pme;
-  for (const RequestedProperty& request : settings.properties)
-    if (const std::string why = why_not(*request.property, topology, has_mesh); !why.empty())
+  for (const RequestedProperty& request : settings.properties) {
+    std::string why = why_not(*request.property, topology, has_mesh);
+    for (const StatePoint& at : settings.points)
+      if (why.empty()) why = why_not(*request.property, at);
+    if (!why.empty())
       throw Error(fmt::format("{} cannot be measured: {}", request.property->name, why));
+  }
   MeasureReport report;
   for (const Topology::Part& part : topology.parts)
     report.system +=

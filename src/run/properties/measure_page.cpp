@@ -103,10 +103,11 @@ std::string of_point(const MeasuredPoint& point) {
   std::string text = fmt::format("<h2>{}</h2>\n", html(point.at.text())) + table_of(point);
   if (point.length_of_averages > 0)
     text += fmt::format(
-        "<p>{} replicas of {} molecules, hoa2 at {:g} fs; {:.0f} ps at constant pressure after at "
+        "<p>{} replicas of {} molecules, hoa2 at {:g} fs; {:.0f} ps at constant {} after at "
         "most {:.0f} ps of equilibration each{}; box edge {:.4g} nm.</p>\n",
         point.replicas, point.molecules, point.step_max * units::fs_per_ps,
-        point.length_of_averages, point.equilibration_max,
+        point.length_of_averages, point.at.constant_volume() ? "volume" : "pressure",
+        point.equilibration_max,
         point.length_of_dynamics > 0
             ? fmt::format("; {:.0f} ps for dynamics", point.length_of_dynamics)
             : "",

@@ -13,6 +13,13 @@ namespace {
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
 
+Value pressure_of(const StatePoint& at) {
+  return at.constant_volume() ? Value() : Value(in_bar(at.pressure));
+}
+Value density_of(const StatePoint& at) {
+  return at.constant_volume() ? Value(at.density / unit("kg/m3", Dimension::density)) : Value();
+}
+
 /// Remarks on a value: corrections included in the value, and reasons why the value may not meet
 /// the request.
 std::string remarks(const MeasuredProperty& m) {
@@ -71,10 +78,10 @@ Quantities of_property(const MeasuredProperty& m) {
 std::string conditions(const MeasuredPoint& point) {
   if (point.length_of_averages == 0) return "";
   return fmt::format(
-      "  {} replicas of {} molecules, hoa2 at {:g} fs; {:.0f} ps at constant pressure\n"
+      "  {} replicas of {} molecules, hoa2 at {:g} fs; {:.0f} ps at constant {}\n"
       "  after at most {:.0f} ps of equilibration each{}",
       point.replicas, point.molecules, point.step_max * units::fs_per_ps, point.length_of_averages,
-      point.equilibration_max,
+      point.at.constant_volume() ? "volume" : "pressure", point.equilibration_max,
       point.length_of_dynamics > 0
           ? fmt::format("; {:.0f} ps for dynamics", point.length_of_dynamics)
           : "");
@@ -84,7 +91,10 @@ Quantities of_point(const MeasuredPoint& point) {
   std::vector<Quantities> properties;
   for (const MeasuredProperty& m : point.properties) properties.push_back(of_property(m));
   Quantities list{{"temperature", "K", point.at.temperature, "temperature of the state point"},
-                  {"pressure", "bar", in_bar(point.at.pressure), "pressure of the state point"},
+                  {"pressure", "bar", pressure_of(point.at),
+                   "pressure of the state point; null at constant volume"},
+                  {"density", "kg/m3", density_of(point.at),
+                   "density of a state point at constant volume; null at constant pressure"},
                   {"molecules", "", static_cast<std::int64_t>(point.molecules),
                    "number of molecules of each replica"},
                   {"replicas", "", static_cast<std::int64_t>(point.replicas),
@@ -93,7 +103,8 @@ Quantities of_point(const MeasuredPoint& point) {
                   {"equilibration", "ps", point.equilibration_max,
                    "longest time that a replica discarded as equilibration"},
                   {"averages_length", "ps", point.length_of_averages,
-                   "total time simulated at constant pressure in equilibrium, by all replicas"},
+                   "total time simulated at constant pressure or volume in equilibrium, by all "
+                   "replicas"},
                   {"dynamics_length", "ps", point.length_of_dynamics,
                    "total time simulated for dynamics, by all replicas"},
                   {"edge", "nm", point.edge, "box edge"},

@@ -167,8 +167,9 @@ std::vector<RequestOption<MeasureRequest>> MeasureRequest::options() {
   using R = MeasureRequest;
   const MeasureSettings defaults;
   return {{"at", &R::at,
-           "state point or range, several separated by ';': \"298.15 K, 1 bar\", \"250 K to 320 K, "
-           "7 points\"; default: the state point of the run file, or \"298.15 K, 1 bar\""},
+           "state point or range, several separated by ';': \"298.15 K, 1 bar\", \"298.15 K, 997 "
+           "kg/m3\" at constant volume, \"250 K to 320 K, 7 points\"; default: the state point of "
+           "the run file, or \"298.15 K, 1 bar\""},
           {"molecules", &R::molecules,
            fmt::format("number of molecules of a pure substance; default: {}", usual_molecules)},
           {"replicas", &R::replicas,

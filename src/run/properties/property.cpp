@@ -42,16 +42,25 @@ double molar_volume(Means m, const Conditions& c) {
 }
 double potential_energy(Means m, const Conditions& c) { return per_molecule(m[potential], c); }
 double enthalpy(Means m, const Conditions& c) {
-  return per_molecule(m[potential] + c.degrees_of_freedom / 2 * kT(c) + c.at.pressure * m[volume],
-                      c);
+  const double p = c.at.constant_volume() ? m[mean_pressure] : c.at.pressure;
+  return per_molecule(m[potential] + c.degrees_of_freedom / 2 * kT(c) + p * m[volume], c);
+}
+double pressure(Means m, const Conditions&) {
+  return m[mean_pressure] / unit("bar", Dimension::pressure);
 }
 double enthalpy_of_vaporization(Means m, const Conditions& c) {
   return kT(c) - per_molecule(m[potential] + c.at.pressure * m[volume], c);
 }
-double heat_capacity(Means m, const Conditions& c) {
-  const double configurational =
-      variance_of_enthalpy(m, c) / (kT(c) * c.at.temperature);  // [kJ/mol/K]
+/// The heat capacity from the variance of the configurational part of the energy or the enthalpy.
+double heat_capacity_of(double variance, const Conditions& c) {
+  const double configurational = variance / (kT(c) * c.at.temperature);  // [kJ/mol/K]
   return 1000 * per_molecule(configurational + c.degrees_of_freedom / 2 * units::boltzmann, c);
+}
+double heat_capacity(Means m, const Conditions& c) {
+  return heat_capacity_of(variance_of_enthalpy(m, c), c);
+}
+double isochoric_heat_capacity(Means m, const Conditions& c) {
+  return heat_capacity_of(m[potential_squared] - m[potential] * m[potential], c);
 }
 double expansivity(Means m, const Conditions& c) {
   return 1e6 * covariance_with_volume(m, c) / (kT(c) * c.at.temperature * m[volume]);
@@ -65,13 +74,14 @@ double dielectric_constant(Means m, const Conditions& c) {
 }
 
 using In = MeasuredIn;
+using At = DefinedAt;
 
 constexpr std::array all = {
     Property{"density", "kg/m3", In::averages,
              "mass over the mean volume at constant temperature and pressure", "allen2017", false,
-             false, density},
+             false, density, At::constant_pressure},
     Property{"molar-volume", "cm3/mol", In::averages, "mean volume of a mole of molecules",
-             "allen2017", false, false, molar_volume},
+             "allen2017", false, false, molar_volume, At::constant_pressure},
     Property{"potential-energy", "kJ/mol", In::averages,
              "mean intermolecular energy per molecule, with the dispersion correction", "allen2017",
              false, false, potential_energy},
@@ -82,17 +92,24 @@ constexpr std::array all = {
              "enthalpy of an ideal gas of the rigid molecules, minus the enthalpy of the liquid; "
              "without "
              "polarization, vibration or quantum terms",
-             "horn2004", false, false, enthalpy_of_vaporization},
+             "horn2004", false, false, enthalpy_of_vaporization, At::constant_pressure},
     Property{"heat-capacity", "J/mol/K", In::averages,
              "heat capacity at constant pressure of classical rigid molecules, from the "
              "fluctuations of the enthalpy",
-             "allen2017", false, false, heat_capacity},
+             "allen2017", false, false, heat_capacity, At::constant_pressure},
     Property{"expansivity", "1e-6/K", In::averages,
              "isobaric thermal expansivity, from the covariance of volume and enthalpy",
-             "allen2017", false, false, expansivity},
+             "allen2017", false, false, expansivity, At::constant_pressure},
     Property{"compressibility", "1e-6/bar", In::averages,
              "isothermal compressibility, from the fluctuations of the volume", "allen2017", false,
-             false, compressibility},
+             false, compressibility, At::constant_pressure},
+    Property{"pressure", "bar", In::averages,
+             "mean pressure at constant volume, with the dispersion correction", "allen2017", false,
+             false, pressure, At::constant_volume},
+    Property{"isochoric-heat-capacity", "J/mol/K", In::averages,
+             "heat capacity at constant volume of classical rigid molecules, from the fluctuations "
+             "of the potential energy",
+             "allen2017", false, false, isochoric_heat_capacity, At::constant_volume},
     Property{"dielectric-constant", "", In::averages,
              "static dielectric constant, from the fluctuations of the total dipole with "
              "conducting surroundings",
@@ -145,6 +162,20 @@ std::string why_not(const Property& p, const Topology& topology, bool has_mesh) 
     return "a mixture has one coefficient for each pair of molecules; measure each pair separately";
   if (std::string_view(p.name) == "enthalpy-of-vaporization" && topology.parts.size() > 1)
     return "the vapour of a mixture differs in composition from the liquid";
+  return "";
+}
+
+std::string why_not(const Property& p, const StatePoint& at) {
+  if (p.at == DefinedAt::constant_pressure && at.constant_volume())
+    return fmt::format(
+        "it requires constant pressure, but the density given in '{}' fixes the volume; give a "
+        "pressure in place of the density",
+        at.text());
+  if (p.at == DefinedAt::constant_volume && !at.constant_volume())
+    return fmt::format(
+        "it requires constant volume, but '{}' has a pressure; give a density in place of the "
+        "pressure, as in \"{:g} K, 1 g/cm3\"",
+        at.text(), at.temperature);
   return "";
 }
 

@@ -27,7 +27,9 @@ enum AverageOf : std::size_t {
   volume_squared,
   potential_by_volume,
   dipole_squared,  ///< squared total dipole moment M² [e² nm²]
-  averages_count
+  averages_count,
+  mean_pressure = averages_count,  ///< pressure [kJ/mol/nm³], only at constant volume
+  averages_count_at_constant_volume
 };
 
 /// The conditions that determine the value of a property, besides averages.
@@ -40,10 +42,13 @@ struct Conditions {
 
 /// The kind of run in which a property is measured.
 enum class MeasuredIn {
-  averages,  ///< runs at constant temperature and pressure
+  averages,  ///< runs at constant temperature, and at constant pressure or volume
   dynamics,  ///< runs at the density found there, with a weak rescaling of all momenta
   pair       ///< no run: an integral over two molecules
 };
+
+/// The state points at which a property is defined.
+enum class DefinedAt { any, constant_pressure, constant_volume };
 
 struct Property {
   const char* name;  ///< name, such as "heat-capacity"
@@ -56,6 +61,7 @@ struct Property {
   bool of_rotation = false;  ///< whether molecules must rotate
   /// Computes the value in `unit` from the means of averages; null for properties of other runs.
   double (*value)(std::span<const double> means, const Conditions& conditions) = nullptr;
+  DefinedAt at = DefinedAt::any;
 };
 
 /// All properties, in the order of results.
@@ -67,5 +73,7 @@ const Property& property(std::string_view name);
 
 /// The reason why a system does not have a property; empty if it has the property.
 std::string why_not(const Property& property, const Topology& topology, bool has_mesh);
+/// The reason why a property is not defined at a state point; empty if it is.
+std::string why_not(const Property& property, const StatePoint& at);
 
 }  // namespace polhode

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "io/settings/ensemble_names.hpp"
@@ -26,6 +27,7 @@
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "run/prepare/compressibility.hpp"
 #include "run/properties/momentum_flux.hpp"
+#include "run/properties/phases.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/relaxation.hpp"
 #include "run/simulation/system/stable_step.hpp"
@@ -46,19 +48,13 @@ constexpr MinimisationSettings relaxed{.force = 100, .torque = 10};
 constexpr double first_step = 0.001;  // first step of the preparation [ps]
 constexpr double tenth_of_fs = 1e-4;  // 0.1 fs [ps]
 constexpr double max_ratio = 0.015;   // maximum R of the segments
-constexpr double evaporated = 0.3;    // largest density that cannot be a liquid, relative to the
-                                      // estimated density of the liquid
 
 /// A system at a state point, with its random numbers.
 class Chain {
  public:
-  Chain(const ReplicaSettings& settings, std::uint64_t index)
-      : settings_(settings), config_(settings.config) {
-    config_.system.seed = derived_seed(config_.system.seed, index);
-    config_.system.temperature = settings.at.temperature;
-    if (config_.system.initial_configuration.empty() && !config_.system.density &&
-        !config_.system.box)
-      config_.system.density = estimated_density(build_topology(config_.system));
+  Chain(const ReplicaSettings& settings, const Replica& replica)
+      : settings_(settings), config_(configuration_of(settings)) {
+    config_.system.seed = derived_seed(config_.system.seed, replica.index);
     config_.run.minimise = true;
     system_.emplace(build_system(config_));
   }
@@ -133,23 +129,25 @@ struct Stage {
 constexpr std::array stages = {Stage{500},           Stage{2500, 2.5},     Stage{2500},
                                Stage{2500, 1, true}, Stage{2500, 1, true}, Stage{5000, 1, true}};
 
-/// Checks that the system is a liquid.
-/// @throws RunError  if the density is too low for a liquid
-void check_liquid(Chain& chain) {
-  const System& system = chain.system();
-  const double density = system.topology.mass() / system.state.box.volume();
-  if (density < evaporated * estimated_density(system.topology))
-    throw RunError(
-        fmt::format("at {} the molecules evaporate: the density has fallen to {:.0f} kg/m3; give a "
-                    "lower temperature or a higher pressure, at which the system is a liquid",
-                    chain.settings().at.text(), density / unit("kg/m3", Dimension::density)));
+void scale_to(State& state, double volume) {
+  const double factor = std::cbrt(volume / state.box.volume());
+  for (std::size_t i = 0; i < state.size(); ++i) state.q.set(i, factor * state.q[i]);
+  state.box = Box{factor * state.box.edge};
+}
+
+/// The density at which a replica of constant volume is melted. It is not below the density of the
+/// liquid, because the forces of a dilute lattice give no information about collisions.
+double first_density(const ReplicaSettings& settings) {
+  return std::max(settings.at.density, settings.liquid_density);
 }
 
 /// Relaxes a replica at constant volume, and then at constant pressure with adaptive barostat
-/// moves.
+/// moves, unless the state point has constant volume.
 bool relax(Chain& chain, Replica& replica) {
   System& system = chain.system();
   const ReplicaSettings& settings = chain.settings();
+  const bool constant_volume = settings.at.constant_volume();
+  if (constant_volume) scale_to(system.state, system.topology.mass() / first_density(settings));
   check_separated(system, minimise(system, relaxed));
   draw_momenta(system, derived_seed(settings.config.system.seed, replica.index));
   const double kT = units::boltzmann * settings.at.temperature;
@@ -160,13 +158,19 @@ bool relax(Chain& chain, Replica& replica) {
     TrajectorySettings t = chain.trajectory(scheme_of("baoab"), step, length, stream++);
     t.ensemble.temperature *= stage.heat;
     t.ensemble.thermostat = Langevin{0.01 / step, 0.01 / step};
-    if (stage.has_barostat) t.ensemble.barostat = barostat(settings, replica.compressibility, step);
-    const auto done = chain.run(t);
+    const bool has_barostat = stage.has_barostat && !constant_volume;
+    if (stage.has_barostat && constant_volume)
+      scale_to(system.state, system.topology.mass() / settings.at.density);
+    if (has_barostat) t.ensemble.barostat = barostat(settings, replica.compressibility, step);
+    LongestWaves waves;
+    const auto done = chain.run(
+        t, {.sample = [&](std::size_t, const State& state, const Energies&) { waves.add(state); }});
     if (!done) return false;
-    if (stage.has_barostat)
+    if (has_barostat)
       replica.compressibility =
           next_compressibility(done->statistics.energies, *t.ensemble.barostat, length, kT);
-    check_liquid(chain);
+    check_liquid(system.state, system.topology.mass(), settings);
+    if (stage.has_barostat) check_one_phase(waves, system.state.size(), settings.at);
     // In a dilute gas the forces give no information about collisions, so the step does not grow
     // any more.
     const double stable = rounded(chain.max_stable_step(t) / 4);
@@ -185,7 +189,8 @@ TrajectorySettings averages_of(const Chain& chain, const Replica& replica, doubl
   t.sample = step * steps_of_sample;
   t.shadow_sample = step * steps_of_shadow_sample;
   t.ensemble.thermostat = Rescaling{std::max(0.5, 100 * step)};
-  t.ensemble.barostat = barostat(chain.settings(), replica.compressibility, step);
+  if (!chain.settings().at.constant_volume())
+    t.ensemble.barostat = barostat(chain.settings(), replica.compressibility, step);
   return t;
 }
 
@@ -268,20 +273,28 @@ std::optional<BlockMeans::Block> correlations(Chain& chain, double whole_step, s
   return segment;
 }
 
-void scale_to(State& state, double volume) {
-  const double factor = std::cbrt(volume / state.box.volume());
-  for (std::size_t i = 0; i < state.size(); ++i) state.q.set(i, factor * state.q[i]);
-  state.box = Box{factor * state.box.edge};
-}
-
 }  // namespace
+
+Config configuration_of(const ReplicaSettings& settings) {
+  Config config = settings.config;
+  SystemSettings& system = config.system;
+  system.temperature = settings.at.temperature;
+  if (!system.initial_configuration.empty()) return config;
+  if (settings.at.constant_volume()) {
+    system.box.reset();
+    system.density = first_density(settings);
+  } else if (!system.density && !system.box) {
+    system.density = settings.liquid_density;
+  }
+  return config;
+}
 
 bool prepare(Replica& replica, const ReplicaSettings& settings) {
   Replica prepared{.index = replica.index,
                    .compressibility = settings.config.ensemble.barostat
                                           ? settings.config.ensemble.barostat->compressibility
                                           : default_compressibility()};
-  Chain chain(settings, replica.index);
+  Chain chain(settings, prepared);
   if (!relax(chain, prepared)) return false;
   prepared.step = settings.step;
   if (settings.step == 0 && !choose_step(chain, prepared)) return false;
@@ -292,21 +305,27 @@ bool prepare(Replica& replica, const ReplicaSettings& settings) {
 }
 
 bool add_averages(Replica& replica, const ReplicaSettings& settings) {
-  Chain chain(settings, replica.index);
+  Chain chain(settings, replica);
   System& system = chain.system();
   system.state = replica.state;
   const TrajectorySettings t = averages_of(chain, replica, replica.step, steps_of_averages,
                                            averaging + replica.averages.size());
   const FixedMeans fixed = *t.fixed_means();
-  AveragesSegment segment{.sums = {0, std::vector<double>(averages_count)}, .response = {}};
+  const bool constant_volume = settings.at.constant_volume();
+  const std::size_t count = constant_volume ? averages_count_at_constant_volume : averages_count;
+  AveragesSegment segment{.sums = {0, std::vector<double>(count)}, .response = {}};
+  LongestWaves waves;
+  if (replica.averages.empty()) replica.start = in_fractions(system.state);
   TimeBlocks part;
   constexpr std::size_t samples_of_part = steps_of_averages / steps_of_sample / parts_of_averages;
   if (!replica.averages.empty()) segment.response.first = replica.averages.front().response.first;
   const auto sample = [&](std::size_t steps, const State& state, const Energies& now) {
     if (steps == 0) return;  // the last sample of the previous segment
     const double U = now.potential(), V = now.volume;
-    const std::array<double, averages_count> x{U,     V,     U * U,
-                                               V * V, U * V, norm2(total_dipole(state, system))};
+    const std::array<double, averages_count_at_constant_volume> values{
+        U, V, U * U, V * V, U * V, norm2(total_dipole(state, system)), now.pressure};
+    const std::span x(values.data(), count);
+    waves.add(state);
     segment.sums.weight += 1;
     for (std::size_t k = 0; k < x.size(); ++k) segment.sums.sum[k] += x[k];
     part.add(std::array{U, V});
@@ -319,20 +338,27 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings) {
   };
   if (!chain.run(t, {.sample = sample})) return false;
   segment.response.blocks = {{segment.response.blocks.means().sum()}, 1};
+  check_liquid(system.state, system.topology.mass(), settings);
+  check_one_phase(waves, system.state.size(), settings.at);
+  const std::size_t segments = replica.averages.size() + 1;
+  if (segments >= first_averages)
+    check_motion(system.state, replica.start,
+                 replica.step * static_cast<double>(segments * steps_of_averages), settings.at);
   replica.state = system.state;
   replica.averages.push_back(std::move(segment));
   return true;
 }
 
 bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
-  Chain chain(settings, replica.index);
+  Chain chain(settings, replica);
   System& system = chain.system();
   system.state = replica.moving.value_or(replica.state);
   if (!replica.moving) {
     double V = 0;
     for (std::size_t k = from; k < replica.averages.size(); ++k)
       V += replica.averages[k].sums.sum[volume] / replica.averages[k].sums.weight;
-    scale_to(system.state, V / static_cast<double>(replica.averages.size() - from));
+    if (!settings.at.constant_volume())
+      scale_to(system.state, V / static_cast<double>(replica.averages.size() - from));
   }
   const std::size_t k = replica.dynamics.size();
   const State start = system.state;
@@ -371,6 +397,8 @@ std::size_t equilibrated(const Replica& replica) {
     for (std::size_t k = 0; k + joined <= all.size(); k += joined)
       series.push_back(std::accumulate(&all[k], &all[k] + joined, 0.0) /
                        static_cast<double>(joined));
+    if (std::ranges::all_of(series, [&](double x) { return x == series.front(); }))
+      continue;  // the volume, where it is constant
     start = std::max(start, joined * equilibrium_start(series));
   }
   return (start + parts_of_averages - 1) / parts_of_averages;

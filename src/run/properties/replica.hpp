@@ -56,6 +56,8 @@ struct Replica {
   double compressibility = 0;  ///< compressibility that sets the size of its barostat moves
                                ///< [nm³ mol/kJ]
   State state{0, Box{}};       ///< state at the end of the last segment of averages
+  Vec3Column start{};  ///< positions at the start of the first segment, in fractions of the edges;
+                       ///< empty in records of earlier versions
   std::vector<AveragesSegment> averages;
   std::optional<State> moving;  ///< state at the end of the last segment of dynamics
   std::vector<BlockMeans::Block>
@@ -69,6 +71,8 @@ struct Replica {
 inline constexpr std::size_t steps_of_averages = 1250, steps_of_sample = 10,
                              steps_of_shadow_sample = 50, parts_of_averages = 5,
                              steps_of_lags = 4000, lags = 400, windows_in_segment = 4;
+/// Number of segments of averages of each replica before the first decision.
+inline constexpr std::size_t first_averages = 24;
 /// One segment of dynamics in eight is repeated at half of the step, which is a quarter more work.
 inline constexpr std::size_t paired_every = 8;
 
@@ -76,18 +80,25 @@ inline constexpr std::size_t paired_every = 8;
 struct ReplicaSettings {
   Config config;  ///< molecules, forces, temperature, and the seed of all replicas
   StatePoint at;
-  double max_bias = 0;      ///< maximum relative time-step bias of the potential energy
-  bool paired_runs = true;  ///< whether there are paired segments of dynamics
+  double liquid_density = 0;  ///< estimated density of the liquid [u/nm³]
+  double max_bias = 0;        ///< maximum relative time-step bias of the potential energy
+  bool paired_runs = true;    ///< whether there are paired segments of dynamics
   double step = 0;  ///< time step of all replicas [ps]; 0 for a pilot, which chooses the step
                     ///< during preparation
   std::function<bool()> stop{};  ///< ends a segment, which is then discarded
 };
 
+/// The settings from which the system of a state point is built: its lattice has the density of the
+/// state point, of the configuration, or of the liquid.
+Config configuration_of(const ReplicaSettings& settings);
 /// Prepares a replica from a lattice or an initial configuration, by minimisation, and by stages at
 /// constant volume and at constant pressure. A pilot then chooses the time step.
 /// @return  false if it was stopped; the replica is then unchanged
-/// @throws RunError  if the replica blows up, or the molecules evaporate
+/// @throws RunError  if the replica blows up, or the molecules evaporate or separate into two
+/// phases
 bool prepare(Replica& replica, const ReplicaSettings& settings);
+/// Adds a segment of averages.
+/// @throws RunError  as prepare(), and if the molecules do not move as in a liquid
 bool add_averages(Replica& replica, const ReplicaSettings& settings);
 /// Adds a segment of dynamics.
 /// @param from  first segment of averages that is in equilibrium; the first segment of dynamics has

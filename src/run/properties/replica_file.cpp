@@ -34,6 +34,13 @@ json vectors_json(const Vec3Column& column) {
   return x;
 }
 
+Vec3Column column_of(const std::vector<double>& x) {
+  Vec3Column column(x.size() / 3);
+  for (std::size_t i = 0; i < column.size(); ++i)
+    column.set(i, {x[3 * i], x[3 * i + 1], x[3 * i + 2]});
+  return column;
+}
+
 json state_json(const State& state) {
   std::vector<double> a;
   for (std::size_t i = 0; i < state.size(); ++i) {
@@ -86,6 +93,7 @@ json replica_json(const Replica& replica) {
     j["paired"].push_back({paired.of, block_json(paired.half_step)});
   if (replica.prepared()) j["state"] = state_json(replica.state);
   if (replica.moving) j["moving"] = state_json(*replica.moving);
+  if (replica.start.size() > 0) j["start"] = vectors_json(replica.start);
   return j;
 }
 
@@ -105,6 +113,7 @@ Replica replica_of(const json& j) {
       replica.paired.push_back({paired.at(0).get<std::size_t>(), block_of(paired.at(1))});
   if (j.contains("state")) replica.state = state_of(j["state"]);
   if (j.contains("moving")) replica.moving = state_of(j["moving"]);
+  if (j.contains("start")) replica.start = column_of(j["start"].get<std::vector<double>>());
   return replica;
 }
 

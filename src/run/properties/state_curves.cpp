@@ -99,6 +99,7 @@ std::vector<std::vector<CurvePoint>> curves_of(const std::vector<MeasuredPoint>&
                                                double StatePoint::*constant) {
   std::map<double, std::vector<CurvePoint>> by_constant;
   for (const MeasuredPoint& point : points) {
+    if (point.at.constant_volume()) continue;  // such a point is on none of these curves
     const SeriesEstimate& y = point.*quantity;
     if (y.known != Known::yes || !(y.error > 0)) continue;
     std::vector<CurvePoint>& curve = by_constant[point.at.*constant];

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 #include "io/settings/quantity.hpp"
@@ -16,7 +17,8 @@ namespace {
 constexpr int max_points = 1000;
 constexpr double max_temperature = 1e5;  // maximum temperature [K], far beyond the range of any
                                          // rigid molecule
-constexpr const char* example = "\"298.15 K, 1 bar\" or \"250 K to 320 K, 7 points\"";
+constexpr const char* example =
+    "\"298.15 K, 1 bar\", \"298.15 K, 997 kg/m3\" or \"250 K to 320 K, 7 points\"";
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
@@ -66,25 +68,56 @@ Range range_of(std::string_view part, Dimension dimension) {
   return range;
 }
 
-bool is_temperature(std::string_view part) { return part.ends_with("K"); }
+/// The dimension of a temperature, a density or a pressure, by its unit.
+Dimension dimension_of(std::string_view part) {
+  if (part.ends_with("K")) return Dimension::temperature;
+  const auto last = part.rfind(' ');
+  if (last == part.npos) return Dimension::pressure;
+  try {
+    unit(part.substr(last + 1), Dimension::density);
+    return Dimension::density;
+  } catch (const Error&) {
+    return Dimension::pressure;
+  }
+}
+
+double in_kg_m3(double density) { return density / unit("kg/m3", Dimension::density); }
 
 double at(const Range& range, int point, int points) {
   return points == 1 ? range.first
                      : range.first + (range.last - range.first) * point / (points - 1);
 }
 
+void check(const std::optional<Range>& temperature, const std::optional<Range>& density,
+           const std::optional<Range>& pressure, std::string_view text) {
+  if (!temperature) throw Error(fmt::format("'{}' has no temperature; write {}", text, example));
+  if (!(std::min(temperature->first, temperature->last) > 0) ||
+      std::max(temperature->first, temperature->last) > max_temperature)
+    throw Error(fmt::format("the temperature in '{}' must be above 0 K and at most {:g} K", text,
+                            max_temperature));
+  if (density && pressure)
+    throw Error(fmt::format(
+        "'{}' has a pressure and a density; give the pressure at constant pressure, or the "
+        "density at constant volume",
+        text));
+  if (density && !(std::min(density->first, density->last) > 0))
+    throw Error(fmt::format("the density in '{}' must be above 0 kg/m3", text));
+}
+
 }  // namespace
 
 std::string StatePoint::text() const {
+  if (constant_volume()) return fmt::format("{:g} K, {:g} kg/m3", temperature, in_kg_m3(density));
   return fmt::format("{:g} K, {:g} bar", temperature, pressure / unit("bar", Dimension::pressure));
 }
 
 std::string StatePoint::file_text() const {
+  if (constant_volume()) return fmt::format("{:g}K-{:g}kgm3", temperature, in_kg_m3(density));
   return fmt::format("{:g}K-{:g}bar", temperature, pressure / unit("bar", Dimension::pressure));
 }
 
 std::vector<StatePoint> state_points(std::string_view text) {
-  std::optional<Range> temperature, pressure;
+  std::optional<Range> temperature, pressure, density;
   std::optional<int> points;
   for (const std::string_view part : parts_of(text)) {
     if (part.empty()) throw Error(fmt::format("'{}' has an empty part; write {}", text, example));
@@ -92,18 +125,18 @@ std::vector<StatePoint> state_points(std::string_view text) {
       points = count;
       continue;
     }
-    std::optional<Range>& range = is_temperature(part) ? temperature : pressure;
+    const Dimension dimension = dimension_of(part);
+    std::optional<Range>& pressure_or_density =
+        dimension == Dimension::density ? density : pressure;
+    std::optional<Range>& range =
+        dimension == Dimension::temperature ? temperature : pressure_or_density;
     if (range)
       throw Error(fmt::format("'{}' has two entries of one kind; write {}", text, example));
-    range = range_of(part, is_temperature(part) ? Dimension::temperature : Dimension::pressure);
+    range = range_of(part, dimension);
   }
-  if (!temperature) throw Error(fmt::format("'{}' has no temperature; write {}", text, example));
-  if (!(std::min(temperature->first, temperature->last) > 0) ||
-      std::max(temperature->first, temperature->last) > max_temperature)
-    throw Error(fmt::format("the temperature in '{}' must be above 0 K and at most {:g} K", text,
-                            max_temperature));
-  const Range p =
-      pressure.value_or(Range{unit("bar", Dimension::pressure), unit("bar", Dimension::pressure)});
+  check(temperature, density, pressure, text);
+  const Range one_bar{unit("bar", Dimension::pressure), unit("bar", Dimension::pressure)};
+  const Range p = density ? *density : pressure.value_or(one_bar);
   const bool is_range = temperature->is_range() || p.is_range();
   if (is_range != points.has_value())
     throw Error(is_range ? fmt::format("'{}' has a range without its number of points; add \", 7 "
@@ -111,8 +144,10 @@ std::vector<StatePoint> state_points(std::string_view text) {
                                        text)
                          : fmt::format("'{}' has points without a range; write {}", text, example));
   std::vector<StatePoint> list;
-  for (int k = 0; k < points.value_or(1); ++k)
-    list.push_back({at(*temperature, k, points.value_or(1)), at(p, k, points.value_or(1))});
+  for (int k = 0; k < points.value_or(1); ++k) {
+    const double T = at(*temperature, k, points.value_or(1)), x = at(p, k, points.value_or(1));
+    list.push_back(density ? StatePoint{T, std::nan(""), x} : StatePoint{T, x});
+  }
   return list;
 }
 

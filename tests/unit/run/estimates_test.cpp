@@ -65,12 +65,19 @@ double mean(const std::function<double(const Sample&)>& f) {
 /// The error of the step of each of the samples [kJ/mol].
 using StepErrors = std::array<double, 4>;
 
-AveragesSegment segment_with(double offset, const StepErrors& errors) {
-  AveragesSegment segment{.sums = {0, std::vector<double>(averages_count)}, .response = {}};
+/// The constant volume [nm³], and the pressures of the samples at this volume [kJ/mol/nm³].
+constexpr double fixed_volume = 3.03;
+constexpr std::array pressures = {10.0, 14.0, 13.0, 16.0};
+
+AveragesSegment segment_with(double offset, const StepErrors& errors, bool constant_volume) {
+  const std::size_t count = constant_volume ? averages_count_at_constant_volume : averages_count;
+  AveragesSegment segment{.sums = {0, std::vector<double>(count)}, .response = {}};
   for (const double sign : {1.0, -1.0})  // the kinetic energy is uncorrelated with all others
     for (std::size_t k = 0; k < samples.size(); ++k) {
-      const double U = samples[k].U + offset, V = samples[k].V;
-      const std::array<double, averages_count> x = {U, V, U * U, V * V, U * V, samples[k].M2};
+      const double U = samples[k].U + offset, V = constant_volume ? fixed_volume : samples[k].V;
+      std::vector<double> x = {
+          U, V, U * U, V * V, U * V, samples[k].M2, pressures[k] * (1 + offset / 100)};
+      x.resize(count);
       segment.sums.weight += 1;
       for (std::size_t i = 0; i < x.size(); ++i) segment.sums.sum[i] += x[i];
       const double kinetic = 3 * waters * units::boltzmann * T + sign * 10;
@@ -79,15 +86,15 @@ AveragesSegment segment_with(double offset, const StepErrors& errors) {
   segment.response.blocks = {{segment.response.blocks.means().sum()}, 1};
   for (const double fluctuation : {1, -1, 2, -2, 0}) {  // in equilibrium from the beginning
     segment.potentials.push_back(-4140 + fluctuation);
-    segment.volumes.push_back(3 + fluctuation / 64);
+    segment.volumes.push_back(constant_volume ? fixed_volume : 3 + fluctuation / 64);
   }
   return segment;
 }
 
-Replica steady(std::uint64_t index, const StepErrors& errors = {}) {
+Replica steady(std::uint64_t index, const StepErrors& errors = {}, bool constant_volume = false) {
   Replica replica{.index = index, .step = 0.004, .state = State{1, Box{Vec3<double>{2, 2, 2}}}};
   for (std::size_t k = 0; k < segments_of_averages; ++k) {
-    replica.averages.push_back(segment_with(offset(k), errors));
+    replica.averages.push_back(segment_with(offset(k), errors, constant_volume));
     if (k == 0) continue;
     StepResponse& response = replica.averages.back().response;
     response = response.relative_to(replica.averages.front().response.first);
@@ -100,9 +107,9 @@ std::vector<Replica> four(const std::function<Replica(std::uint64_t)>& make) {
 }
 
 MeasuredProperty measured(const char* name, const std::vector<Replica>& replicas,
-                          const Topology& topology = water()) {
+                          const Topology& topology = water(), const StatePoint& point = at) {
   const Mixing mixing;
-  return estimate({&property(name)}, {topology, mixing, at, replicas});
+  return estimate({&property(name)}, {topology, mixing, point, replicas});
 }
 
 }  // namespace
@@ -144,6 +151,39 @@ TEST_CASE("properties of averages are those computed by hand in SI units") {
     REQUIRE(m.bias);
     CHECK(m.bias->value == 0);
   }
+}
+
+TEST_CASE("properties at constant volume are those computed by hand in SI units") {
+  const StatePoint point{T, std::nan(""), water().mass() / fixed_volume};
+  const StepErrors errors = {-1, 1, -1, 1};
+  const std::vector<Replica> replicas =
+      four([&](std::uint64_t k) { return steady(k, errors, true); });
+  const double U = mean([](auto s) { return s.U; }), n = waters / N_A;
+  const double UU = mean([&](auto s) { return std::pow((s.U - U) * kJ_mol, 2); });
+  double noise = 0;  // of the factor of all pressures
+  for (std::size_t k = 0; k < segments_of_averages; ++k)
+    noise += offset(k) / 100 / segments_of_averages;
+  const double p = (10.0 + 14 + 13 + 16) / 4 * (1 + noise) * kJ_mol / (nm * nm * nm);  // [Pa]
+  const double kT = k_B * T, K = (6.0 * waters - 3) / 2 * kT;
+  struct Case {
+    const char* name;
+    double value;
+  };
+  for (const auto& [name, value] :
+       {Case{"pressure", p / 1e5}, Case{"isochoric-heat-capacity", (UU / (kT * T) + K / T) / n},
+        Case{"enthalpy", (U * kJ_mol + K + p * fixed_volume * nm * nm * nm) / n / 1e3}}) {
+    CAPTURE(std::string(name));
+    const MeasuredProperty m = measured(name, replicas, water(), point);
+    REQUIRE(m.value.known == Known::yes);
+    const double bias = m.bias ? m.bias->value : 0;
+    CHECK(m.value.value + bias == doctest::Approx(value).epsilon(1e-9));
+    CHECK(m.obstacle.empty());
+  }
+  // The bias of the pressure is its covariance with the error of the step over −kT. The kinetic
+  // energy gives kT to 0.5 %.
+  const double covariance = (-10.0 + 14 - 13 + 16) / 4 * (1 + noise) * kJ_mol / (nm * nm * nm);
+  CHECK(measured("pressure", replicas, water(), point).bias->value ==
+        doctest::Approx(-covariance * kJ_mol / kT / 1e5).epsilon(0.006));
 }
 
 TEST_CASE("the time-step bias is subtracted") {

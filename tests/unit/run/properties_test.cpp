@@ -15,6 +15,7 @@
 #include "polhode/base/units.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "run/properties/measure_request.hpp"
+#include "run/properties/point_system.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/replica.hpp"
 #include "run/properties/replica_file.hpp"
@@ -63,6 +64,20 @@ TEST_CASE("state points are read as they are written") {
   CHECK(range[7].pressure == doctest::Approx(2 * bar));
   const auto pressures = state_points("300 K, 1 bar to 1001 bar, 3 points");
   CHECK(pressures[1].pressure == doctest::Approx(501 * bar));
+  const StatePoint dense = state_points("86.4956 K, 1418.53 kg/m3").front();
+  CHECK(dense.constant_volume());
+  CHECK(dense.density == doctest::Approx(854.25).epsilon(1e-4));  // 1 u/nm³ is 1.66054 kg/m³
+  CHECK(std::isnan(dense.pressure));
+  CHECK(dense.text() == "86.4956 K, 1418.53 kg/m3");
+  CHECK(dense.file_text() == "86.4956K-1418.53kgm3");
+  CHECK(state_points("300 K, 1 g/cm3")[0].density ==
+        doctest::Approx(state_points("300 K, 1000 kg/m3")[0].density).epsilon(1e-12));
+  const auto densities = state_points("300 K, 0.9 g/cm3 to 1.1 g/cm3, 3 points");
+  CHECK(densities[1].text() == "300 K, 1000 kg/m3");
+  CHECK(!one[0].constant_volume());
+  check_error([] { state_points("300 K, 1 bar, 1 g/cm3"); }, {"a pressure and a density"});
+  check_error([] { state_points("300 K, 0 g/cm3"); }, {"above 0 kg/m3"});
+  check_error([] { state_points("300 K, 1 parsec"); }, {"no unit 'parsec' of pressure"});
   check_error([] { state_points("1 bar"); }, {"has no temperature", "298.15 K"});
   check_error([] { state_points("300"); }, {"300"});
   check_error([] { state_points("0 K"); }, {"must be above 0 K"});
@@ -98,6 +113,21 @@ TEST_CASE("a request that a system cannot meet is refused with the reason") {
   };
   refused(argon({"dielectric-constant"}), {"cannot be measured", "no molecule has a dipole"});
   refused(argon({"rotational-relaxation"}), {"atoms do not rotate"});
+  MeasureRequest dense = argon({"pressure"});
+  refused(dense, {"pressure cannot be measured", "requires constant volume", "give a density"});
+  dense.at = {"160 K, 1300 kg/m3; 160 K, 500 bar", "at"};
+  refused(dense, {"requires constant volume", "'160 K, 500 bar'"});
+  dense.at = {"160 K, 1300 kg/m3", "at"};
+  for (const char* name : {"density", "molar-volume", "compressibility", "expansivity",
+                           "heat-capacity", "enthalpy-of-vaporization"}) {
+    dense.properties = {name};
+    refused(dense, {name, "cannot be measured", "requires constant pressure", "give a pressure"});
+  }
+  dense.properties = {"pressure"};
+  dense.at = {"160 K, 300 kg/m3", "at"};
+  refused(dense, {"'160 K, 300 kg/m3' is too low for a liquid", "at least 437 kg/m3"});
+  dense.at = {"160 K, 13000 kg/m3", "at"};
+  refused(dense, {"too high for a liquid", "at most"});
   MeasureRequest shards = argon();
   shards.shard = {"5/4", "shard"};
   refused(shards, {"shard"});
@@ -121,6 +151,28 @@ TEST_CASE("a replica has the same bits in one piece and in several") {
   pieces = bytes_after(settings, 14, 0, pieces);
   pieces = bytes_after(settings, 14, 1, pieces);
   CHECK(pieces == whole);
+}
+
+TEST_CASE(
+    "a replica at constant volume has the same bits in pieces, and is not one at a pressure") {
+  MeasureRequest request = argon({"pressure"});
+  request.at = {"160 K, 1300 kg/m3", "at"};
+  const MeasureSettings settings = request.settings();
+  const std::string whole = bytes_after(settings, 14, 1);
+  const std::string pieces = bytes_after(settings, 14, 1, bytes_after(settings, 3, 0));
+  CHECK(pieces == whole);
+  // The number of this pressure in [kJ/mol/nm³] is the density in [u/nm³].
+  MeasureRequest other = argon();
+  other.at = {fmt::format("160 K, {:.17g} kJ/mol/nm3", settings.points[0].density), "at"};
+  check_error([&] { bytes_after(other.settings(), 15, 1, whole); }, {"was written with other"});
+  const Replica replica =
+      parse_replica(whole, "r", 3, PointSystem(settings, settings.points[0]).identity);
+  for (const AveragesSegment& segment : replica.averages) {
+    CHECK(segment.sums.sum.size() == averages_count_at_constant_volume);
+    for (const double V : segment.volumes)
+      CHECK(V == doctest::Approx(64 * 39.948 / settings.points[0].density).epsilon(1e-12));
+  }
+  CHECK(equilibrated(replica) <= 7);
 }
 
 TEST_CASE("the first of eight segments of dynamics is repeated at half of the step") {
@@ -161,8 +213,9 @@ TEST_CASE("a pilot whose box explodes at the first trial step chooses a shorter 
   request.seed = {"0", "seed"};
   const MeasureSettings settings = request.settings();
   Replica replica{.index = pilot};
-  REQUIRE(
-      prepare(replica, {.config = settings.config, .at = settings.points[0], .max_bias = 0.002}));
+  ReplicaSettings common = PointSystem(settings, settings.points[0]).common;
+  common.max_bias = 0.002;
+  REQUIRE(prepare(replica, common));
   CHECK(replica.prepared());
 }
 

@@ -153,6 +153,8 @@ TEST_CASE("each pressure has its own curve, and points without averages have non
   CHECK(state_curves(points).maxima.size() == 2);
   points[0].density = {std::nan("")};
   CHECK(state_curves(points).maxima.size() == 1);
+  points[4].at.density = 600;  // at constant volume
+  CHECK(state_curves(points).maxima.empty());
 }
 
 TEST_CASE("points that deviate from the polynomial by more than their errors are told") {

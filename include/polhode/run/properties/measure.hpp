@@ -23,11 +23,13 @@ struct Property;
 /// A state point at which properties are measured.
 struct StatePoint {
   double temperature = 0;  ///< temperature [K]
-  double pressure = 0;     ///< pressure [kJ/mol/nm³]
+  double pressure = 0;     ///< pressure [kJ/mol/nm³]; NaN at constant volume
+  double density = 0;      ///< mass density [u/nm³] at constant volume; 0 at constant pressure
 
-  /// The state point as text: "298.15 K, 1 bar".
+  bool constant_volume() const { return density > 0; }
+  /// The state point as text: "298.15 K, 1 bar" or "298.15 K, 997 kg/m3".
   std::string text() const;
-  /// The state point as text for file names: "298.15K-1bar".
+  /// The state point as text for file names: "298.15K-1bar" or "298.15K-997kgm3".
   std::string file_text() const;
 };
 
@@ -110,15 +112,15 @@ struct MeasuredPoint {
   double step_min = 0, step_max = 0;  ///< smallest and largest time step of the replicas [ps]
   double equilibration_max = 0;       ///< discarded equilibration time, maximum over all replicas
                                       ///< [ps]
-  double length_of_averages = 0;      ///< total length of all replicas at constant pressure,
-                                      ///< without equilibration [ps]
+  double length_of_averages = 0;      ///< total length of all replicas at constant pressure or
+                                      ///< volume, without equilibration [ps]
   double length_of_dynamics = 0;      ///< total length of the dynamics of all replicas [ps]
   double edge = 0;                    ///< box edge in the dynamics, or the mean edge at constant
                                       ///< pressure [nm]
   std::vector<MeasuredCurve> curves;
   std::vector<EquilibrationTrace> traces;  ///< traces of all replicas
   /// Values for curves over state points, with the time-step bias subtracted; not known without
-  /// averages.
+  /// averages, and at constant volume.
   SeriesEstimate density{std::nan("")};   ///< [kg/m³]
   SeriesEstimate enthalpy{std::nan("")};  ///< [kJ/mol]
 };
@@ -196,12 +198,13 @@ using ReplicaExecutor =
 
 /// Measures properties with independent replicas. Each replica is prepared, equilibrated, and
 /// simulated at constant temperature and pressure. Dynamic properties are then measured at the mean
-/// volume of the replica. Lengths grow by half until all requested errors are reached. Results are
-/// stored in PREFIX-POINT-rN.replica. The same command resumes from these files, also if other
-/// properties, errors or state points are requested.
+/// volume of the replica. A state point with a density has constant volume in all of these. Lengths
+/// grow by half until all requested errors are reached. Results are stored in
+/// PREFIX-POINT-rN.replica. The same command resumes from these files, also if other properties,
+/// errors or state points are requested.
 /// @throws Error     if a requested property is not defined for the system, or records belong to
 ///   another system
-/// @throws RunError  if a replica blows up or evaporates
+/// @throws RunError  if a replica blows up, evaporates, separates into two phases or is a solid
 /// @param executor  performs the tasks instead of the workers; may be empty
 MeasureReport measure(const MeasureSettings& settings, const Callbacks& callbacks = {},
                       Workers& workers = Workers::serial(), const ReplicaExecutor& executor = {});

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "run/properties/point_system.hpp"
+
+#include <algorithm>
+
+#include "io/files/write_file.hpp"
+#include "polhode/run/prepare/preparation.hpp"
+#include "run/properties/phases.hpp"
+#include "run/properties/property.hpp"
+#include "run/simulation/files/identity.hpp"
+
+namespace polhode {
+namespace {
+
+/// The maximum time-step bias: a third of the smallest relative error requested for an average,
+/// or 0.1 % if none is requested.
+double max_bias(const MeasureSettings& settings) {
+  double bound = 0.001;
+  for (const RequestedProperty& p : settings.properties)
+    if (p.relative && p.property->measured_in == MeasuredIn::averages)
+      bound = std::min(bound, p.error / 3);
+  return bound;
+}
+
+}  // namespace
+
+PointSystem::PointSystem(const MeasureSettings& settings, const StatePoint& at)
+    : common{.config = settings.config,
+             .at = at,
+             .max_bias = max_bias(settings),
+             .paired_runs = settings.paired_runs} {
+  Config& config = common.config;
+  config.system.temperature = at.temperature;
+  topology = build_topology(config.system);
+  common.liquid_density = estimated_density(topology);
+  check_density(common.liquid_density, at);
+  const System system = build_system(configuration_of(common));
+  // Three numbers at constant volume, so that records of both kinds are never mixed.
+  identity = text_hash(at.constant_volume()
+                           ? polhode::identity(config, system, {at.temperature, at.density, 1})
+                           : polhode::identity(config, system, {at.temperature, at.pressure}));
+}
+
+}  // namespace polhode
