@@ -271,8 +271,7 @@ void bind_simulation(nb::module_& m) {
            [](OwnedSimulation& s) {
              const InUse use(s.in_use);
              std::vector<double> rows = std::exchange(s.samples, {});
-             const std::size_t columns = energy_columns(false).size() + 1,
-                               n = rows.size() / columns;
+             const std::size_t columns = energy_columns().size() + 1, n = rows.size() / columns;
              return array_of(std::move(rows), {n, columns});
            })
       .def("energies",
@@ -293,7 +292,7 @@ void bind_simulation(nb::module_& m) {
   bind_steps(c);
   m.def("energy_columns", [] {
     std::vector<std::pair<std::string, std::string>> names;
-    for (const Table::Column& column : energy_columns(false))
+    for (const Table::Column& column : energy_columns())
       names.emplace_back(column.name, column.unit);
     return names;
   });

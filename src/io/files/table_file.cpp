@@ -145,17 +145,18 @@ void read_row(const std::string& path, std::size_t number, const std::string& li
 
 }  // namespace
 
-TableReader::TableReader(const std::string& path, const std::vector<Table::Column>& columns)
-    : path_(path), in_(path, std::ios::binary), columns_(columns.size()) {
+TableReader::TableReader(const std::string& path,
+                         std::span<const std::vector<Table::Column>> columns)
+    : path_(path), in_(path, std::ios::binary) {
   std::string line;
   if (!in_ || !std::getline(in_, line))
     throw Error(fmt::format("'{}' cannot be read ({}); check its name and permissions", path,
                             in_.is_open() ? "it is empty" : std::strerror(errno)));
   ++line_;
-  if (line == head_of({columns.begin(), columns.end() - 1}))
-    --columns_;
-  else
-    check_head(path, line_, line, columns);
+  const auto found = std::find_if(columns.begin(), columns.end(),
+                                  [&](const auto& one) { return line == head_of(one); });
+  if (found == columns.end()) check_head(path, line_, line, columns.front());
+  columns_ = found->size();
 }
 
 bool TableReader::next(std::vector<double>& row) {

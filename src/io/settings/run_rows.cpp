@@ -203,6 +203,9 @@ SettingTable output_table() {
                "whether the trajectory includes massless sites, such as M of TIP4P"),
            row("velocities", output(&O::velocities),
                "whether the trajectory includes velocities, in formats that support them"),
+           row("pressure_tensor", output(&O::pressure_tensor),
+               "whether the energies file contains the six components of the [molecular pressure "
+               "tensor](../theory.md#pressure); external forces must then have a virial"),
            row("plot", named(output(&O::plot), plot_formats), "figure of the energies",
                More{.free = true}),
            row("checkpoint_every", output(&O::checkpoint_every),

@@ -304,7 +304,9 @@ Trajectory Simulation::run_trajectory(RunFiles& files, const Callbacks& callback
                         },
                     .stop = callbacks.stop,
                     .due = [&] { return files.due(); },
-                    .checkpoint = [&](RunState at) { files.checkpoint(std::move(at)); }};
+                    .checkpoint = [&](RunState at) { files.checkpoint(std::move(at)); },
+                    .load = [&](const State& state,
+                                const Load& load) { files.load(state, system_.bodies, load); }};
   if (steps() > 0 && !files.last_checkpoint_step())  // outputs begin within the trajectory
     files.checkpoint(propagator().run_state());
   Trajectory trajectory = propagator().run(watch);

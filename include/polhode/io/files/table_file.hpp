@@ -78,9 +78,9 @@ class GrowingTable {
 /// were written.
 class TableReader {
  public:
-  /// @param columns  expected columns; the last column may be missing in the file
+  /// @param columns  possible lists of columns
   /// @throws Error  if the file cannot be read, or has different columns
-  TableReader(const std::string& path, const std::vector<Table::Column>& columns);
+  TableReader(const std::string& path, std::span<const std::vector<Table::Column>> columns);
   /// Reads the next row. Returns false at the end of the file.
   /// @throws Error  if a row is not complete
   bool next(std::vector<double>& row);

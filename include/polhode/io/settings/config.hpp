@@ -94,6 +94,7 @@ struct OutputSettings {
   bool massless_sites = true;     ///< whether to write massless sites to trajectories
   bool velocities = true;         ///< whether to write velocities to trajectories, if the format
                                   ///< can store them
+  bool pressure_tensor = false;   ///< whether the energies file has the pressure tensor
   std::string plot = "svg";       ///< format of figures: "svg", "png" or "none"
   double checkpoint_every = 300;  ///< interval between checkpoints in wall-clock time [s]
 

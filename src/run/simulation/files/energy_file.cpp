@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-std::vector<Table::Column> energy_columns(bool step_errors) {
+std::vector<Table::Column> energy_columns(EnergyColumns with) {
   std::vector<Table::Column> all = {{"time", "ps"},
                                     {"total", "kJ/mol"},
                                     {"potential", "kJ/mol"},
@@ -26,9 +26,11 @@ std::vector<Table::Column> energy_columns(bool step_errors) {
                                     {"kinetic_rotation_2", "kJ/mol"},
                                     {"kinetic_rotation_3", "kJ/mol"},
                                     {"conserved", "kJ/mol"},
-                                    {"volume", "nm3"},
-                                    {"step_error", "kJ/mol"}};
-  if (!step_errors) all.pop_back();
+                                    {"volume", "nm3"}};
+  if (with.pressure_tensor)
+    for (const char* component : {"xx", "yy", "zz", "yz", "zx", "xy"})
+      all.push_back({std::string("pressure_") + component, "bar"});
+  if (with.step_errors) all.push_back({"step_error", "kJ/mol"});
   return all;
 }
 
@@ -51,22 +53,28 @@ std::array<double, 15> energy_row(const Energies& e, const DegreesOfFreedom& deg
           e.step_error};
 }
 
-EnergyFile::EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
+EnergyFile::EnergyFile(const std::string& path, const Topology& topology, EnergyColumns with,
                        const Provenance& provenance)
     : degrees_of_freedom_(degrees_of_freedom(topology)),
-      step_errors_(step_errors),
-      table_(path, energy_columns(step_errors), provenance) {}
+      with_(with),
+      table_(path, energy_columns(with), provenance) {}
 
-EnergyFile::EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
+EnergyFile::EnergyFile(const std::string& path, const Topology& topology, EnergyColumns with,
                        const FileMark& mark)
     : degrees_of_freedom_(degrees_of_freedom(topology)),
-      step_errors_(step_errors),
+      with_(with),
       rows_(mark.frames),
       table_(path, TableMark{mark.bytes, mark.checksum}) {}
 
-void EnergyFile::add(const Energies& energies) {
-  const auto row = energy_row(energies, degrees_of_freedom_);
-  table_.add(std::span(row).first(row.size() - (step_errors_ ? 0 : 1)));
+void EnergyFile::add(const Energies& energies, const Mat3<double>& P) {
+  const auto numbers = energy_row(energies, degrees_of_freedom_);
+  std::vector<double> row(numbers.begin(), numbers.end() - 1);
+  if (with_.pressure_tensor)
+    for (const double x : {P[0].x, P[1].y, P[2].z, (P[1].z + P[2].y) / 2, (P[2].x + P[0].z) / 2,
+                           (P[0].y + P[1].x) / 2})
+      row.push_back(x / unit("bar", Dimension::pressure));
+  if (with_.step_errors) row.push_back(numbers.back());
+  table_.add(row);
   ++rows_;
 }
 
@@ -75,7 +83,9 @@ FileMark EnergyFile::mark() {
   return {rows_, bytes, checksum};
 }
 
-EnergyReader::EnergyReader(const std::string& path) : table_(path, energy_columns(true)) {}
+EnergyReader::EnergyReader(const std::string& path)
+    : table_(path, std::array{energy_columns({true, false}), energy_columns(),
+                              energy_columns({true, true}), energy_columns({false, true})}) {}
 
 std::optional<EnergyRow> EnergyReader::next() {
   if (!table_.next(row_)) return std::nullopt;
@@ -88,14 +98,14 @@ std::optional<EnergyRow> EnergyReader::next() {
              .rotation = {x[9], x[10], x[11]},
              .pressure = x[8] * unit("bar", Dimension::pressure),
              .volume = x[13],
-             .step_error = x.size() > 14 ? x[14] : Energies{}.step_error,
+             .step_error = x.size() == 15 || x.size() == 21 ? x.back() : Energies{}.step_error,
              .external = sum == x[2] ? 0 : x[2] - sum};
   return EnergyRow{e, x[12]};
 }
 
-void check_energies(const std::string& path, bool step_errors, const FileMark& mark) {
+void check_energies(const std::string& path, EnergyColumns with, const FileMark& mark) {
   std::uint64_t rows = 0;
-  each_row(path, mark.bytes, energy_columns(step_errors), [&](std::span<const double>) { ++rows; });
+  each_row(path, mark.bytes, energy_columns(with), [&](std::span<const double>) { ++rows; });
   if (rows != mark.frames)
     throw OutputError(fmt::format(
         "'{}' had {} rows when the checkpoint was written, but has {} rows in the same number of "

@@ -19,10 +19,12 @@ std::vector<FrameNumber> observables(const Energies& e) {
           {"total_energy", "kJ mol-1", e.total()}};
 }
 
-/// Whether the energies file contains time-step errors. At constant energy the file does not have
-/// these columns, because they follow from the total energy.
-bool samples_step_errors(const TrajectorySettings& settings) {
-  return settings.shadow_sample > 0 && !settings.ensemble.constant_energy();
+/// The columns of the energies file. At constant energy it does not have time-step errors, because
+/// they follow from the total energy.
+EnergyColumns columns_of(const Config& config) {
+  const TrajectorySettings settings = trajectory_settings(config);
+  return {settings.shadow_sample > 0 && !settings.ensemble.constant_energy(),
+          config.output.pressure_tensor};
 }
 
 /// The files that a run writes at the end, except for files that the run also reads. Existing files
@@ -49,7 +51,7 @@ RunFiles::RunFiles(const RunFileNames& names, const Topology& topology, const Co
       topology_(topology),
       choice_(config.output.choice()),
       provenance_(provenance),
-      step_errors_(samples_step_errors(trajectory_settings(config))),
+      columns_(columns_of(config)),
       interval_(config.output.checkpoint_every),
       steps_per_frame_(static_cast<std::size_t>(
           std::max(1.0, config.output.trajectory_every / config.integrator.step + 1e-9))),
@@ -70,7 +72,7 @@ void RunFiles::resume(const FoundCheckpoint& from) {
     check_crc64(names_.energies, 0, marks.energies.bytes, marks.energies.checksum);
     for (std::size_t k = 0; k < marks.frames.size(); ++k)
       check_frames(names_.trajectories[k], marks.frames[k]);
-    check_energies(names_.energies, step_errors_, marks.energies);
+    check_energies(names_.energies, columns_, marks.energies);
     reopen(marks);
   }
   remove_last();
@@ -85,7 +87,7 @@ void RunFiles::remove_last() const {
 }
 
 void RunFiles::reopen(const OutputMarks& marks) try {
-  energies_.emplace(names_.energies, topology_, step_errors_, marks.energies);
+  energies_.emplace(names_.energies, topology_, columns_, marks.energies);
   for (std::size_t k = 0; k < marks.frames.size(); ++k)
     trajectories_.push_back(
         resume_frames(names_.trajectories[k], topology_, marks.frames[k], choice_));
@@ -95,7 +97,7 @@ void RunFiles::reopen(const OutputMarks& marks) try {
 }
 
 void RunFiles::begin() try {
-  energies_.emplace(names_.energies, topology_, step_errors_, provenance_);
+  energies_.emplace(names_.energies, topology_, columns_, provenance_);
   for (const std::string& path : names_.trajectories)
     trajectories_.push_back(create_frames(path, topology_, choice_));
 } catch (const Error& e) {  // a checkpoint exists, so the run can be resumed when there is disk
@@ -105,7 +107,7 @@ void RunFiles::begin() try {
 
 void RunFiles::sample(std::size_t step, const State& state, const Energies& energies) {
   if (!energies_) begin();
-  energies_->add(energies);
+  energies_->add(energies, pressure_tensor_);
   if (trajectories_.empty() || step < next_frame_) return;
   for (const auto& trajectory : trajectories_) trajectory->write(state, observables(energies));
   next_frame_ = step + steps_per_frame_;

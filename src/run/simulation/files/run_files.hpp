@@ -31,6 +31,10 @@ class RunFiles {
     checkpoint_.minimisation_evaluations = minimisation_evaluations;
   }
 
+  /// Keeps the pressure tensor of the state that sample() appends next, if it is requested.
+  void load(const State& state, const Bodies& bodies, const Load& load) {
+    if (columns_.pressure_tensor) pressure_tensor_ = pressure_tensor(state, bodies, load);
+  }
   /// Appends energies, and a frame if it is due.
   /// @throws RunError  if the disk is full
   void sample(std::size_t step, const State& state, const Energies& energies);
@@ -55,8 +59,9 @@ class RunFiles {
   const Topology& topology_;
   FrameChoice choice_;
   Provenance provenance_;
-  bool step_errors_;
-  double interval_;  // wall-clock time between checkpoints [s]
+  EnergyColumns columns_;
+  Mat3<double> pressure_tensor_{};  // of the next sample [kJ/mol/nm³]
+  double interval_;                 // wall-clock time between checkpoints [s]
   std::size_t steps_per_frame_;
   bool others_;                    // whether checkpoints of another run may exist
   std::vector<std::string> last_;  // files that are written at the end of the run, unless the run

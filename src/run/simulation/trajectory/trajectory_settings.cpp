@@ -27,7 +27,7 @@ std::string name_with_bath(const Scheme& scheme) {
   return name.size() <= Scheme::max_name ? name : "";
 }
 
-/// Checks external forces. Cell rescaling needs their virial, because it uses the pressure.
+/// Checks external forces. Cell rescaling and the pressure tensor need their virial.
 void check_external(const Config& config) {
   const ExternalForces* const external = config.forces.external.get();
   const auto& barostat = config.ensemble.barostat;
@@ -36,6 +36,11 @@ void check_external(const Config& config) {
     throw Error(fmt::format(
         "the forces '{}' have no virial, but the barostat cell-rescaling needs the virial for the "
         "pressure; add a virial to these forces, or choose the barostat monte-carlo",
+        external->name));
+  if (external && !external->has_virial && config.output.pressure_tensor)
+    throw Error(fmt::format(
+        "the forces '{}' have no virial, but output.pressure_tensor = true needs the virial; add a "
+        "virial to these forces, or leave the pressure tensor out",
         external->name));
 }
 

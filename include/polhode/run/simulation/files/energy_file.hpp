@@ -15,30 +15,37 @@
 
 namespace polhode {
 
-/// The columns of an energies file; the last column exists only with step errors.
-std::vector<Table::Column> energy_columns(bool step_errors);
+/// The columns that only some energies files have.
+struct EnergyColumns {
+  bool step_errors = false;      ///< time-step errors, in the last column
+  bool pressure_tensor = false;  ///< six components of the pressure tensor, after the volume
+};
+
+/// The columns of an energies file.
+std::vector<Table::Column> energy_columns(EnergyColumns with = {});
+/// The numbers of all columns except for the pressure tensor.
 std::array<double, 15> energy_row(const Energies& energies,
                                   const DegreesOfFreedom& degrees_of_freedom);
 
 class EnergyFile {
  public:
   /// Creates the energies file, and replaces an existing file.
-  /// @param step_errors  whether the file has a column for time-step errors
-  EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
+  EnergyFile(const std::string& path, const Topology& topology, EnergyColumns with,
              const Provenance& provenance);
   /// Resumes the energies file after the rows of a mark.
-  EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
+  EnergyFile(const std::string& path, const Topology& topology, EnergyColumns with,
              const FileMark& mark);
 
   /// Appends a row of energies.
+  /// @param pressure_tensor  pressure tensor [kJ/mol/nm³], if the file has columns for it
   /// @throws RunError  if the disk is full
-  void add(const Energies& energies);
+  void add(const Energies& energies, const Mat3<double>& pressure_tensor = {});
   /// Syncs all rows to disk and returns the end of the file.
   FileMark mark();
 
  private:
   DegreesOfFreedom degrees_of_freedom_;
-  bool step_errors_;
+  EnergyColumns with_;
   std::uint64_t rows_ = 0;
   GrowingTable table_;
 };
@@ -49,7 +56,7 @@ struct EnergyRow {
   double conserved = 0;  ///< conserved energy [kJ/mol]; heat and work have no columns
 };
 
-/// Reads an energies file row by row, with or without step errors.
+/// Reads an energies file row by row, with any columns.
 class EnergyReader {
  public:
   /// @throws Error  if the file cannot be read, or has different columns
@@ -65,6 +72,6 @@ class EnergyReader {
 
 /// Checks an energies file up to a mark.
 /// @throws Error  if the file is shorter, or has different contents
-void check_energies(const std::string& path, bool step_errors, const FileMark& mark);
+void check_energies(const std::string& path, EnergyColumns with, const FileMark& mark);
 
 }  // namespace polhode
