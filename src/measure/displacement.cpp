@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "polhode/base/units.hpp"
 #include "polhode/math/fit.hpp"
@@ -28,7 +29,9 @@ void Unwrapped::follow(const State& state) {
 
 Displacement::Displacement(const Topology& topology, std::size_t lags) : bodies_(topology) {
   for (const auto& part : topology.parts)
-    parts_.emplace_back(part.count, lags, std::vector{Product::displacement});
+    parts_.emplace_back(
+        part.count, lags,
+        std::vector{Product::displacement_x, Product::displacement_y, Product::displacement_z});
 }
 
 void Displacement::add(const State& state, Workers& workers) {
@@ -42,7 +45,18 @@ void Displacement::add(const State& state, Workers& workers) {
 }
 
 BlockMeans Displacement::mean_square(std::size_t part, Workers& workers) {
-  return parts_[part].means(0, workers);
+  std::vector<BlockMeans::Block> sum = parts_[part].means(0, workers).blocks();
+  for (std::size_t axis = 1; axis < 3; ++axis) {
+    const BlockMeans along = mean_square_along(axis, part, workers);
+    for (std::size_t b = 0; b < sum.size(); ++b)
+      for (std::size_t lag = 0; lag < sum[b].sum.size(); ++lag)
+        sum[b].sum[lag] += along.blocks()[b].sum[lag];
+  }
+  return BlockMeans(std::move(sum));
+}
+
+BlockMeans Displacement::mean_square_along(std::size_t axis, std::size_t part, Workers& workers) {
+  return parts_[part].means(axis, workers);
 }
 
 namespace {

@@ -46,6 +46,9 @@ class Displacement {
   /// part of the topology. q is relative to the centre of mass of all bodies, so that a common
   /// velocity does not contribute.
   BlockMeans mean_square(std::size_t part, Workers& workers = Workers::serial());
+  /// The part of the mean-square displacement along one axis [nm²].
+  BlockMeans mean_square_along(std::size_t axis, std::size_t part,
+                               Workers& workers = Workers::serial());
   double max_step() const { return unwrapped_.max_step(); }
 
  private:
@@ -66,6 +69,13 @@ struct FitWindow {
 /// @param interval  time between lags [ps]
 SeriesEstimate diffusion(const BlockMeans& squared_displacement, double interval,
                          const FitWindow& window);
+
+/// The diffusion coefficient along one axis: half of the slope of the mean-square displacement
+/// along this axis.
+inline SeriesEstimate diffusion_along(const BlockMeans& squared_displacement, double interval,
+                                      const FitWindow& window) {
+  return scaled(diffusion(squared_displacement, interval, window), 3);
+}
 
 /// The fitted line of diffusion() at a lag [nm²]. There must be at least two lags within the
 /// window.

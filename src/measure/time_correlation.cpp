@@ -15,6 +15,11 @@ constexpr std::size_t chunks_per_window = 4;  // more chunks need more transform
 
 using Modes = Column<std::complex<double>>;
 
+bool is_displacement(Product product) {
+  return product == Product::displacement || product == Product::displacement_x ||
+         product == Product::displacement_y || product == Product::displacement_z;
+}
+
 // The number of functions per vector. The sum of their products is a Product of two vectors.
 std::size_t terms(Product product) {
   switch (product) {
@@ -37,10 +42,13 @@ double term(Product product, std::size_t k, const Vec3<double>& a) {
     case Product::dot_squared:
       return k < 3 ? a[k] * a[k] : std::sqrt(2.0) * a[k % 3] * a[(k + 1) % 3];
     case Product::x:
+    case Product::displacement_x:
       return a.x;
     case Product::y:
+    case Product::displacement_y:
       return a.y;
     case Product::z:
+    case Product::displacement_z:
       return a.z;
   }
   return 0;
@@ -108,6 +116,7 @@ void TimeCorrelation::sum_up(std::size_t group) {
   Scratch scratch(transform_);
   for (std::size_t p = 0; p < products_.size(); ++p) {
     const Product product = products_[p];
+    const bool displacement = is_displacement(product);
     Modes correlation(transform_.modes());
     std::vector<double> squares(held + 1, 0.0);  // sums Σ |a|² over the group and the preceding
                                                  // frames
@@ -118,7 +127,7 @@ void TimeCorrelation::sum_up(std::size_t group) {
       };
       // Displacements do not depend on the origin. With an origin close to the positions,
       // differences of squares lose fewer digits.
-      const Vec3<double> origin = product == Product::displacement ? vector(0) : Vec3<double>{};
+      const Vec3<double> origin = displacement ? vector(0) : Vec3<double>{};
       for (std::size_t k = 0; k < terms(product); ++k) {
         for (std::size_t t = 0; t < transform_.size(); ++t)
           scratch.series[t] = t < held ? term(product, k, vector(t) - origin) : 0.0;
@@ -128,18 +137,18 @@ void TimeCorrelation::sum_up(std::size_t group) {
         for (std::size_t w = 0; w < transform_.modes(); ++w)
           correlation[w] += scratch.fresh[w] * std::conj(scratch.all[w]);
       }
-      if (product == Product::displacement)
-        for (std::size_t t = 0; t < held; ++t) squares[t + 1] += norm2(vector(t) - origin);
+      for (std::size_t k = 0; displacement && k < terms(product); ++k)
+        for (std::size_t t = 0; t < held; ++t)
+          squares[t + 1] += std::pow(term(product, k, vector(t) - origin), 2);
     }
     transform_.backward(correlation, scratch.series);
     for (std::size_t t = 0; t < held; ++t) squares[t + 1] += squares[t];
     for (std::size_t lag = 0; lag < std::min(held, lags_); ++lag) {
       const double products = scratch.series[lag] / static_cast<double>(transform_.size());
       const std::size_t first = std::max(before_, lag);
-      sums_[group][p][lag] = product == Product::displacement
-                                 ? squares[held] - squares[first] + squares[held - lag] -
-                                       squares[first - lag] - 2 * products
-                                 : products;
+      sums_[group][p][lag] = displacement ? squares[held] - squares[first] + squares[held - lag] -
+                                                squares[first - lag] - 2 * products
+                                          : products;
     }
   }
 }

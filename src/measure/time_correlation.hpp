@@ -23,6 +23,9 @@ enum class Product {
   x,             ///< a_x(t) a_x(t + lag), and similarly for the other components
   y,
   z,
+  displacement_x,  ///< (a_x(t + lag) − a_x(t))², and similarly for the other components
+  displacement_y,
+  displacement_z,
 };
 
 /// Computes time correlation functions by Fourier transforms of a quarter of a window together with

@@ -2,6 +2,7 @@
 """polhode analyze on the command line: its files, its errors, and that the number of threads changes nothing."""
 
 import json
+import math
 import unittest
 
 import sandbox
@@ -69,6 +70,24 @@ class Analyze(Sandbox):
         process = self.analyze("--run", "run.toml", "--window", "0.1 ps", "--plot", "none", "--force", "--threads", "1")
         self.assertEqual(process.returncode, 0, process.err)
         self.assertEqual(self.contents(), before)
+
+    def test_the_finite_size_correction_of_a_long_box(self):
+        """Along x and y there is none in a box of the published ratio, and the coefficient along z is published."""
+        self.done("run", edited(sandbox.SMALL, ('"2.5 nm"', '["2.1 nm", "2.1 nm", "5.86605526437 nm"]'),
+                                ('plot = "none"', 'plot = "none"\ntrajectory_every = "2 fs"\nformats = ["gro"]')), "--force")
+        report = json.loads(self.analyze("--run", "run.toml", "--what", "msd", "--viscosity", "0.3 mPa s", "--plot", "none",
+                                         "--json", "--force").out)
+        x, y, z = report["diffusion"]["finite_size_correction_along_axes_1e-9_m2_per_s"]
+        kT = 1.380649e-23 * report["temperature_K"]["value"]
+        expected = 8.1711245653 * kT / (6 * math.pi * 0.3e-3 * 5.86605526437e-9) * 1e9
+        # Edges in a GRO file have five decimals.
+        self.assertAlmostEqual(z / expected, 1, 4)
+        self.assertLess(max(abs(x), abs(y)), 1e-4 * z)
+        self.assertAlmostEqual(report["diffusion"]["finite_size_correction_1e-9_m2_per_s"], (x + y + z) / 3, 12)
+        for name in ("value", "unconverged_estimate"):
+            part = report["parts"][0]
+            if part["D_1e-9_m2_per_s"].get(name) is not None:
+                self.assertAlmostEqual(part["D_without_images_1e-9_m2_per_s"][name] - part["D_1e-9_m2_per_s"][name], (x + y + z) / 3, 6)
 
     def test_too_few_frames(self):
         """Values have no errors, and those that do not exist are null or left out."""

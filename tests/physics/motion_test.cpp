@@ -96,6 +96,34 @@ TEST_CASE("the diffusion coefficient of a random walk") {
   CHECK(std::isnan(diffusion(displacement.mean_square(0), interval, {5, 9}).value));
 }
 
+// The same with steps of different variance along the axes: each axis is a third of the walks, so
+// the error of its D is √3 times as large, 2.8 %.
+TEST_CASE("the diffusion coefficients of a random walk along three axes") {
+  const Topology topology = of("argon", 64);
+  const Vec3<double> D{1e-3, 2e-3, 4e-3};
+  const double interval = 0.5;
+  Displacement displacement(topology, 11);
+  State state(64, Box{{2, 1.5, 3}});
+  Random random(5);
+  for (int frame = 0; frame < 400; ++frame) {
+    for (std::size_t i = 0; i < 64; ++i) {
+      const Vec3<double> step = normal3(random, std::sqrt(2 * interval));
+      const Vec3<double> scale{std::sqrt(D.x), std::sqrt(D.y), std::sqrt(D.z)};
+      state.q.set(i, into(state.box, state.q[i] + scaled(scale, step)));
+    }
+    displacement.add(state);
+  }
+  double sum = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const SeriesEstimate along =
+        diffusion_along(displacement.mean_square_along(axis, 0), interval, {0.5, 5});
+    check(along, D[axis] * 63 / 64, 0.028 * D[axis]);
+    sum += along.value / 3;
+  }
+  CHECK(diffusion(displacement.mean_square(0), interval, {0.5, 5}).value ==
+        doctest::Approx(sum).epsilon(1e-12));
+}
+
 // yeh2004, Eq. 12: 2.837297 k_B T/(6πηL). By hand, in SI: 1.380649e-23 · 298 · 2.837297 /
 // (6π · 0.729e-3 · 2.4858e-9) = 3.4175e-10 m²/s = 3.4175e-4 nm²/ps.
 TEST_CASE("Yeh-Hummer finite-size correction of the diffusion coefficient") {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "convergence_results.hpp"
@@ -11,6 +12,7 @@
 #include "io/files/with_error.hpp"
 #include "io/settings/quantity.hpp"
 #include "measure/displacement.hpp"
+#include "measure/finite_size.hpp"
 #include "run/analysis/analysis_summary.hpp"
 #include "run/quantity_lists.hpp"
 
@@ -31,15 +33,26 @@ constexpr double published_temperature = 298;  // temperature of the published v
 constexpr double near = 5;                     // largest difference from it [K]; the viscosity of
                                                // water changes by 2 % in 1 K
 
-/// The Yeh-Hummer finite-size correction, which is added to the diffusion coefficient.
-struct Correction {
-  std::optional<double> value;  ///< correction [nm²/ps]
-  std::string source;           ///< source of the viscosity, such as "as given"; otherwise the
-                                ///< reason why there is none
+/// The viscosity of the liquid.
+struct Viscosity {
+  std::optional<double> value;  ///< [u/(nm ps)]
+  std::string source;           ///< source, such as "as given"; otherwise the reason why there is
+                                ///< none
 };
 
-/// The viscosity [u/(nm ps)] with its source, or the reason why there is none.
-Correction viscosity(const AllFrames& all) {
+/// The finite-size correction, which is added to the diffusion coefficients.
+struct Correction {
+  std::optional<Vec3<double>> axes;  ///< correction along each axis [nm²/ps]
+  std::string source;                ///< source of the viscosity; otherwise the reason why there is
+                                     ///< none
+  /// The correction of the mean over the axes [1e-9 m²/s].
+  std::optional<double> mean() const {
+    if (!axes) return {};
+    return in_1e9_m2_per_s * (axes->x + axes->y + axes->z) / 3;
+  }
+};
+
+Viscosity viscosity(const AllFrames& all) {
   if (all.settings.viscosity) return {all.settings.viscosity, "as given"};
   const auto& parts = all.analysis.topology.parts;
   const auto known = std::find_if(std::begin(published), std::end(published), [&](const auto& one) {
@@ -61,21 +74,15 @@ Correction viscosity(const AllFrames& all) {
       fmt::format("of {} at {:g} K and 1 bar, gonzalez2010", known->model, published_temperature)};
 }
 
-bool cubic(const Box& box) {
-  const Vec3<double> e = box.edge;
-  return std::max({e.x, e.y, e.z}) <= box.shortest_edge() * (1 + 1e-4);
-}
-
 Correction correction(const AllFrames& all) {
-  if (!cubic(all.analysis.box))
-    return {{}, "the finite-size correction applies only to cubic boxes"};
   if (!all.temperature)
     return {{}, "the frames have no velocities, so the temperature is unknown; give a temperature"};
-  Correction c = viscosity(all);
-  if (c.value)
-    c.value = yeh_hummer_correction(*all.temperature, *c.value,
-                                    std::cbrt(all.analysis.conditions->volume().value));
-  return c;
+  const auto [eta, source] = viscosity(all);
+  if (!eta) return {{}, source};
+  // The shape is that of the last box; a barostat changes the mean volume.
+  const Box& box = all.analysis.box;
+  const double scale = std::cbrt(all.analysis.conditions->volume().value / box.volume());
+  return {finite_size_correction(*all.temperature, *eta, scale * box.edge), source};
 }
 
 std::string why_not(const FirstFrames& f) {
@@ -88,12 +95,14 @@ std::string why_not(const FirstFrames& f) {
 /// displacements.
 struct Diffusion {
   SeriesEstimate value;  ///< diffusion coefficient in this box [1e-9 m²/s]
+  AxisEstimates axes;    ///< diffusion coefficients along the axes of the box [1e-9 m²/s]
   Convergence convergence;
   CurvesFigure::Line line;
 
-  Diffusion(const SeriesEstimate& D, const BlockMeans& squared, double interval,
-            const FitWindow& fit)
+  Diffusion(const SeriesEstimate& D, const AxisEstimates& along, const BlockMeans& squared,
+            double interval, const FitWindow& fit)
       : value(scaled(D, in_1e9_m2_per_s)),
+        axes(along),
         convergence(diffusion_convergence(squared, interval, fit)) {
     const auto at = [&](double lag) { return fitted_displacement(squared, interval, fit, lag); };
     line = {"fit: " + (convergence.converged()
@@ -111,20 +120,24 @@ Quantities Diffusion::quantities(const std::string& molecule, const FitWindow& f
                                  const Correction& c) const {
   const std::string label = "D of " + molecule;
   SeriesEstimate corrected = value;
-  corrected.value += in_1e9_m2_per_s * c.value.value_or(0);
+  corrected.value += c.mean().value_or(0);
   Quantities list = {{"D", "1e-9 m2/s", converging(value, convergence, max_lag)}};
-  if (c.value)
+  if (c.axes)
     list.push_back({"D_without_images", "1e-9 m2/s", converging(corrected, convergence, max_lag)});
   if (!convergence.converged()) {
     list.push_back(row(label, not_converged(convergence, max_lag)));
     return list;
   }
+  list.push_back({"D_along_axes", "1e-9 m2/s", axes});
   list.push_back(row(label, fmt::format("{} 1e-9 m2/s in this box, lags {:g} to {:g} ps",
                                         short_text(value), fit.from, fit.to)));
+  list.push_back(
+      row("  along x, y and z", fmt::format("{}, {} and {} 1e-9 m2/s", short_text(axes[0]),
+                                            short_text(axes[1]), short_text(axes[2]))));
   list.push_back(row("  in an infinite box",
-                     c.value ? fmt::format("{} 1e-9 m2/s, corrected for finite size (viscosity {})",
-                                           short_text(corrected), c.source)
-                             : "not corrected for finite size: " + c.source));
+                     c.axes ? fmt::format("{} 1e-9 m2/s, corrected for finite size (viscosity {})",
+                                          short_text(corrected), c.source)
+                            : "not corrected for finite size: " + c.source));
   return list;
 }
 
@@ -163,7 +176,12 @@ Quantities Msd::add_part(AnalysisFile& file, std::size_t part, const FitWindow& 
   Quantities list;
   const SeriesEstimate D = diffusion(means, a.interval, fit);
   if (count > 0 && !std::isnan(D.value)) {
-    const Diffusion found(D, means, a.interval, fit);
+    AxisEstimates along;
+    for (std::size_t axis = 0; axis < along.size(); ++axis)
+      along[axis] = scaled(diffusion_along(displacement_.mean_square_along(axis, part, all.workers),
+                                           a.interval, fit),
+                           in_1e9_m2_per_s);
+    const Diffusion found(D, along, means, a.interval, fit);
     panel.lines.push_back(found.line);
     list = found.quantities(molecule.name, fit, correction);
   } else if (count > 0 && part == 0) {
@@ -188,7 +206,12 @@ ObservableResults Msd::results(const AllFrames& all) {
                    {{}, "mean-square displacement of centres of mass", "lag  (ps)", "MSD  (nm²)"});
   Quantities about = {{"fit", "ps", std::vector{fit.from, fit.to}},
                       {"viscosity_source", "", c.source}};
-  if (c.value) about.push_back({"finite_size_correction", "1e-9 m2/s", in_1e9_m2_per_s * *c.value});
+  if (c.axes) {
+    const Vec3<double> axes = in_1e9_m2_per_s * *c.axes;
+    about.push_back({"finite_size_correction", "1e-9 m2/s", *c.mean()});
+    about.push_back(
+        {"finite_size_correction_along_axes", "1e-9 m2/s", std::vector{axes.x, axes.y, axes.z}});
+  }
   ObservableResults results{.quantities = {{"diffusion", "", std::move(about)}}};
   for (std::size_t part = 0; part < a.topology.parts.size(); ++part)
     results.parts.push_back(add_part(file, part, fit, c, all));

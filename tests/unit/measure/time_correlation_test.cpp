@@ -39,6 +39,12 @@ double product(Product p, const Vec3<double>& a, const Vec3<double>& b) {
       return a.y * b.y;
     case Product::z:
       return a.z * b.z;
+    case Product::displacement_x:
+      return std::pow(a.x - b.x, 2);
+    case Product::displacement_y:
+      return std::pow(a.y - b.y, 2);
+    case Product::displacement_z:
+      return std::pow(a.z - b.z, 2);
   }
   return 0;
 }
@@ -52,8 +58,15 @@ double direct(Product p, const Series& series, std::size_t lag) {
   return sum / count;
 }
 
-const std::vector<Product> all = {
-    Product::displacement, Product::dot, Product::dot_squared, Product::x, Product::y, Product::z};
+const std::vector<Product> all = {Product::displacement,
+                                  Product::dot,
+                                  Product::dot_squared,
+                                  Product::x,
+                                  Product::y,
+                                  Product::z,
+                                  Product::displacement_x,
+                                  Product::displacement_y,
+                                  Product::displacement_z};
 
 }  // namespace
 
