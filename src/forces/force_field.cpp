@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/forces/force_field.hpp"
 
+#include <utility>
+
 #include "forces/laws/check_settings.hpp"
 #include "forces/laws/law_range.hpp"
 #include "forces/laws/tail.hpp"
@@ -58,10 +60,11 @@ const ForceSettings& without_other_mesh(const ForceSettings& settings) {
 }  // namespace
 
 ForceField::ForceField(const Topology& topology, const ForceSettings& settings, const Box& box,
-                       Workers& workers)
+                       Workers& workers, std::optional<MeshChoice> choice)
     : workers_(workers),
       topology_(topology),
       bodies_(topology),
+      mesh_choice_(std::move(choice)),
       settings_(with_mesh(checked(without_other_mesh(settings)), topology, box, mesh_choice_)),
       box_(box),
       tail_(settings_.dispersion_correction ? dispersion_tail(topology, settings_) : 0),

@@ -52,9 +52,11 @@ class ForceField {
  public:
   /// @param box      box of the first state, against which the settings are checked
   /// @param workers  threads that share an evaluation; results do not depend on their number
+  /// @param choice   mesh_choice() of another force field with the same topology and settings. It
+  ///   saves time and does not change results
   /// @throws Error   if the cutoff does not fit into the box, or a setting is out of its domain
   ForceField(const Topology& topology, const ForceSettings& settings, const Box& box,
-             Workers& workers = Workers::serial());
+             Workers& workers = Workers::serial(), std::optional<MeshChoice> choice = {});
   ForceField(ForceField&&) noexcept;
   ~ForceField();
 
@@ -90,6 +92,8 @@ class ForceField {
   /// Energies that do not depend on the positions of the bodies, in the box of the last state.
   const ConstantTerms& constant_terms() const { return constant_; }
   const Topology& topology() const { return topology_; }
+  /// The choice of meshes with all computed errors; empty without a chosen mesh.
+  const std::optional<MeshChoice>& mesh_choice() const { return mesh_choice_; }
 
  private:
   void set_box(const Box& box);

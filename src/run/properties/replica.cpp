@@ -52,8 +52,8 @@ constexpr double max_ratio = 0.015;   // maximum R of the segments
 /// A system at a state point, with its random numbers.
 class Chain {
  public:
-  Chain(const ReplicaSettings& settings, const Replica& replica)
-      : settings_(settings), config_(configuration_of(settings)) {
+  Chain(const ReplicaSettings& settings, Replica& replica)
+      : settings_(settings), config_(configuration_of(settings)), meshes_(replica.meshes) {
     config_.system.seed = derived_seed(config_.system.seed, replica.index);
     config_.run.minimise = true;
     system_.emplace(build_system(config_));
@@ -77,9 +77,12 @@ class Chain {
   /// Runs a trajectory that may blow up or be stopped.
   Trajectory attempt(const TrajectorySettings& t, Watch watch = {}) {
     watch.stop = settings_.stop;
-    ForceField forces(system_->topology, system_->forces, system_->state.box);
+    ForceField forces(system_->topology, system_->forces, system_->state.box, Workers::serial(),
+                      std::exchange(meshes_, std::nullopt));
     try {
-      return run_trajectory(*system_, forces, t, watch);
+      Trajectory done = run_trajectory(*system_, forces, t, watch);
+      meshes_ = forces.mesh_choice();
+      return done;
     } catch (const RunError& e) {  // a barostat that moves the box too far
       Trajectory ended;
       ended.failure = e.what();
@@ -103,6 +106,7 @@ class Chain {
  private:
   const ReplicaSettings& settings_;
   Config config_;
+  std::optional<MeshChoice>& meshes_;
   std::optional<System> system_;
 };
 
@@ -129,16 +133,49 @@ struct Stage {
 constexpr std::array stages = {Stage{500},           Stage{2500, 2.5},     Stage{2500},
                                Stage{2500, 1, true}, Stage{2500, 1, true}, Stage{5000, 1, true}};
 
+TrajectorySettings settings_of(const Chain& chain, const Replica& replica, const Stage& stage,
+                               std::uint64_t stream, double step) {
+  TrajectorySettings t =
+      chain.trajectory(scheme_of("baoab"), step, step * static_cast<double>(stage.steps), stream);
+  t.ensemble.temperature *= stage.heat;
+  t.ensemble.thermostat = Langevin{0.01 / step, 0.01 / step};
+  if (stage.has_barostat && !chain.settings().at.constant_volume())
+    t.ensemble.barostat = barostat(chain.settings(), replica.compressibility, step);
+  return t;
+}
+
+/// Runs a stage of the preparation. A stage that blows up begins again at half of the step, because
+/// the forces on a lattice do not tell how hard molecules collide later.
+/// @return  the trajectory; empty if it was stopped
+std::optional<Trajectory> run_stage(Chain& chain, const Replica& replica, const Stage& stage,
+                                    std::uint64_t stream, double& step, LongestWaves& waves) {
+  constexpr int repetitions = 3;
+  const State start = chain.system().state;
+  const Watch watch{
+      .sample = [&](std::size_t, const State& state, const Energies&) { waves.add(state); }};
+  for (int k = 0; k < repetitions; ++k) {
+    Trajectory done = chain.attempt(settings_of(chain, replica, stage, stream, step), watch);
+    if (done.stopped) return std::nullopt;
+    if (done.failure.empty()) return done;
+    chain.system().state = start;
+    step = rounded(step / 2);
+    waves = {};
+  }
+  return chain.run(settings_of(chain, replica, stage, stream, step), watch);
+}
+
 void scale_to(State& state, double volume) {
   const double factor = std::cbrt(volume / state.box.volume());
   for (std::size_t i = 0; i < state.size(); ++i) state.q.set(i, factor * state.q[i]);
   state.box = Box{factor * state.box.edge};
 }
 
-/// The density at which a replica of constant volume is melted. It is not below the density of the
-/// liquid, because the forces of a dilute lattice give no information about collisions.
+/// The density at which a replica of constant volume is melted. For a lattice it is not below the
+/// density of the liquid, because the forces of a dilute lattice give no information about
+/// collisions.
 double first_density(const ReplicaSettings& settings) {
-  return std::max(settings.at.density, settings.liquid_density);
+  const bool is_lattice = settings.config.system.initial_configuration.empty();
+  return is_lattice ? std::max(settings.at.density, settings.liquid_density) : settings.at.density;
 }
 
 /// Relaxes a replica at constant volume, and then at constant pressure with adaptive barostat
@@ -154,21 +191,15 @@ bool relax(Chain& chain, Replica& replica) {
   double step = first_step;
   std::uint64_t stream = preparing;
   for (const Stage& stage : stages) {
-    const double length = step * static_cast<double>(stage.steps);
-    TrajectorySettings t = chain.trajectory(scheme_of("baoab"), step, length, stream++);
-    t.ensemble.temperature *= stage.heat;
-    t.ensemble.thermostat = Langevin{0.01 / step, 0.01 / step};
-    const bool has_barostat = stage.has_barostat && !constant_volume;
     if (stage.has_barostat && constant_volume)
       scale_to(system.state, system.topology.mass() / settings.at.density);
-    if (has_barostat) t.ensemble.barostat = barostat(settings, replica.compressibility, step);
     LongestWaves waves;
-    const auto done = chain.run(
-        t, {.sample = [&](std::size_t, const State& state, const Energies&) { waves.add(state); }});
+    const auto done = run_stage(chain, replica, stage, stream++, step, waves);
     if (!done) return false;
-    if (has_barostat)
+    const TrajectorySettings t = settings_of(chain, replica, stage, stream, step);
+    if (t.ensemble.barostat)
       replica.compressibility =
-          next_compressibility(done->statistics.energies, *t.ensemble.barostat, length, kT);
+          next_compressibility(done->statistics.energies, *t.ensemble.barostat, t.length, kT);
     check_liquid(system.state, system.topology.mass(), settings);
     if (stage.has_barostat) check_one_phase(waves, system.state.size(), settings.at);
     // In a dilute gas the forces give no information about collisions, so the step does not grow

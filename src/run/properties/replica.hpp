@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/forces/mesh/mesh_choice.hpp"
 #include "polhode/io/settings/config.hpp"
 #include "polhode/measure/step_response.hpp"
 #include "polhode/model/state.hpp"
@@ -63,6 +64,7 @@ struct Replica {
   std::vector<BlockMeans::Block>
       dynamics;  ///< sums of CorrelationsOfDynamics, with a block for each segment
   std::vector<PairedSegment> paired{};  ///< in the order of the segments
+  std::optional<MeshChoice> meshes{};   ///< kept between segments to save time; not in the record
 
   bool prepared() const { return step > 0; }
 };

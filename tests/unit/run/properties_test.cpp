@@ -13,7 +13,9 @@
 #include "../errors.hpp"
 #include "../folder.hpp"
 #include "polhode/base/units.hpp"
+#include "polhode/forces/force_field.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 #include "run/properties/measure_request.hpp"
 #include "run/properties/point_system.hpp"
 #include "run/properties/property.hpp"
@@ -204,6 +206,31 @@ TEST_CASE("equilibrium of a long replica starts at the end of its transient") {
   const double expected = 50 * std::log(20 / 0.3) / 5;  // the transient is a third of a deviation
   CHECK(static_cast<double>(equilibrated(replica)) > expected - 10);
   CHECK(static_cast<double>(equilibrated(replica)) < expected + 10);
+}
+
+TEST_CASE("a force field that receives a choice of meshes has the bits of a new one") {
+  MeasureRequest request{.system = "spce", .properties = {"density"}};
+  request.molecules = {"64", "molecules"};
+  const MeasureSettings settings = request.settings();
+  const PointSystem point(settings, settings.points[0]);
+  const System system = build_system(configuration_of(point.common));
+  State wider = system.state;
+  for (std::size_t i = 0; i < wider.size(); ++i) wider.q.set(i, 1.1 * wider.q[i]);
+  wider.box = Box{1.1 * wider.box.edge};
+  ForceField first(system.topology, system.forces, system.state.box);
+  REQUIRE(first.mesh_choice());
+  ForceField next(system.topology, system.forces, wider.box, Workers::serial(),
+                  first.mesh_choice());
+  ForceField fresh(system.topology, system.forces, wider.box);
+  CHECK(next.settings().mesh->points == fresh.settings().mesh->points);
+  CHECK(next.settings().mesh->cutoff == fresh.settings().mesh->cutoff);
+  CHECK(next.settings().mesh->exponent == fresh.settings().mesh->exponent);
+  CHECK(next.settings().mesh->points != first.settings().mesh->points);
+  Load a(wider.size()), b(wider.size());
+  next(wider, a);
+  fresh(wider, b);
+  CHECK(a.coulomb == b.coulomb);
+  for (std::size_t i = 0; i < wider.size(); ++i) CHECK(a.f[i] == b.f[i]);
 }
 
 TEST_CASE("a pilot whose box explodes at the first trial step chooses a shorter one") {
