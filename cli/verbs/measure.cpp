@@ -31,8 +31,9 @@ Action declare(Command& command, bool only_evaluate) {
   auto o = std::make_shared<Options>();
   command
       .add_option("SYSTEM", o->request.system,
-                  "run file, molecule file, name of a model, or a mixture: \"spce 488, na-spce 12, "
-                  "cl-spce 12\"")
+                  "run file, molecule file, name of a model, a mixture: \"spce 488, na-spce 12, "
+                  "cl-spce 12\", or files of GROMACS or LAMMPS: topol.top conf.gro run.mdp, "
+                  "system.data")
       .required();
   command.add_option("PROPERTIES", o->request.properties, properties_help());
   o->declare_threads(command, "simultaneous replicas");

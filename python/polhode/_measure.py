@@ -33,7 +33,7 @@ def _perform(system, words, texts, task):
     return _core.perform_replica(system, words, texts, *task)
 
 
-def measure(system: Path, properties: str | Sequence[str] | Mapping[str, Quantity | None], *,
+def measure(system: Path | Sequence[Path], properties: str | Sequence[str] | Mapping[str, Quantity | None], *,
             at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None,
             replicas: SupportsIndex | None = None, paired_runs: bool = True, time_limit: Quantity | None = None,
             shard: str | None = None, seed: SupportsIndex | None = None,
@@ -45,7 +45,8 @@ def measure(system: Path, properties: str | Sequence[str] | Mapping[str, Quantit
     Results are stored in records. The same call, also with other properties or errors, resumes from them.
 
     Args:
-        system: run file, molecule file, name of a model, or a mixture: "spce 488, na-spce 12".
+        system: run file, molecule file, name of a model, a mixture: "spce 488, na-spce 12", or files of GROMACS or
+            LAMMPS: ["topol.top", "conf.gro", "run.mdp"], "system.data".
         properties: names, or a dict of names with their errors: {"density": "0.1 %"}; default of the error: 1 %.
         at (str or list of str): state points: "298.15 K, 1 bar", "298.15 K, 997 kg/m3" at constant volume, "250 K to 320 K,
             7 points".
@@ -70,7 +71,7 @@ def measure(system: Path, properties: str | Sequence[str] | Mapping[str, Quantit
     return _measured(measure, locals(), executor=executor)
 
 
-def merge(system: Path, properties: str | Sequence[str] | Mapping[str, Quantity | None], *,
+def merge(system: Path | Sequence[Path], properties: str | Sequence[str] | Mapping[str, Quantity | None], *,
           at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None,
           replicas: SupportsIndex | None = None, seed: SupportsIndex | None = None,
           output: Path | None = None) -> Report:
@@ -93,7 +94,9 @@ def _measured(function, given, *, executor=None, only_evaluate=False):
              if name not in ("system", "properties", "executor", "paired_runs")}
     if not given.get("paired_runs", True):
         texts["paired_runs"] = "no"
-    words, system = _words(given["properties"]), os.fspath(given["system"])
+    files = given["system"]
+    system, *others = [files] if isinstance(files, (str, os.PathLike)) else files
+    system, words = os.fspath(system), [*map(os.fspath, others), *_words(given["properties"])]
 
     def execute(tasks):
         futures = [executor.submit(_perform, system, words, texts, task) for task in tasks]

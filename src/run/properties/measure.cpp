@@ -145,7 +145,7 @@ class PointMeasurement {
   void show(const std::vector<MeasuredProperty>& values, bool equilibrium) const;
   void warn_of_tension() const;
   PointData data(std::span<const Replica> replicas) const {
-    return {system_.topology, system_.common.config.forces.mixing, at(), replicas};
+    return {system_.topology, system_.mixing, at(), replicas};
   }
 
   const MeasureSettings& settings_;
@@ -448,6 +448,7 @@ std::string perform(const MeasureSettings& settings, const ReplicaTask& task) {
 MeasureReport measure(const MeasureSettings& settings, const Callbacks& callbacks, Workers& workers,
                       const ReplicaExecutor& executor) {
   check_prefix(settings.prefix);
+  for (const std::string& note : settings.notes) callbacks.note(note);
   const OutputLock lock(fmt::format("{}-{}-of-{}.lock", settings.prefix, settings.shard.index + 1,
                                     settings.shard.count),
                         callbacks);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "io/files/split_words.hpp"
 #include "io/files/text_file.hpp"
@@ -14,6 +15,7 @@
 #include "polhode/base/units.hpp"
 #include "polhode/run/prepare/preparation.hpp"
 #include "polhode/run/simulation/system/system.hpp"
+#include "run/properties/input_files.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/state_point.hpp"
 
@@ -169,7 +171,7 @@ std::vector<RequestOption<MeasureRequest>> MeasureRequest::options() {
   return {{"at", &R::at,
            "state point or range, several separated by ';': \"298.15 K, 1 bar\", \"298.15 K, 997 "
            "kg/m3\" at constant volume, \"250 K to 320 K, 7 points\"; default: the state point of "
-           "the run file, or \"298.15 K, 1 bar\""},
+           "the run file or .mdp file, or \"298.15 K, 1 bar\""},
           {"molecules", &R::molecules,
            fmt::format("number of molecules of a pure substance; default: {}", usual_molecules)},
           {"replicas", &R::replicas,
@@ -189,13 +191,17 @@ std::vector<RequestOption<MeasureRequest>> MeasureRequest::options() {
 }
 
 MeasureSettings MeasureRequest::settings() const {
-  const bool from_run_file = is_run_file(system);
-  MeasureSettings s{.config = from_run_file ? read_config(system) : config_of(system, molecules)};
-  if (from_run_file && molecules)
-    refuse(molecules,
-           "has no meaning with a run file, since the run file sets the number of molecules");
+  const bool from_input = is_input_file(system), from_file = from_input || is_run_file(system);
+  std::vector<std::string> words = properties, notes;
+  MeasureSettings s{.config = from_input ? config_of_input(system, words, notes) : Config{}};
+  if (!from_input) s.config = from_file ? read_config(system) : config_of(system, molecules);
+  s.notes = std::move(notes);
+  if (from_file && molecules)
+    refuse(
+        molecules,
+        "has no meaning with a run file or an input file, since it sets the number of molecules");
   const Config& config = s.config;
-  StatePoint own{from_run_file ? config.system.temperature : 298.15,
+  StatePoint own{from_file ? config.system.temperature : 298.15,
                  config.ensemble.barostat
                      ? config.ensemble.barostat->pressure
                      : given_quantity({"1 bar", "pressure"}, Dimension::pressure)};
@@ -210,7 +216,7 @@ MeasureSettings MeasureRequest::settings() const {
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   if (s.points.empty()) s.points = {own};
-  s.properties = requested_properties(properties);
+  s.properties = requested_properties(words);
   if (s.properties.empty())
     throw Error(
         "no property is requested; write for example density \"0.1 %\"; 'polhode help measure' "

@@ -11,10 +11,12 @@
 namespace polhode {
 
 struct MeasureRequest {
-  /// The system: a run file, a molecule file, the name of a model, or several models with their
-  /// numbers, such as "spce 488, na-spce 12, cl-spce 12".
+  /// The system: a run file, a molecule file, the name of a model, several models with their
+  /// numbers, such as "spce 488, na-spce 12, cl-spce 12", a topology of GROMACS or a data file of
+  /// LAMMPS.
   std::string system;
   /// Names of properties. Each may be followed by the requested error, as in "density", "0.1 %".
+  /// After a topology of GROMACS, the first words are its files, as in "conf.gro", "run.mdp".
   std::vector<std::string> properties;
   Given at, molecules, replicas, paired_runs, shard, time_limit, seed, output;
 

@@ -35,6 +35,8 @@ PointSystem::PointSystem(const MeasureSettings& settings, const StatePoint& at)
   common.liquid_density = estimated_density(topology);
   check_density(common.liquid_density, at);
   const System system = build_system(configuration_of(common));
+  topology = system.topology;
+  mixing = system.forces.mixing;
   // Three numbers at constant volume, so that records of both kinds are never mixed.
   identity = text_hash(at.constant_volume()
                            ? polhode::identity(config, system, {at.temperature, at.density, 1})

@@ -14,6 +14,7 @@ namespace polhode {
 struct PointSystem {
   ReplicaSettings common;
   Topology topology;
+  Mixing mixing;
   std::string identity;
 
   /// @throws Error  if the system cannot be built, or its density is not the density of a liquid

@@ -55,6 +55,7 @@ struct MeasureSettings {
   double time_limit = 0;  ///< limit of the wall-clock time [s]; 0: no limit
   std::string prefix = "measure";
   std::string command = "polhode measure";  ///< command that is recorded in outputs
+  std::vector<std::string> notes{};         ///< what was assumed about the system, for the user
   /// Whether a part of the dynamics is repeated at half of the step, which bounds its time-step
   /// bias.
   bool paired_runs = true;
