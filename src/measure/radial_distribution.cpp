@@ -306,8 +306,7 @@ double RadialDistribution::shell(std::size_t bin) const {
   return 4.0 / 3 * units::pi * (3 * k * (k + 1) + 1) * width_ * width_ * width_;
 }
 
-std::vector<double> RadialDistribution::curve(std::size_t pair,
-                                              std::span<const double> mean) const {
+std::vector<double> RadialDistribution::g(std::size_t pair, std::span<const double> mean) const {
   std::vector<double> g(bins_);
   for (std::size_t k = 0; k < bins_; ++k)
     g[k] = mean[pair * bins_ + k] / (pairs_of_sites_[pair] * shell(k));
@@ -349,33 +348,34 @@ double RadialDistribution::neighbours_within(std::size_t pair, double bins,
 
 std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(std::size_t pair) const {
   const BlockMeans means = blocks_.means();
-  return first_peak(pair, [&](const auto& f) { return series_estimate(means, f); });
+  return first_peak(pair, means.mean(), [&](const auto& f) { return series_estimate(means, f); });
 }
 
 std::optional<RadialDistribution::Peak> RadialDistribution::first_peak_bias(
     std::size_t pair, double degrees_of_freedom, FixedMeans fixed) const {
-  return first_peak(pair,
+  return first_peak(pair, means(),
                     [&](const auto& f) { return response_.bias(degrees_of_freedom, fixed, f); });
 }
 
 std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(
-    std::size_t pair, const Estimate& estimate) const {
-  const std::vector<double> g = smoothed(curve(pair, blocks_.means().mean()));
+    std::size_t pair, std::span<const double> overall, const Estimate& estimate) const {
+  const std::vector<double> smooth = smoothed(g(pair, overall));
   // The result is NaN in all bins if no two molecules have such sites.
-  if (g.size() < 2 || !(*std::max_element(g.begin(), g.end()) > 0)) return std::nullopt;
-  const std::ptrdiff_t summit = first_summit(g);
+  if (smooth.size() < 2 || !(*std::max_element(smooth.begin(), smooth.end()) > 0))
+    return std::nullopt;
+  const std::ptrdiff_t summit = first_summit(smooth);
   if (summit + 1 == static_cast<std::ptrdiff_t>(bins_)) return std::nullopt;
   // The same bins are used with and without a block. Otherwise the cubic would jump when a bin is
   // added.
   using Mean = std::span<const double>;
-  const auto top = [&, bins = about_summit(g, summit)](Mean mean) {
-    return maximum(curve(pair, mean), bins, 1);
+  const auto top = [&, bins = about_summit(smooth, summit)](Mean mean) {
+    return maximum(g(pair, mean), bins, 1);
   };
   Peak peak{estimate([&](Mean mean) { return (top(mean).position + 0.5) * width_; }),
             estimate([&](Mean mean) { return top(mean).height; }), std::nullopt};
-  const std::optional<Bins> bins = about_minimum(g, summit);
+  const std::optional<Bins> bins = about_minimum(smooth, summit);
   if (!bins) return peak;
-  const auto end = [&](Mean mean) { return maximum(curve(pair, mean), *bins, -1).position + 0.5; };
+  const auto end = [&](Mean mean) { return maximum(g(pair, mean), *bins, -1).position + 0.5; };
   const SeriesEstimate around_first =
       estimate([&](Mean mean) { return neighbours_within(pair, end(mean), mean); });
   const double ratio = sites_of_first_[pair] / sites_of_second_[pair];

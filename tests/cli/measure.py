@@ -247,6 +247,52 @@ epsilon = "1 kJ/mol"
         self.assertEqual(process.returncode, 0, process.err)
         self.assertIsNone(json.loads(process.out)["points"][0]["properties"][0]["step_bias_bound"])
 
+    def test_the_coordination_number_is_that_of_an_analysis(self):
+        """Of a run of one trajectory with another scheme and thermostat, at the same density."""
+        arguments = ("argon", "coordination-number", "2 %", "density", "1 %", "--paired-runs", "no", "--molecules", "64", "--at", "160 K, 500 bar",
+                     "--output", "out", "--json")
+        process = self.polhode("measure", *arguments)
+        self.assertEqual(process.returncode, 0, process.err)
+        point = json.loads(process.out)["points"][0]
+        found = point["properties"][0]["value"]
+        curve, = point["radial_distributions"]
+        self.assertEqual(found, curve["coordination"])
+        self.assertEqual(len(curve["g"]), len(curve["r_nm"]))
+        self.assertIn("g(r) of argon", (self.folder / "out.html").read_text(encoding="utf-8"))
+        self.write("run.toml", f"""[system]
+molecules = [{{ model = "argon", count = 64 }}]
+density = "{point["properties"][1]["value"]["value"]} kg/m3"
+temperature = "160 K"
+[forces]
+cutoff = "0.65 nm"
+[integrator]
+scheme = "baoab"
+step = "10 fs"
+[run]
+equilibrate = "20 ps"
+length = "1 ns"
+sample = "1 ps"
+[thermostat]
+type = "langevin"
+[output]
+prefix = "run"
+trajectory_every = "1 ps"
+formats = ["gro"]
+plot = "none"
+""")
+        run = self.polhode("run", "run.toml")
+        self.assertEqual(run.returncode, 0, run.err)
+        analysis = self.polhode("analyze", "run-trajectory.gro", "--run", "run.toml", "--what", "rdf", "--json")
+        self.assertEqual(analysis.returncode, 0, analysis.err)
+        other = json.loads(analysis.out)["rdf"][0]["coordination"]
+        # Four standard errors of the difference, and the density is known to 1 %, as is the number at this density.
+        allowed = 4 * (found["error"]**2 + other["error"]**2)**0.5 + 0.01 * other["value"]
+        self.assertLess(abs(found["value"] - other["value"]), allowed)
+        self.assertLess(allowed, 0.05 * other["value"])
+        refused = self.polhode("measure", "argon", "coordination-number", "--molecules", "20")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("at least 36 molecules", refused.err)
+
     def test_wrong_input(self):
         for arguments, words in (
                 (("argon", "densty"), ["no property 'densty'", "did you mean 'density'"]),

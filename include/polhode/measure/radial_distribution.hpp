@@ -85,21 +85,28 @@ class RadialDistribution {
   /// % of this minimum locates it. The first shell of liquids ends between 1.2 and 1.5 times the
   /// peak position. The result is empty if g is 0 everywhere, or largest in the last bin.
   std::optional<Peak> first_peak(std::size_t pair) const;
+  /// Makes an estimate of a number that is a function of the averages means().
+  using Estimate = std::function<SeriesEstimate(const StepResponse::Function&)>;
+  /// The first peak from averages that were stored elsewhere.
+  /// @param mean      averages in the order of means(), which determine the bins of the fits
+  /// @param estimate  makes each number of the peak
+  std::optional<Peak> first_peak(std::size_t pair, std::span<const double> mean,
+                                 const Estimate& estimate) const;
+  /// The averages over all frames: counts times the volume for each pair and bin, then the volume.
+  std::vector<double> means() const { return blocks_.means().mean(); }
+  /// The function g(r) of the k-th pair in each bin, from averages in the order of means().
+  std::vector<double> g(std::size_t pair, std::span<const double> mean) const;
   /// The time-step bias of each number of first_peak(), to leading order.
   std::optional<Peak> first_peak_bias(std::size_t pair, double degrees_of_freedom,
                                       FixedMeans fixed) const;
 
  private:
-  /// A function that makes an estimate of a number that is a function of the averages.
-  using Estimate = std::function<SeriesEstimate(const StepResponse::Function&)>;
   struct Count {
     std::size_t histogram;
     std::uint32_t times;
   };
 
-  std::optional<Peak> first_peak(std::size_t pair, const Estimate& estimate) const;
   double shell(std::size_t bin) const;
-  std::vector<double> curve(std::size_t pair, std::span<const double> mean) const;
   std::vector<double> neighbours(std::size_t pair, std::span<const double> mean) const;
   double neighbours_within(std::size_t pair, double bins, std::span<const double> mean) const;
 

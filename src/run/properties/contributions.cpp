@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace polhode {
@@ -67,19 +66,6 @@ std::vector<StepResponse> responses_of(const Contributions& contributions) {
     runs.push_back(runs.empty() ? run : run.relative_to(runs.front().first));
   }
   return runs;
-}
-
-std::vector<BlockMeans> dynamics_of(const Contributions& contributions) {
-  std::vector<BlockMeans> runs;
-  std::vector<BlockMeans::Block> all;
-  std::size_t shortest = std::numeric_limits<std::size_t>::max();
-  for (const auto& [replica, from] : contributions.all) {
-    runs.emplace_back(replica->dynamics);
-    all.insert(all.end(), replica->dynamics.begin(), replica->dynamics.end());
-    shortest = std::min(shortest, replica->dynamics.size());
-  }
-  if (shortest >= min_samples) return runs;
-  return {BlockMeans(std::move(all))};
 }
 
 double edge_of(const Contributions& contributions) {

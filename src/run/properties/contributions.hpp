@@ -44,9 +44,6 @@ struct Contributions {
 std::vector<BlockMeans> averages_of(const Contributions& contributions);
 /// The step responses of the same segments, relative to a common first sample.
 std::vector<StepResponse> responses_of(const Contributions& contributions);
-/// The dynamics, with a run for each replica. While the replicas are short, all segments are a
-/// single run.
-std::vector<BlockMeans> dynamics_of(const Contributions& contributions);
 /// The mean box edge of the dynamics, or at constant pressure without dynamics [nm].
 double edge_of(const Contributions& contributions);
 

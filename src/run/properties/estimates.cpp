@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "run/properties/estimates.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -16,6 +17,8 @@
 #include "polhode/math/fit.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "run/properties/contributions.hpp"
+#include "run/properties/distances.hpp"
+#include "run/properties/dynamics.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/second_virial.hpp"
 
@@ -94,21 +97,12 @@ double viscosity_of(Means flux, double interval, const FitWindow& window, double
   return 2 * slope_between(flux, interval, window) * volume / (10 * kT);
 }
 
-/// A segment of dynamics, and the same at half of the step.
-struct StepPair {
-  const BlockMeans::Block& whole;
-  const BlockMeans::Block& half;
-};
-
 /// The difference of a statistic between the step and its half, with its error by the jackknife
-/// over pairs; pairs are independent, because dynamics forget their start.
-std::optional<StepBound> step_bound(const std::vector<StepPair>& pairs,
-                                    const Statistic& statistic) {
+/// over pairs; pairs are independent, because dynamics forget their start. It is not known with
+/// fewer than three pairs.
+SeriesEstimate step_difference(const std::vector<StepPair>& pairs, const Statistic& statistic) {
   constexpr std::size_t min_pairs = 3;
-  constexpr double probability = 0.95;
-  // The bias grows as the square of the step: its difference between h and h/2 is 3/4 of it.
-  constexpr double of_difference = 4.0 / 3;
-  if (pairs.size() < min_pairs) return std::nullopt;
+  if (pairs.size() < min_pairs) return {std::nan("")};
   std::vector<BlockMeans::Block> whole, half;
   for (const StepPair& pair : pairs) {
     whole.push_back(pair.whole);
@@ -126,11 +120,20 @@ std::optional<StepBound> step_bound(const std::vector<StepPair>& pairs,
     others.push_back(value_of(all, step) - value_of(all_half, half_step));
   const double value = statistic(BlockMeans(whole).mean()) - statistic(BlockMeans(half).mean());
   const double error = jackknife_error(others);
-  const auto n = static_cast<double>(pairs.size());
-  if (!std::isfinite(value) || !std::isfinite(error)) return std::nullopt;
-  StepBound found{.difference = {value, error, Known::yes, n - 1}, .pairs = pairs.size()};
-  found.bound =
-      of_difference * (std::abs(value) + interval_factor(found.difference, probability) * error);
+  if (!std::isfinite(value) || !std::isfinite(error)) return {std::nan("")};
+  return {value, error, Known::yes, static_cast<double>(pairs.size()) - 1};
+}
+
+/// A bound of the time-step bias from the difference between the step and half of it.
+std::optional<StepBound> step_bound(const SeriesEstimate& difference) {
+  constexpr double probability = 0.95;
+  // The bias grows as the square of the step: its difference between h and h/2 is 3/4 of it.
+  constexpr double of_difference = 4.0 / 3;
+  if (difference.known != Known::yes) return std::nullopt;
+  StepBound found{.difference = difference,
+                  .pairs = static_cast<std::size_t>(difference.modes) + 1};
+  found.bound = of_difference * (std::abs(difference.value) +
+                                 interval_factor(difference, probability) * difference.error);
   return found;
 }
 
@@ -140,16 +143,13 @@ class Dynamics {
   explicit Dynamics(const PointData& data)
       : data_(data),
         contributions_(data, MeasuredIn::dynamics),
-        runs_(dynamics_of(contributions_)),
-        which_(data.topology) {
-    const auto any =
-        std::find_if(runs_.begin(), runs_.end(), [](const auto& run) { return !run.empty(); });
-    if (any == runs_.end()) return;
+        which_(data.topology),
+        runs_(dynamics_of(contributions_, which_.functions())) {
+    if (empty()) return;
     interval_ = lag_interval(*contributions_.all.front().replica);
-    length_ = any->blocks().front().sum.size() / which_.count;
     edge_ = edge_of(contributions_);
   }
-  bool empty() const { return length_ == 0; }
+  bool empty() const { return runs_.front().empty(); }
   const Contributions& contributions() const { return contributions_; }
 
   void viscosity(MeasuredProperty& m) const {
@@ -190,7 +190,7 @@ class Dynamics {
   }
 
  private:
-  Means part(Means all, std::size_t k) const { return all.subspan(k * length_, length_); }
+  Means part(Means all, std::size_t k) const { return all.subspan(k * lags, lags); }
   double eta(Means all, const FitWindow& fit) const {
     return viscosity_of(part(all, CorrelationsOfDynamics::momentum_flux), interval_, fit,
                         edge_ * edge_ * edge_, units::boltzmann * data_.at.temperature);
@@ -213,12 +213,7 @@ class Dynamics {
   }
   /// A bound of the time-step bias of a statistic, from the paired segments.
   std::optional<StepBound> bound(const Statistic& statistic) const {
-    std::vector<StepPair> pairs;
-    for (const auto& [replica, from] : contributions_.all)
-      for (const PairedSegment& paired : replica->paired)
-        if (paired.of < replica->dynamics.size())
-          pairs.push_back({replica->dynamics[paired.of], paired.half_step});
-    return step_bound(pairs, statistic);
+    return step_bound(step_difference(pairs_of(contributions_, which_.functions()), statistic));
   }
   BlockMeans function(std::size_t which) const {
     std::vector<BlockMeans::Block> blocks;
@@ -246,16 +241,41 @@ class Dynamics {
 
   const PointData& data_;
   Contributions contributions_;
-  std::vector<BlockMeans> runs_;
   CorrelationsOfDynamics which_;
+  std::vector<BlockMeans> runs_;
   double interval_ = 0, edge_ = 0;
-  std::size_t length_ = 0;
 };
+
+/// The number of neighbours within the first minimum of g(r) of the centres.
+void coordination(MeasuredProperty& m, const PointData& data, const Contributions& contributions) {
+  const PartOfSums part = CorrelationsOfDynamics(data.topology).distances();
+  const std::vector<BlockMeans> runs = dynamics_of(contributions, part);
+  if (runs.front().empty()) return;
+  const std::vector<double> means = overall(runs);
+  const Distances distances = Distances::of_sums(data.topology, means.size());
+  const auto peak =
+      distances.first_peak(0, means, [&](const Statistic& f) { return pooled_estimate(runs, f); });
+  if (!peak || !peak->shell) {
+    m.obstacle = fmt::format(
+        "g(r) of the centres has no first minimum within {:.2f} nm; more molecules "
+        "increase this range up to 1.2 nm",
+        distances.middle(distances.bins() - 1));
+    return;
+  }
+  m.value = peak->shell->coordination;
+  m.remark = fmt::format("first minimum of g(r) at {}", text_of(peak->shell->end, "nm"));
+  const std::vector<StepPair> pairs = pairs_of(contributions, part, means.size());
+  const auto difference =
+      distances.first_peak(0, means, [&](const Statistic& f) { return step_difference(pairs, f); });
+  m.step_bound = step_bound(difference->shell->coordination);
+}
 
 void estimate_dynamics(MeasuredProperty& m, const PointData& data) {
   const Dynamics dynamics(data);
   const std::string_view name = m.request.property->name;
-  if (dynamics.empty())
+  if (name == "coordination-number")
+    coordination(m, data, dynamics.contributions());
+  else if (dynamics.empty())
     m.obstacle = too_short;
   else if (name == "viscosity")
     dynamics.viscosity(m);
@@ -321,84 +341,6 @@ std::vector<SeriesEstimate> stages_of(const RequestedProperty& request, const Po
     list.push_back(estimate(request, part).value);
   }
   return list;
-}
-
-namespace {
-
-std::vector<EquilibrationTrace> traces_of(const PointData& data) {
-  std::vector<EquilibrationTrace> traces;
-  for (const Replica& replica : data.replicas) {
-    EquilibrationTrace trace;
-    const double part = replica.step * static_cast<double>(steps_of_averages) / parts_of_averages;
-    for (const AveragesSegment& segment : replica.averages)
-      for (std::size_t k = 0; k < segment.potentials.size(); ++k) {
-        trace.time.push_back((static_cast<double>(trace.time.size()) + 0.5) * part);
-        trace.potential.push_back(segment.potentials[k] /
-                                  static_cast<double>(data.topology.size()));
-        trace.density.push_back(data.topology.mass() / segment.volumes[k] /
-                                unit("kg/m3", Dimension::density));
-      }
-    trace.begin = static_cast<double>(equilibrated(replica) * parts_of_averages) * part;
-    traces.push_back(std::move(trace));
-  }
-  return traces;
-}
-
-/// The mean-square displacement of each kind of molecule, and of the integrated momentum flux.
-std::vector<MeasuredCurve> curves_of(const PointData& data) {
-  const Contributions contributions(data, MeasuredIn::dynamics);
-  const std::vector<BlockMeans> runs = dynamics_of(contributions);
-  if (runs.empty() || runs.front().empty()) return {};
-  const CorrelationsOfDynamics which(data.topology);
-  const double interval = lag_interval(*contributions.all.front().replica);
-  const std::size_t length = runs.front().blocks().front().sum.size() / which.count;
-  const auto curve = [&](std::string title, std::string in, std::size_t correlation,
-                         double factor) {
-    MeasuredCurve c{std::move(title), std::move(in), {}, {}};
-    constexpr std::size_t every = 8;  // every eighth lag is kept, because a figure cannot show more
-                                      // points
-    for (std::size_t k = 0; k < length; k += every) {
-      c.time.push_back(static_cast<double>(k) * interval);
-      c.value.push_back(
-          pooled_estimate(runs, [&](Means all) { return factor * all[correlation * length + k]; }));
-    }
-    return c;
-  };
-  std::vector<MeasuredCurve> curves;
-  for (std::size_t part = 0; part < which.displacement.size(); ++part)
-    curves.push_back(curve("mean-square displacement of " + data.topology.parts[part].molecule.name,
-                           "nm2", which.displacement[part], 1));
-  const double edge = edge_of(contributions);
-  const double to_mPa = edge * edge * edge / (5 * units::boltzmann * data.at.temperature) /
-                        unit("mPa s", Dimension::viscosity);
-  curves.push_back(curve("momentum flux: its slope is the viscosity", "mPa s ps",
-                         CorrelationsOfDynamics::momentum_flux, to_mPa));
-  return curves;
-}
-
-}  // namespace
-
-MeasuredPoint described(const PointData& data) {
-  MeasuredPoint point{.at = data.at,
-                      .molecules = data.topology.size(),
-                      .replicas = data.replicas.size(),
-                      .step_min = std::numeric_limits<double>::infinity(),
-                      .edge = edge_of(Contributions(data, MeasuredIn::dynamics))};
-  for (const Replica& replica : data.replicas) {
-    if (!replica.prepared()) continue;
-    const double segment = replica.step * static_cast<double>(steps_of_averages);
-    const auto discarded = static_cast<double>(equilibrated(replica));
-    point.step_min = std::min(point.step_min, replica.step);
-    point.step_max = std::max(point.step_max, replica.step);
-    point.equilibration_max = std::max(point.equilibration_max, discarded * segment);
-    point.length_of_averages +=
-        (static_cast<double>(replica.averages.size()) - discarded) * segment;
-    point.length_of_dynamics += static_cast<double>(replica.dynamics.size()) * replica.step *
-                                static_cast<double>(steps_of_lags * windows_in_segment);
-  }
-  point.traces = traces_of(data);
-  point.curves = curves_of(data);
-  return point;
 }
 
 }  // namespace polhode

@@ -43,6 +43,7 @@ std::string row_of(const MeasuredProperty& m) {
             : "");
   if (m.finite_size)
     corrections += fmt::format("Finite-size correction {:.3g} included. ", *m.finite_size);
+  if (!m.remark.empty()) corrections += m.remark + ". ";
   if (!m.obstacle.empty()) corrections += "Not converged: " + m.obstacle + ". ";
   if (!m.contributions.empty()) corrections += "Value " + m.contributions + ".";
   return fmt::format(
@@ -84,6 +85,21 @@ std::string correlation(const MeasuredCurve& measured) {
   return svg({measured.title, "lag (ps)", measured.unit, {curve}});
 }
 
+std::string distribution(const MeasuredDistribution& d) {
+  SvgCurve curve{d.r, {}, {}};
+  for (const SeriesEstimate& e : d.g) {
+    curve.y.push_back(e.value);
+    curve.error.push_back(e.error);
+  }
+  std::string title = fmt::format("g(r) of {} and {}", d.pair[0], d.pair[1]);
+  std::vector<double> marks;
+  if (d.peak && d.peak->shell) {
+    marks.push_back(d.peak->shell->end.value);
+    title += "; the dashed line marks the first minimum";
+  }
+  return svg({title, "r (nm)", "g(r)", {curve}, marks});
+}
+
 std::string equilibration(const EquilibrationTrace& trace, std::size_t replica) {
   return svg(
       {fmt::format("potential energy of replica {}; the line is where equilibrium begins", replica),
@@ -112,17 +128,19 @@ std::string of_point(const MeasuredPoint& point) {
             ? fmt::format("; {:.0f} ps for dynamics", point.length_of_dynamics)
             : "",
         point.edge);
-  std::string converged, correlations, equilibrated, definitions;
+  std::string converged, correlations, structure, equilibrated, definitions;
   for (const MeasuredProperty& m : point.properties) converged += convergence(m);
   for (const MeasuredCurve& curve : point.curves) correlations += correlation(curve);
+  if (point.wants_distributions())
+    for (const MeasuredDistribution& d : point.distributions) structure += distribution(d);
   for (std::size_t k = 0; k < point.traces.size(); ++k)
     equilibrated += equilibration(point.traces[k], k);
   for (const MeasuredProperty& m : point.properties)
     definitions += fmt::format("<li>{}: {}.</li>\n", html(m.request.property->name),
                                html(m.request.property->definition));
   return text + section("Convergence", converged) + section("Dynamics", correlations) +
-         section("Equilibration", equilibrated) + "<h3>Definitions</h3>\n<ul>" + definitions +
-         "</ul>\n";
+         section("Structure", structure) + section("Equilibration", equilibrated) +
+         "<h3>Definitions</h3>\n<ul>" + definitions + "</ul>\n";
 }
 
 std::string estimate_text(const SeriesEstimate& e) {

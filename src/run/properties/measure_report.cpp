@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "io/files/with_error.hpp"
 #include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
@@ -38,6 +40,7 @@ std::string remarks(const MeasuredProperty& m) {
                         ? ", not below a third of the error requested"
                         : ""));
   if (m.finite_size) add(fmt::format("finite-size correction {:.3g} included", *m.finite_size));
+  if (!m.remark.empty()) add(m.remark);
   return text;
 }
 
@@ -75,6 +78,29 @@ Quantities of_property(const MeasuredProperty& m) {
           {"", "", remarks(m), "", "remarks"}};
 }
 
+Quantities of_distribution(const MeasuredDistribution& d) {
+  const auto& peak = d.peak;
+  const bool shell = peak && peak->shell;
+  std::vector<double> g, error;
+  for (const SeriesEstimate& e : d.g) {
+    g.push_back(e.value);
+    error.push_back(e.known == Known::yes ? e.error : std::nan(""));
+  }
+  return {
+      {"pair", "", std::vector<std::string>{d.pair[0], d.pair[1]}, "sites of the pair"},
+      {"", "", d.pair[0] + " - " + d.pair[1], "", "pair"},
+      {"peak", "nm", peak ? Value(peak->position) : Value(),
+       "position of the first maximum of g(r); null without one", "first peak"},
+      {"peak_height", "", peak ? Value(peak->height) : Value(), "g(r) at this maximum", "height"},
+      {"minimum", "nm", shell ? Value(peak->shell->end) : Value(),
+       "position of the first minimum; null if it is beyond the range of g(r)", "first minimum"},
+      {"coordination", "", shell ? Value(peak->shell->coordination) : Value(),
+       "number of second sites around a first site within this minimum", "neighbours"},
+      {"r", "nm", d.r, "middles of the bins"},
+      {"g", "", std::move(g), "g(r) in each bin, relative to an ideal gas"},
+      {"g_error", "", std::move(error), "standard error of g(r) in each bin; null if not known"}};
+}
+
 std::string conditions(const MeasuredPoint& point) {
   if (point.length_of_averages == 0) return "";
   return fmt::format(
@@ -110,6 +136,14 @@ Quantities of_point(const MeasuredPoint& point) {
                   {"edge", "nm", point.edge, "box edge"},
                   {"properties", "", std::move(properties),
                    "properties measured at this state point", point.at.text()}};
+  std::vector<Quantities> distributions;
+  if (point.wants_distributions())
+    for (const MeasuredDistribution& d : point.distributions)
+      distributions.push_back(of_distribution(d));
+  list.push_back({"radial_distributions", "", std::move(distributions),
+                  "radial distribution functions of molecular centres and of sites, with their "
+                  "first peaks; if `coordination-number` is requested",
+                  "radial distribution functions"});
   if (const std::string text = conditions(point); !text.empty()) list.push_back(row("", text));
   return list;
 }

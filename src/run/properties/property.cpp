@@ -126,6 +126,11 @@ constexpr std::array all = {
              "integral of the P2 reorientation function (second Legendre polynomial) of the "
              "slowest molecular axis",
              "allen2017", false, true},
+    Property{"coordination-number", "", In::dynamics,
+             "mean number of molecules of the same kind around a molecule, with centres closer "
+             "than the first minimum of their radial distribution function; in a mixture, of the "
+             "first kind",
+             "allen2017", false, false},
     Property{"second-virial-coefficient", "cm3/mol", In::pair,
              "integral of the Mayer function of two molecules, times −1/2, without a cutoff",
              "allen2017", false, false}};
@@ -160,6 +165,15 @@ std::string why_not(const Property& p, const Topology& topology, bool has_mesh) 
     return "atoms do not rotate";
   if (p.measured_in == MeasuredIn::pair && topology.parts.size() > 1)
     return "a mixture has one coefficient for each pair of molecules; measure each pair separately";
+  // Half of the box edge is then below 1.65 mean distances of molecules.
+  constexpr std::size_t min_molecules = 36;
+  if (std::string_view(p.name) == "coordination-number" && topology.size() < min_molecules)
+    return fmt::format(
+        "the box of {} molecules ends before the first minimum of g(r); give at "
+        "least {} molecules",
+        topology.size(), min_molecules);
+  if (std::string_view(p.name) == "coordination-number" && topology.parts.front().count < 2)
+    return "there is only one molecule of the first kind";
   if (std::string_view(p.name) == "enthalpy-of-vaporization" && topology.parts.size() > 1)
     return "the vapour of a mixture differs in composition from the liquid";
   return "";

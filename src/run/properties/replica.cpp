@@ -26,6 +26,7 @@
 #include "polhode/run/simulation/system/system.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "run/prepare/compressibility.hpp"
+#include "run/properties/distances.hpp"
 #include "run/properties/momentum_flux.hpp"
 #include "run/properties/phases.hpp"
 #include "run/quantity_lists.hpp"
@@ -282,10 +283,13 @@ std::optional<BlockMeans::Block> correlations(Chain& chain, double whole_step, s
   Reorientation rotation(system.topology, lags);
   TimeCorrelation flux(2, lags, {Product::displacement});
   MomentumFlux integrals(t.sample);
-  std::size_t samples = 0;
+  Distances distances = Distances::within(system.topology, system.state.box);
+  constexpr std::size_t frames_of_distances = 10;  // distances change less than their pairs cost
+  std::size_t samples = 0, frames = 0;
   const auto load = [&](const State& state, const Load& forces) {
     integrals.add(pressure_tensor(state, system.bodies, forces));
     if (samples++ % frame != 0) return;
+    if (frames++ % frames_of_distances == 0) distances.add(state);
     flux.add([&](std::size_t body) { return integrals.displacement(body); });
     displacement.add(state);
     rotation.add(state);
@@ -301,6 +305,7 @@ std::optional<BlockMeans::Block> correlations(Chain& chain, double whole_step, s
     for (std::size_t axis = 0; axis < rotation.axes(part).size(); ++axis)
       append(rotation.legendre(part, axis, 2));
   }
+  for (const double mean : distances.means()) segment.sum.push_back(mean * segment.weight);
   return segment;
 }
 
@@ -414,6 +419,13 @@ CorrelationsOfDynamics::CorrelationsOfDynamics(const Topology& topology) {
     for (std::size_t axis = 0; axis < body_axes(molecule).size(); ++axis)
       rotation.back().push_back(count++);
   }
+}
+
+PartOfSums CorrelationsOfDynamics::functions() const {
+  return [size = count * lags](auto sums) { return sums.first(std::min(size, sums.size())); };
+}
+PartOfSums CorrelationsOfDynamics::distances() const {
+  return [size = count * lags](auto sums) { return sums.subspan(std::min(size, sums.size())); };
 }
 
 std::size_t equilibrated(const Replica& replica) {

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,12 @@ struct AveragesSegment {
   StepResponse response;  ///< time-step response of the same averages, in one block
 };
 
+/// Selects some of the sums of a segment of dynamics; empty if the segment lacks these sums.
+using PartOfSums = std::function<std::span<const double>(std::span<const double>)>;
+
 /// Indices of the correlation functions of dynamics. The sums of a segment contain the correlation
-/// functions in this order. Each function has `lags` values.
+/// functions in this order. Each function has `lags` values. The sums of Distances follow, which
+/// records of earlier versions lack.
 struct CorrelationsOfDynamics {
   explicit CorrelationsOfDynamics(const Topology& topology);
   static constexpr std::size_t momentum_flux = 0;  ///< mean-square integrals of five pressure
@@ -39,6 +44,9 @@ struct CorrelationsOfDynamics {
   /// Second Legendre polynomial of each axis of each kind of molecule.
   std::vector<std::vector<std::size_t>> rotation;
   std::size_t count = 1;
+
+  PartOfSums functions() const;
+  PartOfSums distances() const;
 };
 
 /// The number of the pilot replica. The pilot chooses the time step of all replicas of a state

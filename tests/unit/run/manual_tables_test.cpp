@@ -111,7 +111,9 @@ MeasureReport measurement() {
   MeasuredPoint point{.at = {300, 0.06}, .molecules = 256, .replicas = 4, .step_max = 0.004};
   point.properties = {{{&property("density")},
                        {997, 0.5, Known::yes, 30},
-                       SeriesEstimate{0.1, 0.01, Known::yes, 30}}};
+                       SeriesEstimate{0.1, 0.01, Known::yes, 30}},
+                      {{&property("coordination-number")}, {4.5, 0.1, Known::yes, 30}}};
+  point.distributions = {{{"OW", "OW"}, {0.002}, {{0, 0, Known::yes}}, {}}};
   MeasureReport report{.points = {point}, .system = "256 spce"};
   report.curves.maxima = {{.fit = {5, 3, 1}}};
   report.curves.slopes = {{.property = &property("expansivity"), .at = point.at, .fit = {5, 3, 1}}};

@@ -11,6 +11,7 @@
 #include "polhode/base/workers.hpp"
 #include "polhode/io/settings/config.hpp"
 #include "polhode/measure/correlated_series.hpp"
+#include "polhode/measure/radial_distribution.hpp"
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/outputs.hpp"
 #include "polhode/run/quantities.hpp"
@@ -82,6 +83,7 @@ struct MeasuredProperty {
   /// Values obtained from increasing parts of the data, for figures; the last entry uses all data.
   std::vector<SeriesEstimate> stages{};
   std::string obstacle;  ///< reason why the value is not converged; empty if it is
+  std::string remark{};  ///< where or how the value was found; empty if there is nothing to add
   /// The number of replicas that contribute, and why the others do not; empty if all contribute.
   std::string contributions{};
 
@@ -95,6 +97,14 @@ struct MeasuredCurve {
   std::string title, unit;
   std::vector<double> time;           ///< time lags [ps]
   std::vector<SeriesEstimate> value;  ///< values in `unit`
+};
+
+/// A radial distribution function measured in the dynamics.
+struct MeasuredDistribution {
+  SitePair pair;                                 ///< names of the sites
+  std::vector<double> r;                         ///< middles of the bins [nm]
+  std::vector<SeriesEstimate> g;                 ///< g(r) in each bin
+  std::optional<RadialDistribution::Peak> peak;  ///< first peak; empty if g(r) has none
 };
 
 /// The time series of potential energy and density of a replica, for figures of the equilibration.
@@ -119,11 +129,15 @@ struct MeasuredPoint {
   double edge = 0;                    ///< box edge in the dynamics, or the mean edge at constant
                                       ///< pressure [nm]
   std::vector<MeasuredCurve> curves;
-  std::vector<EquilibrationTrace> traces;  ///< traces of all replicas
+  std::vector<MeasuredDistribution> distributions{};  ///< of centres, then of sites
+  std::vector<EquilibrationTrace> traces;             ///< traces of all replicas
   /// Values for curves over state points, with the time-step bias subtracted; not known without
   /// averages, and at constant volume.
   SeriesEstimate density{std::nan("")};   ///< [kg/m³]
   SeriesEstimate enthalpy{std::nan("")};  ///< [kJ/mol]
+
+  /// Whether results contain the distributions, because the coordination number is requested.
+  bool wants_distributions() const;
 };
 
 /// A polynomial through the densities or enthalpies of several state points.

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The conditions and curves of a state point, for figures.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "io/settings/quantity.hpp"
+#include "polhode/base/units.hpp"
+#include "run/properties/distances.hpp"
+#include "run/properties/dynamics.hpp"
+#include "run/properties/estimates.hpp"
+#include "run/properties/property.hpp"
+
+namespace polhode {
+namespace {
+
+/// The mean of one of the quantities.
+SeriesEstimate mean_of(std::span<const BlockMeans> runs, std::size_t quantity) {
+  std::vector<BlockMeans> only;
+  for (const BlockMeans& run : runs) {
+    std::vector<BlockMeans::Block> blocks;
+    for (const auto& [weight, sum] : run.blocks()) blocks.push_back({weight, {sum[quantity]}});
+    only.emplace_back(std::move(blocks));
+  }
+  return pooled_estimate(only, [](auto mean) { return mean[0]; });
+}
+
+std::vector<EquilibrationTrace> traces_of(const PointData& data) {
+  std::vector<EquilibrationTrace> traces;
+  for (const Replica& replica : data.replicas) {
+    EquilibrationTrace trace;
+    const double part = replica.step * static_cast<double>(steps_of_averages) / parts_of_averages;
+    for (const AveragesSegment& segment : replica.averages)
+      for (std::size_t k = 0; k < segment.potentials.size(); ++k) {
+        trace.time.push_back((static_cast<double>(trace.time.size()) + 0.5) * part);
+        trace.potential.push_back(segment.potentials[k] /
+                                  static_cast<double>(data.topology.size()));
+        trace.density.push_back(data.topology.mass() / segment.volumes[k] /
+                                unit("kg/m3", Dimension::density));
+      }
+    trace.begin = static_cast<double>(equilibrated(replica) * parts_of_averages) * part;
+    traces.push_back(std::move(trace));
+  }
+  return traces;
+}
+
+/// The mean-square displacement of each kind of molecule, and of the integrated momentum flux.
+std::vector<MeasuredCurve> curves_of(const PointData& data) {
+  const CorrelationsOfDynamics which(data.topology);
+  const Contributions contributions(data, MeasuredIn::dynamics);
+  const std::vector<BlockMeans> runs = dynamics_of(contributions, which.functions());
+  if (runs.front().empty()) return {};
+  const double interval = lag_interval(*contributions.all.front().replica);
+  const auto curve = [&](std::string title, std::string in, std::size_t correlation,
+                         double factor) {
+    MeasuredCurve c{std::move(title), std::move(in), {}, {}};
+    constexpr std::size_t every = 8;  // every eighth lag is kept, because a figure cannot show more
+                                      // points
+    for (std::size_t k = 0; k < lags; k += every) {
+      c.time.push_back(static_cast<double>(k) * interval);
+      c.value.push_back(
+          pooled_estimate(runs, [&](auto all) { return factor * all[correlation * lags + k]; }));
+    }
+    return c;
+  };
+  std::vector<MeasuredCurve> curves;
+  for (std::size_t part = 0; part < which.displacement.size(); ++part)
+    curves.push_back(curve("mean-square displacement of " + data.topology.parts[part].molecule.name,
+                           "nm2", which.displacement[part], 1));
+  const double edge = edge_of(contributions);
+  const double to_mPa = edge * edge * edge / (5 * units::boltzmann * data.at.temperature) /
+                        unit("mPa s", Dimension::viscosity);
+  curves.push_back(curve("momentum flux: its slope is the viscosity", "mPa s ps",
+                         CorrelationsOfDynamics::momentum_flux, to_mPa));
+  return curves;
+}
+
+/// The radial distribution functions of the dynamics.
+std::vector<MeasuredDistribution> distributions(const PointData& data) {
+  const std::vector<BlockMeans> runs = dynamics_of(
+      Contributions(data, MeasuredIn::dynamics), CorrelationsOfDynamics(data.topology).distances());
+  if (runs.front().empty()) return {};
+  const std::vector<double> means = overall(runs);
+  const Distances distances = Distances::of_sums(data.topology, means.size());
+  std::vector<MeasuredDistribution> list;
+  for (std::size_t p = 0; p < distances.pairs().size(); ++p) {
+    MeasuredDistribution d{distances.pairs()[p], {}, {}, {}};
+    const std::vector<double> scale = distances.scales(p);
+    for (std::size_t k = 0; k < distances.bins(); ++k) {
+      d.r.push_back(distances.middle(k));
+      d.g.push_back(scaled(mean_of(runs, distances.index(p, k)), scale[k]));
+    }
+    d.peak =
+        distances.first_peak(p, means, [&](const auto& f) { return pooled_estimate(runs, f); });
+    list.push_back(std::move(d));
+  }
+  return list;
+}
+
+}  // namespace
+
+bool MeasuredPoint::wants_distributions() const {
+  return std::any_of(properties.begin(), properties.end(), [](const MeasuredProperty& m) {
+    return std::string_view(m.request.property->name) == "coordination-number";
+  });
+}
+
+MeasuredPoint described(const PointData& data) {
+  MeasuredPoint point{.at = data.at,
+                      .molecules = data.topology.size(),
+                      .replicas = data.replicas.size(),
+                      .step_min = std::numeric_limits<double>::infinity(),
+                      .edge = edge_of(Contributions(data, MeasuredIn::dynamics))};
+  for (const Replica& replica : data.replicas) {
+    if (!replica.prepared()) continue;
+    const double segment = replica.step * static_cast<double>(steps_of_averages);
+    const auto discarded = static_cast<double>(equilibrated(replica));
+    point.step_min = std::min(point.step_min, replica.step);
+    point.step_max = std::max(point.step_max, replica.step);
+    point.equilibration_max = std::max(point.equilibration_max, discarded * segment);
+    point.length_of_averages +=
+        (static_cast<double>(replica.averages.size()) - discarded) * segment;
+    point.length_of_dynamics += static_cast<double>(replica.dynamics.size()) * replica.step *
+                                static_cast<double>(steps_of_lags * windows_in_segment);
+  }
+  point.traces = traces_of(data);
+  point.curves = curves_of(data);
+  point.distributions = distributions(data);
+  return point;
+}
+
+}  // namespace polhode
