@@ -25,7 +25,7 @@ MeasureSettings settings_of(const std::string& system, const Words& properties,
 
 nb::tuple as_tuple(const ReplicaTask& task) {
   return nb::make_tuple(task.point, task.replica, task.averages, task.dynamics, task.step,
-                        nb::bytes(task.record.data(), task.record.size()));
+                        nb::bytes(task.record.data(), task.record.size()), task.elongated);
 }
 
 /// Makes an executor from a Python function. The function is called with a list of tasks and
@@ -58,10 +58,12 @@ nb::tuple measure(const std::string& system, const Words& properties, const Opti
 
 nb::bytes perform_replica(const std::string& system, const Words& properties, const Options& given,
                           std::size_t point, std::uint64_t replica, std::size_t averages,
-                          std::size_t dynamics, double step, const nb::bytes& record) {
+                          std::size_t dynamics, double step, const nb::bytes& record,
+                          std::size_t elongated) {
   const MeasureSettings settings = settings_of(system, properties, given);
   const ReplicaTask task{point,    replica, averages,
-                         dynamics, step,    std::string(record.c_str(), record.size())};
+                         dynamics, step,    std::string(record.c_str(), record.size()),
+                         elongated};
   const std::string after = [&] {
     const nb::gil_scoped_release released;
     return perform(settings, task);

@@ -6,6 +6,9 @@
 
 namespace polhode {
 
+/// The ratio Lz/Lx = Lz/Ly of a box without finite-size correction along x and y [busch2023].
+inline constexpr double orthoboxy_ratio = 2.7933596497;
+
 /// The mobility that the periodic images of a molecule take away along each axis, times the
 /// viscosity [1/nm]. It is the Oseen tensor of a point force in an infinite liquid minus that in
 /// the periodic box, both at the point of the force. The sum over the reciprocal lattice is

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
+
+#include "measure/equilibration.hpp"
 
 namespace polhode {
 namespace {
@@ -15,17 +18,40 @@ bool is_in_equilibrium(std::size_t before, std::size_t all) { return 2 * before 
 
 }  // namespace
 
+std::size_t equilibrated(const Replica& replica) {
+  // The effort grows as n² √n with the number n of parts, so a long replica has longer parts.
+  constexpr std::size_t max_parts = 600;
+  const std::size_t joined = replica.averages.size() * parts_of_averages / max_parts + 1;
+  std::size_t start = 0;
+  for (const auto member : {&AveragesSegment::potentials, &AveragesSegment::volumes}) {
+    std::vector<double> all, series;
+    for (const AveragesSegment& segment : replica.averages)
+      all.insert(all.end(), (segment.*member).begin(), (segment.*member).end());
+    for (std::size_t k = 0; k + joined <= all.size(); k += joined)
+      series.push_back(std::accumulate(&all[k], &all[k] + joined, 0.0) /
+                       static_cast<double>(joined));
+    if (std::ranges::all_of(series, [&](double x) { return x == series.front(); }))
+      continue;  // the volume, where it is constant
+    start = std::max(start, joined * equilibrium_start(series));
+  }
+  return (start + parts_of_averages - 1) / parts_of_averages;
+}
+
 bool in_equilibrium(const PointData& data) {
   return std::all_of(data.replicas.begin(), data.replicas.end(), [](const Replica& replica) {
     return is_in_equilibrium(equilibrated(replica), replica.averages.size());
   });
 }
 
-Contributions::Contributions(const PointData& data, MeasuredIn what) {
+const std::vector<BlockMeans::Block>& segments_of(const Replica& replica, MeasuredIn what) {
+  return what == MeasuredIn::elongated ? replica.elongated.segments : replica.dynamics;
+}
+
+Contributions::Contributions(const PointData& data, MeasuredIn kind) : what(kind) {
   for (const Replica& replica : data.replicas) {
     const std::size_t from = equilibrated(replica), length = replica.averages.size();
-    const bool is_long =
-        what == MeasuredIn::averages ? length >= from + min_samples : !replica.dynamics.empty();
+    const bool is_long = what == MeasuredIn::averages ? length >= from + min_samples
+                                                      : !segments_of(replica, what).empty();
     if (!is_in_equilibrium(from, length))
       ++not_in_equilibrium;
     else

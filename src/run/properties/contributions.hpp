@@ -31,6 +31,7 @@ struct Contribution {
 /// The replicas that contribute to a value. Replicas that are not in equilibrium never contribute,
 /// and replicas that are too short for an error only if all are.
 struct Contributions {
+  MeasuredIn what;
   std::vector<Contribution> all, too_short;
   std::size_t not_in_equilibrium = 0;
 
@@ -40,6 +41,8 @@ struct Contributions {
   std::string text() const;
 };
 
+/// The segments of dynamics in which a property is measured.
+const std::vector<BlockMeans::Block>& segments_of(const Replica& replica, MeasuredIn what);
 /// The averages in equilibrium, with a run for each replica.
 std::vector<BlockMeans> averages_of(const Contributions& contributions);
 /// The step responses of the same segments, relative to a common first sample.

@@ -122,7 +122,8 @@ MeasuredPoint described(const PointData& data) {
     point.equilibration_max = std::max(point.equilibration_max, discarded * segment);
     point.length_of_averages +=
         (static_cast<double>(replica.averages.size()) - discarded) * segment;
-    point.length_of_dynamics += static_cast<double>(replica.dynamics.size()) * replica.step *
+    const std::size_t segments = replica.dynamics.size() + replica.elongated.segments.size();
+    point.length_of_dynamics += static_cast<double>(segments) * replica.step *
                                 static_cast<double>(steps_of_lags * windows_in_segment);
   }
   point.traces = traces_of(data);

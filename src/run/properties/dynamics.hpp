@@ -2,10 +2,14 @@
 // The dynamics of the replicas of a state point as series of blocks.
 #pragma once
 
+#include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "measure/displacement.hpp"
+#include "polhode/run/properties/measure.hpp"
 #include "run/properties/contributions.hpp"
 
 namespace polhode {
@@ -25,5 +29,26 @@ std::vector<StepPair> pairs_of(const Contributions& contributions, const PartOfS
 
 /// The means over all runs.
 std::vector<double> overall(std::span<const BlockMeans> runs);
+
+using Means = std::span<const double>;
+using Statistic = std::function<double(Means)>;
+
+/// The difference of a statistic between the step and its half, with its error by the jackknife
+/// over pairs; pairs are independent, because dynamics forget their start. It is not known with
+/// fewer than three pairs.
+SeriesEstimate step_difference(const std::vector<StepPair>& pairs, const Statistic& statistic);
+/// A bound of the time-step bias from the difference between the step and half of it.
+std::optional<StepBound> step_bound(const SeriesEstimate& difference);
+
+/// The window for fits of lines, which begins at a third of the longest lag.
+FitWindow fit_window(double interval);
+/// The slope of a function of the lag within a window; NaN if there are fewer than two lags.
+double slope_between(Means correlation, double interval, const FitWindow& window);
+
+/// A slope as a function of the means, from the lags in a window.
+using SlopeFunction = std::function<double(Means, const FitWindow&)>;
+/// Computes a slope, and checks whether it is the same in both halves of the window.
+void estimate_slope(MeasuredProperty& m, std::span<const BlockMeans> runs, double interval,
+                    const SlopeFunction& slope);
 
 }  // namespace polhode

@@ -19,14 +19,12 @@
 #include "run/properties/contributions.hpp"
 #include "run/properties/distances.hpp"
 #include "run/properties/dynamics.hpp"
+#include "run/properties/orthoboxy.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/second_virial.hpp"
 
 namespace polhode {
 namespace {
-
-using Means = std::span<const double>;
-using Statistic = std::function<double(Means)>;
 
 constexpr const char* too_short = "the runs are too short";
 
@@ -73,68 +71,11 @@ void estimate_average(MeasuredProperty& m, const PointData& data) {
   m.value = without(m.value, bias);
 }
 
-/// The window for fits of lines, which begins at a third of the longest lag.
-FitWindow fit_window(double interval) {
-  const double longest = interval * static_cast<double>(lags - 1);
-  return {longest / 3, longest};
-}
-
-double slope_between(Means correlation, double interval, const FitWindow& window) {
-  std::vector<double> t, y;
-  for (std::size_t k = 0; k < correlation.size(); ++k) {
-    const double lag = static_cast<double>(k) * interval;
-    if (lag < window.from || lag > window.to) continue;
-    t.push_back(lag);
-    y.push_back(correlation[k]);
-  }
-  return t.size() < 2 ? std::nan("") : slope(t, y).value;
-}
-
 double viscosity_of(Means flux, double interval, const FitWindow& window, double volume,
                     double kT) {
   // The five components are distributed over two bodies. The sum of their mean squares grows as 10
   // kT η t/V.
   return 2 * slope_between(flux, interval, window) * volume / (10 * kT);
-}
-
-/// The difference of a statistic between the step and its half, with its error by the jackknife
-/// over pairs; pairs are independent, because dynamics forget their start. It is not known with
-/// fewer than three pairs.
-SeriesEstimate step_difference(const std::vector<StepPair>& pairs, const Statistic& statistic) {
-  constexpr std::size_t min_pairs = 3;
-  if (pairs.size() < min_pairs) return {std::nan("")};
-  std::vector<BlockMeans::Block> whole, half;
-  for (const StepPair& pair : pairs) {
-    whole.push_back(pair.whole);
-    half.push_back(pair.half);
-  }
-  const BlockMeans::Block all = BlockMeans(whole).sum(), all_half = BlockMeans(half).sum();
-  const auto value_of = [&](const BlockMeans::Block& sum, const BlockMeans::Block& without) {
-    std::vector<double> means;
-    for (std::size_t k = 0; k < sum.sum.size(); ++k)
-      means.push_back((sum.sum[k] - without.sum[k]) / (sum.weight - without.weight));
-    return statistic(means);
-  };
-  std::vector<double> others;
-  for (const auto& [step, half_step] : pairs)
-    others.push_back(value_of(all, step) - value_of(all_half, half_step));
-  const double value = statistic(BlockMeans(whole).mean()) - statistic(BlockMeans(half).mean());
-  const double error = jackknife_error(others);
-  if (!std::isfinite(value) || !std::isfinite(error)) return {std::nan("")};
-  return {value, error, Known::yes, static_cast<double>(pairs.size()) - 1};
-}
-
-/// A bound of the time-step bias from the difference between the step and half of it.
-std::optional<StepBound> step_bound(const SeriesEstimate& difference) {
-  constexpr double probability = 0.95;
-  // The bias grows as the square of the step: its difference between h and h/2 is 3/4 of it.
-  constexpr double of_difference = 4.0 / 3;
-  if (difference.known != Known::yes) return std::nullopt;
-  StepBound found{.difference = difference,
-                  .pairs = static_cast<std::size_t>(difference.modes) + 1};
-  found.bound = of_difference * (std::abs(difference.value) +
-                                 interval_factor(difference, probability) * difference.error);
-  return found;
 }
 
 /// The correlation functions of the dynamics of all replicas.
@@ -155,7 +96,8 @@ class Dynamics {
   void viscosity(MeasuredProperty& m) const {
     const FitWindow window = fit_window(interval_);
     const double mPa_s = unit("mPa s", Dimension::viscosity);
-    estimate(m, [this](Means all, const FitWindow& fit) { return eta(all, fit); });
+    estimate_slope(m, runs_, interval_,
+                   [this](Means all, const FitWindow& fit) { return eta(all, fit); });
     m.value = scaled(m.value, 1 / mPa_s);
     m.step_bound = bound([&](Means all) { return eta(all, window) / mPa_s; });
   }
@@ -164,7 +106,8 @@ class Dynamics {
   /// correction is correlated with the error of the slope.
   void diffusion(MeasuredProperty& m) const {
     const FitWindow window = fit_window(interval_);
-    estimate(m, [this](Means all, const FitWindow& fit) { return D(all, fit); });
+    estimate_slope(m, runs_, interval_,
+                   [this](Means all, const FitWindow& fit) { return D(all, fit); });
     const auto D0 = [&](Means all) { return D(all, window) + correction(all, window); };
     m.value = pooled_estimate(runs_, D0);
     m.finite_size =
@@ -224,21 +167,6 @@ class Dynamics {
       }
     return BlockMeans(std::move(blocks));
   }
-  /// Computes a slope, and checks whether it is the same in both halves of the window.
-  template <class Slope>
-  void estimate(MeasuredProperty& m, const Slope& slope) const {
-    const FitWindow window = fit_window(interval_);
-    const double middle = (window.from + window.to) / 2;
-    m.value = pooled_estimate(runs_, [&](Means all) { return slope(all, window); });
-    const SeriesEstimate rise = pooled_estimate(runs_, [&](Means all) {
-      return slope(all, FitWindow{middle, window.to}) - slope(all, FitWindow{window.from, middle});
-    });
-    if (m.value.known == Known::yes && differs(rise, m.value.value))
-      m.obstacle =
-          "the slope still changes within the window of lags, because the motion is slower than "
-          "this window";
-  }
-
   const PointData& data_;
   Contributions contributions_;
   CorrelationsOfDynamics which_;
@@ -270,6 +198,13 @@ void coordination(MeasuredProperty& m, const PointData& data, const Contribution
   m.step_bound = step_bound(difference->shell->coordination);
 }
 
+/// Notes which replicas contribute, and why a value of dynamics is not known.
+void note_contributions(MeasuredProperty& m, const Contributions& contributions) {
+  m.contributions = contributions.text();
+  if (m.obstacle.empty() && contributions.not_in_equilibrium > 0) m.obstacle = no_equilibrium;
+  if (m.value.known != Known::yes && m.obstacle.empty()) m.obstacle = too_short;
+}
+
 void estimate_dynamics(MeasuredProperty& m, const PointData& data) {
   const Dynamics dynamics(data);
   const std::string_view name = m.request.property->name;
@@ -283,10 +218,13 @@ void estimate_dynamics(MeasuredProperty& m, const PointData& data) {
     dynamics.diffusion(m);
   else
     dynamics.relaxation(m);
-  m.contributions = dynamics.contributions().text();
-  if (m.obstacle.empty() && dynamics.contributions().not_in_equilibrium > 0)
-    m.obstacle = no_equilibrium;
-  if (m.value.known != Known::yes && m.obstacle.empty()) m.obstacle = too_short;
+  note_contributions(m, dynamics.contributions());
+}
+
+void estimate_elongated(MeasuredProperty& m, const PointData& data) {
+  const Contributions contributions(data, MeasuredIn::elongated);
+  estimate_orthoboxy(m, contributions, data.at.temperature);
+  note_contributions(m, contributions);
 }
 
 void estimate_pair(MeasuredProperty& m, const PointData& data) {
@@ -318,6 +256,9 @@ MeasuredProperty estimate(const RequestedProperty& request, const PointData& dat
       break;
     case MeasuredIn::dynamics:
       estimate_dynamics(m, data);
+      break;
+    case MeasuredIn::elongated:
+      estimate_elongated(m, data);
       break;
     case MeasuredIn::pair:
       estimate_pair(m, data);

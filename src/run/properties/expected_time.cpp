@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "polhode/base/error.hpp"
 #include "run/properties/property.hpp"
@@ -14,6 +15,7 @@ namespace polhode {
 namespace {
 
 double steps_of(const MeasuredProperty& m, const WorkDone& done) {
+  if (m.request.property->measured_in == MeasuredIn::elongated) return done.elongated;
   return m.request.property->measured_in == MeasuredIn::averages ? done.averages : done.dynamics;
 }
 
@@ -54,16 +56,17 @@ double reachable_error(const MeasuredProperty& m, double seconds, const WorkDone
 
 std::optional<double> expected_time(std::span<const MeasuredProperty> values, double share,
                                     const WorkDone& done) {
-  std::optional<double> averages, dynamics;
+  std::map<MeasuredIn, double> longest;  // one kind of run after the other
   for (const MeasuredProperty& m : values) {
     const std::optional<double> time = expected_time(m, share * m.requested_error(), done);
     if (!time) continue;
-    std::optional<double>& longest =
-        m.request.property->measured_in == MeasuredIn::averages ? averages : dynamics;
-    longest = std::max(longest.value_or(0), *time);
+    double& of_kind = longest[m.request.property->measured_in];
+    of_kind = std::max(of_kind, *time);
   }
-  if (!averages && !dynamics) return std::nullopt;
-  return averages.value_or(0) + dynamics.value_or(0);
+  if (longest.empty()) return std::nullopt;
+  double sum = 0;
+  for (const auto& [kind, time] : longest) sum += time;
+  return sum;
 }
 
 std::vector<std::string> time_warnings(std::span<const MeasuredProperty> values, double share,

@@ -15,6 +15,7 @@ namespace polhode {
 struct WorkDone {
   double averages = 0, dynamics = 0;  ///< steps of all replicas together
   double seconds_per_step = 0;        ///< wall-clock time divided by the steps of all replicas [s]
+  double elongated = 0;               ///< steps of all copies in the long box of OrthoBoXY
 };
 
 /// The time [s] for which a measurement may run.

@@ -25,6 +25,7 @@
 #include "run/properties/property.hpp"
 #include "run/properties/replica.hpp"
 #include "run/properties/replica_file.hpp"
+#include "run/properties/target.hpp"
 #include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {
@@ -39,40 +40,17 @@ constexpr std::size_t max_equilibration = 600;
 /// Minimum time between two writes of a record [s], because a segment of a small system takes only
 /// milliseconds.
 constexpr double writing_interval = 2;
-/// As many steps of hoa2 have the force evaluations of a preparation, and of the pilot's.
-constexpr double steps_of_preparation = 8000, steps_of_pilot = 15'000;
-
-struct Target {
-  std::size_t averages = 0, dynamics = 0;
-};
-
-constexpr double steps_of_dynamics = steps_of_lags * windows_in_segment;  // of a segment
-
-double steps_of(const Replica& replica) {
-  return (replica.prepared() ? steps_of_preparation : 0) +
-         static_cast<double>(replica.averages.size()) * steps_of_averages +
-         static_cast<double>(replica.dynamics.size() + 2 * replica.paired.size()) *
-             steps_of_dynamics;
-}
-
-/// Steps of a number of segments of dynamics, with their pairs at half of the step.
-double steps_of_dynamics_of(std::size_t segments, bool paired_runs) {
-  const std::size_t pairs = paired_runs ? (segments + paired_every - 1) / paired_every : 0;
-  return static_cast<double>(segments + 2 * pairs) * steps_of_dynamics;
-}
-
-/// Segments of each kind that a replica needs at least.
-bool has(const Replica& replica, const Target& target) {
-  return replica.prepared() && replica.averages.size() >= target.averages &&
-         replica.dynamics.size() >= target.dynamics;
-}
+/// As many steps of hoa2 have the force evaluations of the pilot's preparation.
+constexpr double steps_of_pilot = 15'000;
 
 /// Performs the next piece of work of a replica.
 /// @return  false if it was stopped
 bool extend_by_one(Replica& replica, const Target& target, const ReplicaSettings& settings) {
   if (!replica.prepared()) return prepare(replica, settings);
   if (replica.averages.size() < target.averages) return add_averages(replica, settings);
-  return add_dynamics(replica, settings, equilibrated(replica));
+  if (replica.dynamics.size() < target.dynamics)
+    return add_dynamics(replica, settings, equilibrated(replica));
+  return add_elongated(replica, settings, equilibrated(replica));
 }
 
 /// Measures a state point.
@@ -205,8 +183,7 @@ std::optional<double> PointMeasurement::choose_step() {
 /// Stores a changed replica, and reports the progress of the round.
 void PointMeasurement::keep(Replica& replica, Replica changed) {
   const std::lock_guard lock(guard_);
-  done_ += changed.averages.size() - replica.averages.size() + changed.dynamics.size() -
-           replica.dynamics.size() + (replica.prepared() ? 0 : 1);
+  done_ += pieces_of(changed) - pieces_of(replica);
   replica = std::move(changed);
   callbacks_.report({"measuring",
                      std::min(1.0, static_cast<double>(done_) / static_cast<double>(planned_)),
@@ -237,11 +214,14 @@ void PointMeasurement::execute(const Target& target) {
     std::vector<Replica*> of;
     for (Replica& r : replicas_) {
       if (has(r, target)) continue;
-      tasks.push_back({point_, r.index, std::min(target.averages, r.averages.size() + at_once),
-                       r.averages.size() < target.averages
-                           ? r.dynamics.size()
-                           : std::min(target.dynamics, r.dynamics.size() + 1),
-                       system_.common.step, replica_bytes(r, system_.identity)});
+      const bool averages = r.averages.size() >= target.averages,
+                 dynamics = averages && r.dynamics.size() >= target.dynamics;
+      const std::size_t elongated = r.elongated.segments.size();
+      tasks.push_back(
+          {point_, r.index, std::min(target.averages, r.averages.size() + at_once),
+           averages ? std::min(target.dynamics, r.dynamics.size() + 1) : r.dynamics.size(),
+           system_.common.step, replica_bytes(r, system_.identity),
+           dynamics ? std::min(target.elongated, elongated + 1) : elongated});
       of.push_back(&r);
     }
     if (tasks.empty()) return;
@@ -259,12 +239,8 @@ void PointMeasurement::execute(const Target& target) {
 
 void PointMeasurement::extend(const Target& target) {
   done_ = planned_ = 0;
-  const auto missing = [](std::size_t wanted, std::size_t there) {
-    return wanted - std::min(wanted, there);
-  };
   for (const Replica& r : replicas_) {
-    planned_ += (r.prepared() ? 0 : 1) + missing(target.averages, r.averages.size()) +
-                missing(target.dynamics, r.dynamics.size());
+    planned_ += missing(r, target);
     steps_ -= steps_of(r);
   }
   const Stopwatch watch;
@@ -283,6 +259,8 @@ std::vector<Replica> PointMeasurement::first_of(const Target& target) const {
   for (Replica& replica : first) {
     replica.averages.resize(std::min(replica.averages.size(), target.averages));
     replica.dynamics.resize(std::min(replica.dynamics.size(), target.dynamics));
+    auto& elongated = replica.elongated.segments;
+    elongated.resize(std::min(elongated.size(), target.elongated));
   }
   return first;
 }
@@ -308,10 +286,11 @@ bool PointMeasurement::next(Target& target, const std::vector<MeasuredProperty>&
   };
   if (!equilibrium && target.averages >= max_equilibration) return false;
   const bool averages = !equilibrium || any(MeasuredIn::averages),
-             dynamics = any(MeasuredIn::dynamics);
+             dynamics = any(MeasuredIn::dynamics), elongated = any(MeasuredIn::elongated);
   if (averages) target.averages = longer(target.averages);
   if (dynamics) target.dynamics = longer(target.dynamics);
-  return averages || dynamics;
+  if (elongated) target.elongated = longer(target.elongated);
+  return averages || dynamics || elongated;
 }
 
 void PointMeasurement::show(const std::vector<MeasuredProperty>& values, bool equilibrium) const {
@@ -329,8 +308,9 @@ void PointMeasurement::show_plan(const Target& target,
                                  std::optional<double> seconds_per_step) const {
   const auto n = static_cast<double>(replicas_.size());
   const auto averages = static_cast<double>(target.averages * steps_of_averages),
-             dynamics = static_cast<double>(target.dynamics) * steps_of_dynamics,
-             with_pairs = steps_of_dynamics_of(target.dynamics, settings_.paired_runs);
+             dynamics = static_cast<double>(target.dynamics + target.elongated) * steps_of_dynamics,
+             with_pairs = steps_of_dynamics_of(target.dynamics, settings_.paired_runs) +
+                          steps_of_elongated(target.elongated, settings_.paired_runs);
   const double step = system_.common.step,
                steps = n * (averages + with_pairs + steps_of_preparation),
                at_once = std::min(n, static_cast<double>(workers_.threads()));
@@ -367,7 +347,8 @@ WorkDone PointMeasurement::work_of(const Target& target) const {
   const auto n = static_cast<double>(replicas_.size());
   return {n * static_cast<double>(target.averages) * steps_of_averages,
           n * steps_of_dynamics_of(target.dynamics, settings_.paired_runs),
-          steps_ > 0 ? seconds_ / steps_ : 0};
+          steps_ > 0 ? seconds_ / steps_ : 0,
+          n * steps_of_elongated(target.elongated, settings_.paired_runs)};
 }
 
 /// Shows how long it will take; the first time also what takes too long.
@@ -386,9 +367,12 @@ void PointMeasurement::show_time(const std::vector<MeasuredProperty>& values,
 }
 
 MeasuredPoint PointMeasurement::perform() {
-  if ((wants(MeasuredIn::averages) || wants(MeasuredIn::dynamics)) && !settings_.only_evaluate) {
+  if ((wants(MeasuredIn::averages) || wants(MeasuredIn::dynamics) ||
+       wants(MeasuredIn::elongated)) &&
+      !settings_.only_evaluate) {
     const std::optional<double> seconds = choose_step();
-    Target target{first_averages, wants(MeasuredIn::dynamics) ? first_dynamics : 0};
+    Target target{first_averages, wants(MeasuredIn::dynamics) ? first_dynamics : 0,
+                  wants(MeasuredIn::elongated) ? first_dynamics : 0};
     if (system_.common.step > 0)
       show_plan(target, seconds ? std::optional(*seconds / steps_of_pilot) : std::nullopt);
     while (system_.common.step > 0 && !stopped()) {
@@ -440,7 +424,7 @@ std::string perform(const MeasureSettings& settings, const ReplicaTask& task) {
   Replica replica = task.record.empty() ? Replica{.index = task.replica}
                                         : parse_replica(task.record, "the record of a task",
                                                         task.replica, system.identity);
-  const Target target{task.averages, task.dynamics};
+  const Target target{task.averages, task.dynamics, task.elongated};
   while (!has(replica, target)) extend_by_one(replica, target, system.common);
   return replica_bytes(replica, system.identity);
 }

@@ -122,6 +122,15 @@ constexpr std::array all = {
              "shear viscosity by the Green-Kubo relation in Einstein's form, from five components "
              "of the molecular pressure tensor",
              "allen2017", false, false},
+    Property{"diffusion-orthoboxy", "1e-9 m2/s", In::elongated,
+             "self-diffusion coefficient of an infinite system, from the mean-square displacements "
+             "along the short axes of a box with Lz/Lx = Lz/Ly = 2.7933596497, where the "
+             "finite-size correction vanishes",
+             "busch2023", false, false},
+    Property{"viscosity-orthoboxy", "mPa s", In::elongated,
+             "shear viscosity from the difference of the diffusion coefficients along the axes of "
+             "the same box",
+             "busch2023", false, false},
     Property{"rotational-relaxation", "ps", In::dynamics,
              "integral of the P2 reorientation function (second Legendre polynomial) of the "
              "slowest molecular axis",

@@ -42,9 +42,10 @@ struct Conditions {
 
 /// The kind of run in which a property is measured.
 enum class MeasuredIn {
-  averages,  ///< runs at constant temperature, and at constant pressure or volume
-  dynamics,  ///< runs at the density found there, with a weak rescaling of all momenta
-  pair       ///< no run: an integral over two molecules
+  averages,   ///< runs at constant temperature, and at constant pressure or volume
+  dynamics,   ///< runs at the density found there, with a weak rescaling of all momenta
+  elongated,  ///< the same in the long box of OrthoBoXY, with three times as many molecules
+  pair        ///< no run: an integral over two molecules
 };
 
 /// The state points at which a property is defined.

@@ -6,14 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <utility>
 
 #include "io/settings/ensemble_names.hpp"
 #include "io/settings/quantity.hpp"
 #include "measure/displacement.hpp"
-#include "measure/equilibration.hpp"
 #include "measure/reorientation.hpp"
 #include "model/dipole.hpp"
 #include "polhode/base/error.hpp"
@@ -27,6 +25,7 @@
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "run/prepare/compressibility.hpp"
 #include "run/properties/distances.hpp"
+#include "run/properties/elongate.hpp"
 #include "run/properties/momentum_flux.hpp"
 #include "run/properties/phases.hpp"
 #include "run/quantity_lists.hpp"
@@ -42,7 +41,10 @@ enum Stream : std::uint64_t {
   preparing = 0,
   averaging = 1u << 20,
   moving = 2u << 20,
-  pairing = 3u << 20
+  pairing = 3u << 20,
+  elongating = 4u << 20,
+  elongated_pairing = 5u << 20,
+  relaxing_elongated = 6u << 20
 };
 
 constexpr MinimisationSettings relaxed{.force = 100, .torque = 10};
@@ -53,8 +55,9 @@ constexpr double max_ratio = 0.015;   // maximum R of the segments
 /// A system at a state point, with its random numbers.
 class Chain {
  public:
-  Chain(const ReplicaSettings& settings, Replica& replica)
-      : settings_(settings), config_(configuration_of(settings)), meshes_(replica.meshes) {
+  /// @param meshes  errors of meshes for this system, which are kept between segments
+  Chain(const ReplicaSettings& settings, const Replica& replica, std::optional<MeshChoice>& meshes)
+      : settings_(settings), config_(configuration_of(settings)), meshes_(meshes) {
     config_.system.seed = derived_seed(config_.system.seed, replica.index);
     config_.run.minimise = true;
     system_.emplace(build_system(config_));
@@ -267,16 +270,24 @@ Vec3<double> total_dipole(const State& state, const System& system) {
   return M;
 }
 
+/// The trajectory of a segment of dynamics.
+/// @param parts  of each step of the replica
+TrajectorySettings dynamics_of(const Chain& chain, double whole_step, std::size_t parts,
+                               std::uint64_t stream) {
+  TrajectorySettings t = chain.trajectory(
+      with_ends(), whole_step / static_cast<double>(parts),
+      whole_step * static_cast<double>(steps_of_lags * windows_in_segment), stream);
+  t.ensemble.thermostat = Rescaling{std::max(2.0, 500 * whole_step)};
+  return t;
+}
+
 /// All correlation functions of a segment of dynamics, one after the other; nothing if it was
 /// stopped.
 /// @param parts  of each step of the replica, with the same samples
 std::optional<BlockMeans::Block> correlations(Chain& chain, double whole_step, std::size_t parts,
                                               std::uint64_t stream) {
   const System& system = chain.system();
-  TrajectorySettings t = chain.trajectory(
-      with_ends(), whole_step / static_cast<double>(parts),
-      whole_step * static_cast<double>(steps_of_lags * windows_in_segment), stream);
-  t.ensemble.thermostat = Rescaling{std::max(2.0, 500 * whole_step)};
+  TrajectorySettings t = dynamics_of(chain, whole_step, parts, stream);
   constexpr std::size_t every = 2, frame = steps_of_lags / lags / every;  // intervals in samples
   t.sample = every * whole_step;
   Displacement displacement(system.topology, lags);
@@ -309,6 +320,48 @@ std::optional<BlockMeans::Block> correlations(Chain& chain, double whole_step, s
   return segment;
 }
 
+/// The mean-square displacements along the axes of a segment in the long box; nothing if it was
+/// stopped.
+std::optional<BlockMeans::Block> displacements(Chain& chain, double whole_step, std::size_t parts,
+                                               std::uint64_t stream) {
+  TrajectorySettings t = dynamics_of(chain, whole_step, parts, stream);
+  t.sample = whole_step * static_cast<double>(steps_of_lags / lags);
+  Displacement displacement(chain.system().topology, lags);
+  const auto sample = [&](std::size_t, const State& state, const Energies&) {
+    displacement.add(state);
+  };
+  if (!chain.run(t, {.sample = sample})) return std::nullopt;
+  BlockMeans::Block segment = displacement.mean_square_along(0, 0).sum();
+  for (std::size_t axis = 1; axis < 3; ++axis) {
+    const BlockMeans::Block along = displacement.mean_square_along(axis, 0).sum();
+    segment.sum.insert(segment.sum.end(), along.sum.begin(), along.sum.end());
+  }
+  return segment;
+}
+
+/// Relaxes the copies, which the scaling has deformed, with different momenta.
+bool relax_elongated(Chain& chain, const Replica& replica) {
+  constexpr std::size_t steps = 5000;
+  check_separated(chain.system(), minimise(chain.system(), relaxed));
+  draw_momenta(chain.system(), derived_seed(chain.settings().config.system.seed,
+                                            relaxing_elongated + replica.index));
+  TrajectorySettings t = chain.trajectory(
+      with_ends(), replica.step, replica.step * static_cast<double>(steps), relaxing_elongated);
+  t.ensemble.thermostat = Langevin{0.01 / replica.step, 0.01 / replica.step};
+  return chain.run(t).has_value();
+}
+
+/// Scales a state to the mean volume of a replica at constant pressure.
+/// @param from  first segment of averages that is in equilibrium
+void scale_to_mean(State& state, const Replica& replica, std::size_t from,
+                   const ReplicaSettings& settings) {
+  if (settings.at.constant_volume()) return;
+  double V = 0;
+  for (std::size_t k = from; k < replica.averages.size(); ++k)
+    V += replica.averages[k].sums.sum[volume] / replica.averages[k].sums.weight;
+  scale_to(state, V / static_cast<double>(replica.averages.size() - from));
+}
+
 }  // namespace
 
 Config configuration_of(const ReplicaSettings& settings) {
@@ -330,7 +383,7 @@ bool prepare(Replica& replica, const ReplicaSettings& settings) {
                    .compressibility = settings.config.ensemble.barostat
                                           ? settings.config.ensemble.barostat->compressibility
                                           : default_compressibility()};
-  Chain chain(settings, prepared);
+  Chain chain(settings, prepared, prepared.meshes);
   if (!relax(chain, prepared)) return false;
   prepared.step = settings.step;
   if (settings.step == 0 && !choose_step(chain, prepared)) return false;
@@ -341,7 +394,7 @@ bool prepare(Replica& replica, const ReplicaSettings& settings) {
 }
 
 bool add_averages(Replica& replica, const ReplicaSettings& settings) {
-  Chain chain(settings, replica);
+  Chain chain(settings, replica, replica.meshes);
   System& system = chain.system();
   system.state = replica.state;
   const TrajectorySettings t = averages_of(chain, replica, replica.step, steps_of_averages,
@@ -386,16 +439,10 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings) {
 }
 
 bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
-  Chain chain(settings, replica);
+  Chain chain(settings, replica, replica.meshes);
   System& system = chain.system();
   system.state = replica.moving.value_or(replica.state);
-  if (!replica.moving) {
-    double V = 0;
-    for (std::size_t k = from; k < replica.averages.size(); ++k)
-      V += replica.averages[k].sums.sum[volume] / replica.averages[k].sums.weight;
-    if (!settings.at.constant_volume())
-      scale_to(system.state, V / static_cast<double>(replica.averages.size() - from));
-  }
+  if (!replica.moving) scale_to_mean(system.state, replica, from, settings);
   const std::size_t k = replica.dynamics.size();
   const State start = system.state;
   const auto segment = correlations(chain, replica.step, 1, moving + k);
@@ -412,39 +459,31 @@ bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t
   return true;
 }
 
-CorrelationsOfDynamics::CorrelationsOfDynamics(const Topology& topology) {
-  for (const auto& [molecule, molecules] : topology.parts) {
-    displacement.push_back(count++);
-    rotation.emplace_back();
-    for (std::size_t axis = 0; axis < body_axes(molecule).size(); ++axis)
-      rotation.back().push_back(count++);
+bool add_elongated(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
+  Chain chain(settings, replica, replica.elongated.meshes);
+  System& system = chain.system();
+  ElongatedChain& elongated = replica.elongated;
+  system.state = replica.state;
+  if (!elongated.state) scale_to_mean(system.state, replica, from, settings);
+  elongate(system);
+  if (elongated.state)
+    system.state = *elongated.state;
+  else if (!relax_elongated(chain, replica))
+    return false;
+  const std::size_t k = elongated.segments.size();
+  const State start = system.state;
+  const auto segment = displacements(chain, replica.step, 1, elongating + k);
+  if (!segment) return false;
+  const State end = system.state;
+  if (settings.paired_runs && k % paired_every == 0) {
+    system.state = start;
+    const auto paired = displacements(chain, replica.step, 2, elongated_pairing + k);
+    if (!paired) return false;
+    elongated.paired.push_back({k, *paired});
   }
-}
-
-PartOfSums CorrelationsOfDynamics::functions() const {
-  return [size = count * lags](auto sums) { return sums.first(std::min(size, sums.size())); };
-}
-PartOfSums CorrelationsOfDynamics::distances() const {
-  return [size = count * lags](auto sums) { return sums.subspan(std::min(size, sums.size())); };
-}
-
-std::size_t equilibrated(const Replica& replica) {
-  // The effort grows as n² √n with the number n of parts, so a long replica has longer parts.
-  constexpr std::size_t max_parts = 600;
-  const std::size_t joined = replica.averages.size() * parts_of_averages / max_parts + 1;
-  std::size_t start = 0;
-  for (const auto member : {&AveragesSegment::potentials, &AveragesSegment::volumes}) {
-    std::vector<double> all, series;
-    for (const AveragesSegment& segment : replica.averages)
-      all.insert(all.end(), (segment.*member).begin(), (segment.*member).end());
-    for (std::size_t k = 0; k + joined <= all.size(); k += joined)
-      series.push_back(std::accumulate(&all[k], &all[k] + joined, 0.0) /
-                       static_cast<double>(joined));
-    if (std::ranges::all_of(series, [&](double x) { return x == series.front(); }))
-      continue;  // the volume, where it is constant
-    start = std::max(start, joined * equilibrium_start(series));
-  }
-  return (start + parts_of_averages - 1) / parts_of_averages;
+  elongated.state = end;
+  elongated.segments.push_back(*segment);
+  return true;
 }
 
 }  // namespace polhode

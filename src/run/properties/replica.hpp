@@ -59,6 +59,16 @@ struct PairedSegment {
   BlockMeans::Block half_step;  ///< sums of CorrelationsOfDynamics
 };
 
+/// A chain of segments of dynamics in the long box of OrthoBoXY.
+struct ElongatedChain {
+  std::optional<State> state;  ///< state at the end of the last segment; empty before the first
+  /// Sums of the mean-square displacements of the first kind of molecule along x, y and z [nm²],
+  /// each with `lags` values, for each segment.
+  std::vector<BlockMeans::Block> segments;
+  std::vector<PairedSegment> paired;   ///< in the order of the segments
+  std::optional<MeshChoice> meshes{};  ///< kept between segments to save time; not in the record
+};
+
 struct Replica {
   std::uint64_t index = 0;
   double step = 0;             ///< time step of its segments [ps]; 0 until it is prepared
@@ -73,6 +83,7 @@ struct Replica {
       dynamics;  ///< sums of CorrelationsOfDynamics, with a block for each segment
   std::vector<PairedSegment> paired{};  ///< in the order of the segments
   std::optional<MeshChoice> meshes{};   ///< kept between segments to save time; not in the record
+  ElongatedChain elongated{};
 
   bool prepared() const { return step > 0; }
 };
@@ -115,6 +126,11 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings);
 ///   the mean volume from this segment on
 bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t from);
 
+/// Adds a segment of dynamics in the long box. The first segment begins with three copies of the
+/// system at its mean volume, one above the other, which are scaled to the shape of the box and
+/// relaxed.
+/// @param from  first segment of averages that is in equilibrium
+bool add_elongated(Replica& replica, const ReplicaSettings& settings, std::size_t from);
 /// The first segment of averages in which both the potential energy and the volume are in
 /// equilibrium.
 std::size_t equilibrated(const Replica& replica);

@@ -91,6 +91,13 @@ json replica_json(const Replica& replica) {
          {"dynamics", dynamics}};
   for (const PairedSegment& paired : replica.paired)
     j["paired"].push_back({paired.of, block_json(paired.half_step)});
+  if (const ElongatedChain& chain = replica.elongated; chain.state) {
+    json& e = j["elongated"] = {{"state", state_json(*chain.state)}};
+    for (const BlockMeans::Block& block : chain.segments)
+      e["segments"].push_back(block_json(block));
+    e["paired"] = json::array();
+    for (const auto& [of, half] : chain.paired) e["paired"].push_back({of, block_json(half)});
+  }
   if (replica.prepared()) j["state"] = state_json(replica.state);
   if (replica.moving) j["moving"] = state_json(*replica.moving);
   if (replica.start.size() > 0) j["start"] = vectors_json(replica.start);
@@ -111,6 +118,14 @@ Replica replica_of(const json& j) {
   if (j.contains("paired"))
     for (const json& paired : j["paired"])
       replica.paired.push_back({paired.at(0).get<std::size_t>(), block_of(paired.at(1))});
+  if (j.contains("elongated")) {
+    const json& e = j["elongated"];
+    replica.elongated.state = state_of(e.at("state"));
+    for (const json& block : e.at("segments"))
+      replica.elongated.segments.push_back(block_of(block));
+    for (const json& paired : e.at("paired"))
+      replica.elongated.paired.push_back({paired.at(0).get<std::size_t>(), block_of(paired.at(1))});
+  }
   if (j.contains("state")) replica.state = state_of(j["state"]);
   if (j.contains("moving")) replica.moving = state_of(j["moving"]);
   if (j.contains("start")) replica.start = column_of(j["start"].get<std::vector<double>>());

@@ -202,6 +202,7 @@ struct ReplicaTask {
   double step = 0;     ///< time step of all replicas [ps]; 0 for a pilot run, which chooses the
                        ///< step
   std::string record;  ///< record of the replica so far, as bytes; empty at the start
+  std::size_t elongated = 0;  ///< number of segments in the long box of OrthoBoXY after the task
 };
 
 /// Performs a task, and returns the updated record of the replica.
