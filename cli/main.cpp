@@ -30,11 +30,11 @@ void check_verb(const std::string& word) {
   if (word == "-V" || word == "--version") return;
   if (std::find(names.begin(), names.end(), word) != names.end()) return;
   if (word.starts_with('-'))
-    throw Error(fmt::format(
-        "the first word must be a verb, not the option '{}': options follow their verb, as in "
-        "polhode run --length \"1 ps\"; 'polhode help' lists the verbs",
-        word));
-  throw Error(fmt::format("there is no verb '{}'{} (there are: {})", word,
+    throw Error(
+        fmt::format("the option '{}' is in front of the verb; write the verb first, as in polhode "
+                    "run --length \"1 ps\" ('polhode help' lists the verbs)",
+                    word));
+  throw Error(fmt::format("there is no verb '{}'{} (the verbs are: {})", word,
                           did_you_mean(word, names), join_names(names)));
 }
 
@@ -79,7 +79,7 @@ Error parse_error(const CLI::ParseError& e, const CLI::App& app) {
     const bool option = left[0].starts_with('-');
     what = option ? fmt::format("polhode{} has no option '{}'{}", help, left[0],
                                 instead_of(left[0], *verbs[0]))
-                  : fmt::format("the argument '{}' is one too many for polhode{}", left[0], help);
+                  : fmt::format("unexpected argument '{}' for polhode{}", left[0], help);
   }
   return Error(fmt::format("{} ('polhode help{}' lists the options)", what, help));
 }
@@ -158,7 +158,7 @@ int main(int argc, char** argv) {
     return cli::exit_code(cli::run(cli::arguments(argc, argv)));
   } catch (const OutputError& e) {
     cli::print_error(e);
-    cli::log("  try  {}--force, which starts over and overwrites\n",
+    cli::log("  try  {}--force, which starts over and overwrites the earlier output\n",
              e.resumable() ? "--resume, which continues, or " : "");
     return cli::exit_code(2);
   } catch (const Error& e) {

@@ -48,8 +48,8 @@ void check_fix(LAMMPS* lammps, const Fix* own, const Fix* other, std::size_t eva
                 "without these atoms");
   if (other->time_integrate != 0 && evaluations > 1)
     throw Error(name + " integrates other atoms at each of the " + std::to_string(evaluations) +
-                " force evaluations in a step of the scheme, but their times are not equally "
-                "spaced; with another integrator the scheme must be velocity-verlet");
+                " force evaluations in a step of the scheme, whose times are not equally spaced; "
+                "with a second integrator the scheme must be velocity-verlet");
   for (const std::string_view changer : changers)
     if (other->style == changer && shares_atoms(lammps, own, other))
       throw Error(name +
@@ -98,8 +98,8 @@ void check_intervals(LAMMPS* lammps, std::size_t evaluations, std::size_t phase)
   const auto before = static_cast<LAMMPS_NS::bigint>(phase);
   check_multiple(update->laststep - update->firststep + before, evaluations,
                  phase == 0 ? "the length of the run"
-                            : "the length of the run with the " + std::to_string(phase) +
-                                  " evaluations of a step before it");
+                            : "the length of the run plus the " + std::to_string(phase) +
+                                  " force evaluations of an unfinished earlier step");
   if (output->thermo_every > 0)
     check_multiple(output->thermo_every, evaluations, "the interval of thermo");
   bool needs_start = output->thermo_every > 0;

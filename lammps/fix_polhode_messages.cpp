@@ -244,7 +244,8 @@ void FixPolhode::restart(char* buffer) {
   error->all(
       FLERR,
       "fix polhode: the restart file was written after {} of the {} force evaluations in a step, "
-      "but this scheme has {}; first complete the step with the scheme of the restart file",
+      "but the scheme of this run has {} per step; first complete the step with the scheme of the "
+      "restart file",
       phase_, evaluations, program_.size());
 }
 

@@ -127,7 +127,8 @@ class Parser {
     const std::string& word = words_[1];
     const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (status != std::errc() || end != word.data() + word.size() || value < 1)
-      refuse("the type '" + word + "' must be a number of 1 or more; labels are not read");
+      refuse("the type '" + word +
+             "' must be a number of 1 or more; type labels are not supported");
     return value;
   }
 

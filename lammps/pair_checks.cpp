@@ -60,8 +60,8 @@ void PairPolhode::check_inputs() const {
   if (mesh && force->kspace == nullptr)
     error->all(
         FLERR,
-        "pair_style polhode with electrostatics pme computes only the pairs of the Ewald sum and "
-        "needs a kspace style for the rest; add for example 'kspace_style pppm 1e-5'");
+        "pair_style polhode with electrostatics pme computes only the pair part of the Ewald sum; "
+        "add a kspace style for the mesh part, for example 'kspace_style pppm 1e-5'");
 }
 
 }  // namespace polhode::lammps

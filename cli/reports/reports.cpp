@@ -15,8 +15,8 @@ namespace {
 void print_report(const RunReport& r, const ResultForm& form) {
   if (form.json) return fmt::print("{}\n", run_json(r));
   if (r.guarantee && !r.guarantee->met())
-    log("warning: the accuracy guarantee of [integrator] accuracy was not met: {}; give a smaller "
-        "accuracy, or set the step yourself\n",
+    log("warning: the run does not meet its accuracy guarantee: {}; set accuracy in [integrator] "
+        "to a smaller bound, or set the step yourself\n",
         guarantee_text(*r.guarantee));
   print_results(run_quantities(r), form);
 }

@@ -25,7 +25,7 @@ int exit_code(int code) {
   const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
   if (!lost) return code;
   log("error: standard output could not be written completely ({}), but output files are complete; "
-      "free disk space, or read the output to its end, and repeat the command\n",
+      "free disk space, or keep the pipe open, and repeat the command\n",
       errno != 0 ? std::strerror(errno) : "an earlier write failed");
   return code == 0 ? 1 : code;
 }

@@ -40,8 +40,7 @@ Action convert_verb(Command& command) {
                   fmt::format("file to read: .{}, or a LAMMPS .data or .dump file",
                               fmt::join(writable_formats(), " .")))
       .required();
-  command.add_option("OUT", o->to, "file to write, in any of these formats except those of LAMMPS")
-      .required();
+  command.add_option("OUT", o->to, "file to write; .data and .dump can only be read").required();
   command.add_request(o->request);
   o->declare_force(command);
   return [o] { return convert_frames(*o); };

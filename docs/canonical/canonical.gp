@@ -1,4 +1,4 @@
-# Restyle this and run it again: gnuplot draws canonical.png.
+# To change the figure, edit this script and run gnuplot on it: it draws canonical.png.
 image = './canonical.png'
 format = 'png'
 width = 1200

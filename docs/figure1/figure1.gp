@@ -1,4 +1,4 @@
-# Restyle this and run it again: gnuplot draws figure1.png.
+# To change the figure, edit this script and run gnuplot on it: it draws figure1.png.
 image = './figure1.png'
 format = 'png'
 width = 1000

@@ -91,9 +91,9 @@ def new(kind: str, path: Path | None = None, *, ensemble: str | None = None,
     Args:
         kind (str): "water", "nvt", "npt", "mixture", "gromacs" or "lammps".
         path: file to write; default: KIND.toml. An existing file is never overwritten.
-        ensemble (str): ensemble of a kind without one (gromacs, lammps, water, mixture): nvt adds a
-            thermostat, npt a barostat, too.
-        mdp: run parameters of GROMACS to translate; those without counterpart are listed.
+        ensemble (str): ensemble, for the kinds gromacs, lammps, water and mixture: nvt adds a thermostat, npt
+            a thermostat and a barostat.
+        mdp: file of GROMACS run parameters (.mdp) to translate; parameters without a counterpart are listed.
         messages: called with each parameter without counterpart, and why, such as print.
 
     Returns:
@@ -159,7 +159,7 @@ def prepare(source: Source = None, *, pressure: Quantity | None = None, nvt: Qua
 
     Args:
         source, **keywords: as in settings(); the other arguments have precedence.
-        pressure: pressure of the barostat: "1 bar"; without any, the volume is constant.
+        pressure: pressure of the barostat: "1 bar"; without a pressure, the volume is constant.
         nvt: length of the constant-volume stage of prepare: "20 ps".
         npt: length of the constant-pressure stage of prepare, if there is a barostat: "100 ps".
         output, resume, force, threads, progress, messages: as in run().
@@ -255,7 +255,7 @@ def convert(source: Path, target: Path, *, names: Path | None = None,
 
     Args:
         source, target: files; their extensions select the formats.
-        names: file with the atom names, for formats without them: XTC, TRR, DCD.
+        names: file with the atom names, for formats without names: XTC, TRR, DCD.
         particles: settings of the run whose molecules the particles of a LAMMPS dump file are.
         every (int): write every Nth frame; default: 1.
         start: time of the first frame: "10 ps".
@@ -313,7 +313,7 @@ def study(source: Source = None, *, schemes: Texts | None = None,
 
     Args:
         source, **keywords: as in settings(); the other arguments have precedence.
-        schemes (list of str): schemes to compare, which may be nested.
+        schemes (list of str): single or nested schemes to compare.
         steps (list): time steps: "2 fs".
         runs (int): number of independent runs at each point.
         length: length of each run: "15 ps".
@@ -322,7 +322,8 @@ def study(source: Source = None, *, schemes: Texts | None = None,
         configurational_sample: interval between values of the configurational temperatures: "20 fs".
         ensemble (str): measure of accuracy, R or the bias of canonical averages: nve, nvt.
         quick (bool): small study, which takes one to three minutes on two cores.
-        from_record: record (of any version) from which to make the tables and the figure without new runs.
+        from_record: record of an earlier study, of any version, from which tables and figure are made without
+            new runs.
         output: prefix of the output files; default: study.
         force (bool): overwrite output files that exist.
         threads (int): number of simultaneous runs; default: one for each available core.
@@ -350,18 +351,19 @@ def advise(source: Source = None, *, accuracy: Quantity | None = None,
 
     Args:
         source, **keywords: as in settings(); the other arguments have precedence.
-        accuracy: largest R of a run: "0.5 %".
-        drift: largest energy drift per molecule: "0.1 kJ/mol/ns".
-        temperature_bias: largest difference between the temperatures of translation and rotation: "0.5 %".
-        bias (str): largest time-step bias of an average: "0.1 K" (of T_rot - T_trans), "energy 0.01 kJ/mol",
-            "pressure 4 bar", "density 0.02 %".
-        schemes (list of str): schemes from which the adviser chooses, which may be nested.
+        accuracy: upper bound on R of a run: "0.5 %".
+        drift: upper bound on the energy drift per molecule: "0.1 kJ/mol/ns".
+        temperature_bias: upper bound on the difference between the temperatures of translation and rotation:
+            "0.5 %".
+        bias (str): upper bound on the time-step bias of an average: "0.1 K" (of T_rot - T_trans), "energy
+            0.01 kJ/mol", "pressure 4 bar", "density 0.02 %".
+        schemes (list of str): single or nested schemes from which the adviser chooses.
         ensemble (str): ensemble: nve, or nvt to choose step and trajectory length of hybrid Monte Carlo;
             default: nve.
         evaluations (int): force evaluations of each pilot run in the ensemble nvt; default: 5000.
         time (float): approximate computing time, in seconds; default: 60.
-        length: length of the run, rounded to whole steps, at least one step: "15 ps"; the adviser plans such
-            a run.
+        length: length of the run, rounded to whole steps, at least one step: "15 ps"; the advice is for a run
+            of this length.
         output: prefix of the output files; default: advice.
         force, threads, progress, messages: as in study().
 
@@ -391,7 +393,7 @@ def tune_scheme(source: Source = None, *, scheme: str | None = None, step: Quant
         scheme (str): stages with free parameters: "free b = 0.2; B(b) A(1/2) ..."; default: the scheme of the
             run file, or the families of hoa2 and gier4.
         step: time step to tune for: "5 fs".
-        runs (int): number of runs that measure, and of runs that confirm; default: 4.
+        runs (int): number of runs for tuning, and the same number for confirmation; default: 4.
         length: length of each run; default: "2 ps".
         decorrelate: equilibration of each initial configuration; default: "2 ps".
         sample: time between samples of the error brackets; default: "20 fs".

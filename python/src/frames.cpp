@@ -71,7 +71,8 @@ struct FrameToWrite {
     for (std::size_t k = 0; k < names.size(); ++k)
       frame.kinds.push_back({residues.at(k), names.at(k), elements.at(k)});
     frame.atoms.resize(kinds.shape(0));
-    if (molecules.shape(0) != kinds.shape(0)) throw Error("there must be one molecule per atom");
+    if (molecules.shape(0) != kinds.shape(0))
+      throw Error("the array of molecule numbers must have one entry per atom");
     for (std::size_t i = 0; i < frame.atoms.size(); ++i) {
       const std::int64_t kind = kinds.data()[i];
       if (kind < 0 || static_cast<std::size_t>(kind) >= frame.kinds.size())

@@ -39,9 +39,8 @@ InstructionSet initial_instruction_set() {
   const char* requested = std::getenv("POLHODE_INSTRUCTION_SET");
   if (std::getenv("POLHODE_TARGET") != nullptr)
     throw Error(
-        "the environment variable POLHODE_TARGET has been called POLHODE_INSTRUCTION_SET since "
-        "version "
-        "0.2; set POLHODE_INSTRUCTION_SET");
+        "the environment variable POLHODE_TARGET was renamed in version 0.2; set "
+        "POLHODE_INSTRUCTION_SET instead");
   if (requested == nullptr || *requested == '\0') return instruction_sets.back();
   std::string list;
   for (const InstructionSet instruction_set : instruction_sets) {

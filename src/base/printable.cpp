@@ -53,10 +53,10 @@ void check_name(std::string_view what, std::string_view name) {
   for (std::string_view rest = name; !rest.empty();) {
     const std::size_t length = printable_length(rest);
     if (length == 0)
-      throw Error(fmt::format(
-          "the name of {}, '{}', contains the byte 0x{:02x}, a control character or not UTF-8; "
-          "names are written to tables, scripts and terminals, so choose another name",
-          what, printable(name), static_cast<unsigned char>(rest[0])));
+      throw Error(
+          fmt::format("the name of {}, '{}', contains the byte 0x{:02x}, which is a control "
+                      "character or not UTF-8; choose a name of printable characters",
+                      what, printable(name), static_cast<unsigned char>(rest[0])));
     rest.remove_prefix(length);
   }
 }

@@ -52,8 +52,8 @@ ConstantTerms constant_terms_of(const Topology& topology, const ForceSettings& s
 const ForceSettings& without_other_mesh(const ForceSettings& settings) {
   if (settings.ewald_alpha)
     throw Error(
-        "ewald_alpha applies only to pairs whose mesh another program computes (DomainForces); a "
-        "force field has its own mesh, so leave ewald_alpha out");
+        "ewald_alpha is only for DomainForces, where another program computes the Ewald mesh; "
+        "leave ewald_alpha out");
   return settings;
 }
 

@@ -140,8 +140,8 @@ class Placing {
   void check(std::size_t i, const Neighbour& n, double found) const {
     if (std::abs(found - n.length) > distance_tolerance)
       throw Error(
-          fmt::format("the distance of points {} and {} is {} nm, but the other distances give "
-                      "{:.6f} nm; both must agree within {} nm, or the shape does not exist",
+          fmt::format("the distance between points {} and {} is {} nm, but the other distances "
+                      "give {:.6f} nm; both must agree within {} nm, or no such shape exists",
                       i + 1, n.point + 1, n.length, found, distance_tolerance));
   }
 
@@ -156,8 +156,9 @@ Neighbours neighbours_of(std::size_t count, std::span<const Distance> distances)
   Neighbours neighbours(count);
   for (const Distance& d : distances) {
     if (!(d.length > 0) || !std::isfinite(d.length))
-      throw Error(fmt::format("the distance of points {} and {} is {} nm; it must be above 0 nm",
-                              d.first + 1, d.second + 1, d.length));
+      throw Error(
+          fmt::format("the distance between points {} and {} is {} nm; it must be above 0 nm",
+                      d.first + 1, d.second + 1, d.length));
     neighbours[d.first].push_back({d.second, d.length});
     neighbours[d.second].push_back({d.first, d.length});
   }

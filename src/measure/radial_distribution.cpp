@@ -229,7 +229,7 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
   }
   for (std::size_t w = 0; w < words.size(); ++w)
     if (std::none_of(kinds.begin(), kinds.end(), [&](auto& kind) { return kind[w]; }))
-      throw Error(fmt::format("no site is named '{}'{} (there are: {})", words[w],
+      throw Error(fmt::format("no site is named '{}'{} (the sites are: {})", words[w],
                               did_you_mean(words[w], all_names), join_names(all_names)));
 
   // Weight of a pair of sites of two kinds: 1 if both selections are the same, otherwise 1 for each

@@ -76,22 +76,22 @@ void check(double sigma, double epsilon, const ShortRangeLaw& law) {
     refuse(fmt::format("sigma is {} nm and epsilon {} kJ/mol; both must be finite and 0 or more",
                        sigma, epsilon));
   if (epsilon > 0 && sigma == 0)
-    refuse(fmt::format("epsilon is {} kJ/mol, but sigma is 0 nm; the law needs both parameters",
-                       epsilon));
+    refuse(fmt::format(
+        "epsilon is {} kJ/mol, but sigma is 0 nm; Lennard-Jones needs both parameters", epsilon));
   if (const auto* mie = std::get_if<MieLaw>(&law)) {
     if (!(mie->m > 3 && mie->n > mie->m && mie->n <= 100))
       refuse(fmt::format(
-          "the exponents are {} and {}; the attractive exponent must be above 3, so that the "
-          "energy of a fluid is finite, and the repulsive exponent must be larger, but at most 100",
+          "the exponents are {} and {}; the attractive exponent must be above 3 for a finite "
+          "energy of a fluid, and the repulsive exponent must be larger, up to 100",
           mie->n, mie->m));
   }
   if (const auto* exp6 = std::get_if<BuckinghamLaw>(&law)) {
     const auto& [A, B, C] = *exp6;
     if (!(A > 0 && B > 0 && C >= 0) || !std::isfinite(A + B + C))
-      refuse(fmt::format(
-          "the law has A = {} kJ/mol, B = {} 1/nm and C = {} kJ/mol nm6; A and B must be above 0 "
-          "and C 0 or more",
-          A, B, C));
+      refuse(
+          fmt::format("the Buckingham potential has A = {} kJ/mol, B = {} 1/nm and C = {} kJ/mol "
+                      "nm6; A and B must be above 0 and C 0 or more",
+                      A, B, C));
     // The slope u' is 0 where (B r)⁷ exp(−B r) = 6 C B⁶/A. The left side is largest at B r = 7.
     if (6 * C * std::pow(B, 6) / A >= std::pow(7 * std::exp(-1), 7))
       refuse(fmt::format(

@@ -27,22 +27,23 @@ constexpr std::array of_run{
     JobSetting{"thermostat_time_constant", "thermostat.time_constant", "", "time_constant"},
     JobSetting{"barostat", "barostat.type", ", none"},
     JobSetting{"pressure", "barostat.pressure",
-               "; without a barostat it selects cell-rescaling, and without a thermostat langevin"},
+               "; adds cell-rescaling to a run without a barostat, and langevin to a run without a "
+               "thermostat"},
     JobSetting{"hybrid_steps", "hybrid_monte_carlo.steps", "; 0 switches it off"},
     output};
 constexpr std::array of_prepare{
     precision,
     temperature,
     seed,
-    JobSetting{"pressure", "barostat.pressure", "; without any, the volume is constant"},
+    JobSetting{"pressure", "barostat.pressure", "; without a pressure, the volume is constant"},
     JobSetting{"nvt", "prepare.nvt"},
     JobSetting{"npt", "prepare.npt"},
     output};
 constexpr std::array of_minimise{output};
 constexpr std::array of_export{output, scheme, step};
-constexpr std::array of_advise{JobSetting{"schemes", "integrator.candidates"},
-                               JobSetting{"length", "run.length", "; the adviser plans such a run"},
-                               precision};
+constexpr std::array of_advise{
+    JobSetting{"schemes", "integrator.candidates"},
+    JobSetting{"length", "run.length", "; the advice is for a run of this length"}, precision};
 constexpr std::array of_study{JobSetting{"ensemble", "study.ensemble"},
                               JobSetting{"schemes", "study.schemes"},
                               JobSetting{"steps", "study.steps"},

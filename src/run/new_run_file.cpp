@@ -39,10 +39,11 @@ std::string text_of(const std::string& kind, const std::string& file,
 std::vector<RequestOption<NewRunFileRequest>> NewRunFileRequest::options() {
   using R = NewRunFileRequest;
   return {{"ensemble", &R::ensemble,
-           "ensemble of a kind without one (gromacs, lammps, water, mixture): nvt adds a "
-           "thermostat, npt a barostat, too"},
+           "ensemble, for the kinds gromacs, lammps, water and mixture: nvt adds a thermostat, npt "
+           "a thermostat and a barostat"},
           {"mdp", &R::mdp,
-           "run parameters of GROMACS to translate; those without counterpart are listed"}};
+           "file of GROMACS run parameters (.mdp) to translate; parameters without a counterpart "
+           "are listed"}};
 }
 
 std::string new_run_file(const std::string& kind, const std::string& file,

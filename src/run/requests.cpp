@@ -56,12 +56,13 @@ MinimisationSettings MinimisationRequest::settings() const {
 
 std::vector<RequestOption<ConversionRequest>> ConversionRequest::options() {
   using R = ConversionRequest;
-  return {{"particles", &R::particles,
-           "run file whose molecules are the particles of a LAMMPS dump file"},
-          {"names", &R::names, "file with the atom names, for formats without them: XTC, TRR, DCD"},
-          {"every", &R::every, "write every Nth frame; default: 1"},
-          {"start", &R::start, "time of the first frame: \"10 ps\"", "from"},
-          {"stop", &R::stop, "time of the last frame", "to"}};
+  return {
+      {"particles", &R::particles,
+       "run file whose molecules are the particles of a LAMMPS dump file"},
+      {"names", &R::names, "file with the atom names, for formats without names: XTC, TRR, DCD"},
+      {"every", &R::every, "write every Nth frame; default: 1"},
+      {"start", &R::start, "time of the first frame: \"10 ps\"", "from"},
+      {"stop", &R::stop, "time of the last frame", "to"}};
 }
 
 Conversion ConversionRequest::conversion(const std::string& from, const std::string& to,
@@ -77,12 +78,14 @@ Conversion ConversionRequest::conversion(const std::string& from, const std::str
 
 std::vector<RequestOption<AdviceRequest>> AdviceRequest::options() {
   using R = AdviceRequest;
-  return {{"accuracy", &R::accuracy, "largest R of a run: \"0.5 %\""},
-          {"drift", &R::drift, "largest energy drift per molecule: \"0.1 kJ/mol/ns\""},
+  return {{"accuracy", &R::accuracy, "upper bound on R of a run: \"0.5 %\""},
+          {"drift", &R::drift, "upper bound on the energy drift per molecule: \"0.1 kJ/mol/ns\""},
           {"temperature_bias", &R::temperature_bias,
-           "largest difference between the temperatures of translation and rotation: \"0.5 %\""},
+           "upper bound on the difference between the temperatures of translation and rotation: "
+           "\"0.5 %\""},
           {"bias", &R::bias,
-           "largest time-step bias of an average: \"0.1 K\" (of T_rot - T_trans), \"energy 0.01 "
+           "upper bound on the time-step bias of an average: \"0.1 K\" (of T_rot - T_trans), "
+           "\"energy 0.01 "
            "kJ/mol\", \"pressure 4 bar\", \"density 0.02 %\""},
           {"ensemble", &R::ensemble,
            "ensemble: nve, or nvt to choose step and trajectory length of hybrid Monte Carlo; "
@@ -105,8 +108,9 @@ AdviserSettings AdviceRequest::settings(const Config& config) const {
   for (const Given* one : {&accuracy, &drift, &temperature_bias, &bias}) {
     if (!*one) continue;
     if (requirement != nullptr)
-      throw Error(fmt::format("{} excludes {}: the step meets one bound; give one of them",
-                              requirement->name, one->name));
+      throw Error(fmt::format(
+          "{} excludes {}, since the step is chosen for a single bound; give only one of the two",
+          requirement->name, one->name));
     requirement = one;
   }
   AdviserSettings s{.criterion = {}, .schemes = config.integrator.candidates};
@@ -133,7 +137,9 @@ HybridAdviserSettings AdviceRequest::hybrid_settings(const Config& config,
   if (evaluations) s.evaluations = given_whole_number(evaluations, 100, max_count);
   if (!schemes_given) return s;
   if (config.integrator.candidates.size() > 1)
-    throw Error("several schemes are given; hybrid Monte Carlo is advised for one at a time");
+    throw Error(
+        "several schemes are given, but advice on hybrid Monte Carlo is for one scheme; give a "
+        "single scheme");
   s.scheme = config.integrator.candidates.front();
   return s;
 }
@@ -141,7 +147,8 @@ HybridAdviserSettings AdviceRequest::hybrid_settings(const Config& config,
 std::vector<RequestOption<StudyRequest>> StudyRequest::options() {
   using R = StudyRequest;
   return {{"from_record", &R::from_record,
-           "record (of any version) from which to make the tables and the figure without new runs"},
+           "record of an earlier study, of any version, from which tables and figure are made "
+           "without new runs"},
           {"output", &R::output, "prefix of the output files; default: " + R{}.prefix()}};
 }
 
@@ -157,7 +164,8 @@ std::vector<RequestOption<TuneRequest>> TuneRequest::options() {
        "run file, or the families of hoa2 and gier4"},
       {"step", &R::step, "time step to tune for: \"5 fs\""},
       {"runs", &R::runs,
-       fmt::format("number of runs that measure, and of runs that confirm; default: {}", d.runs)},
+       fmt::format("number of runs for tuning, and the same number for confirmation; default: {}",
+                   d.runs)},
       {"length", &R::length, with_default("length of each run", d.length)},
       {"decorrelate", &R::decorrelate,
        with_default("equilibration of each initial configuration", d.decorrelate)},

@@ -45,7 +45,7 @@ class Bench(Sandbox):
     def test_text_and_other_sizes(self):
         process = self.polhode("bench", "--quick", "--sizes", "216,600", "--precision", "mixed", "--threads", "1", "--verbose")
         self.assertEqual(process.returncode, 0, process.err)
-        for words in ("216 waters", "600 waters", "multiply-adds", "mixed", "hoa2", "ns/day", "spends outside the forces"):
+        for words in ("216 waters", "600 waters", "multiply-adds", "mixed", "hoa2", "ns/day", "not spent on forces"):
             self.assertIn(words, process.out)
         self.assertNotIn("double", process.out)
 

@@ -41,7 +41,7 @@ class Study(Sandbox):
         self.assertFalse((self.folder / "new-runs.csv").exists())
         # The same file is refused if runs would be added to it.
         self.write(RECORD, before)
-        self.refused(("study", "run.toml"), ["another study", "tables from that record", "--force"])
+        self.refused(("study", "run.toml"), ["another study", "tables from this record", "--force"])
         # Tables are not overwritten without --force.
         self.refused(("study", "run.toml", "--from-record", "old.csv", "--output", "new"), ["'new.csv'", "--force"])
 

@@ -247,7 +247,7 @@ run {evaluations * round(values["length"] / values["step"])}
             (base.replace("run 1", "compute p all pair/local eng\ndump d all local 1 d.dump c_p\nrun 1"), ["does not support compute pair/local"]),
             (base.replace("run 1", "set atom 5 charge 0.1\nrun 1"), ["has charges from 0.0", "use other atom types"]),
             (base.replace("run 1", "kspace_style pppm 1e-4\nrun 1"), ["incompatible"]),
-            (pme, ["needs a kspace style"]),
+            (pme, ["add a kspace style"]),
             (pme.replace("run 1", "kspace_style msm 1e-3\nrun 1"), ["incompatible"]),
             (pme.replace("run 1", "kspace_style pppm 1e-4\nkspace_modify gewald 9 mesh 24 24 24\nrun 1"),
              ["times the cutoff of the charges is 5.22"]),

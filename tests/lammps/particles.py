@@ -151,7 +151,7 @@ class Particles(RunTest):
             (base.replace("run-1.molecule", "short.molecule"), ["short.molecule:", "ends after 4 of 5"]),
             (base.replace("run-1.molecule", "flat.molecule"), ["flat.molecule:", "'Coordinates' is not a section"]),
             (base.replace("run-1.molecule", "untyped.molecule"), ["no section Types"]),
-            (base.replace("run-1.molecule", "labels.molecule"), ["labels.molecule:", "labels are not read"]),
+            (base.replace("run-1.molecule", "labels.molecule"), ["labels.molecule:", "type labels are not supported"]),
             (base.replace("run-1.molecule", "many.molecule"), ["has sites of type 9"]),
             (base.replace("run-1.molecule", "heavy.molecule"), ["both masses must be equal"]),
             (base.replace("fix rigid all", "set atom 7 d2_orientation[2] 3\nfix rigid all"), ["particle 7 has an orientation of length"]),

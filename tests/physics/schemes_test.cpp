@@ -205,7 +205,7 @@ TEST_CASE("a scheme with exact gradients refuses forces without a derivative") {
   const scenes::Scene scene = scenes::water_cluster();
   PlainSpring spring;
   check_error([&] { Integrator(scheme_of("gier4"), scene.bodies, spring); },
-              {"these forces have no derivative", "gier4-fd"});
+              {"the forces have no derivative", "gier4-fd"});
   Integrator(scheme_of("gier4-fd"), scene.bodies, spring);
 }
 

@@ -240,13 +240,14 @@ TEST_CASE("what a law cannot do is refused") {
   const Box box{{5, 5, 5}};
   ForceSettings corrected{.cutoff = 1.2, .switch_from = 1};
   corrected.dispersion_correction = true;
-  check_error([&] { ForceField(argon, corrected, box); },
-              {"dispersion_correction needs the law at all distances", "leave the correction out"});
+  check_error(
+      [&] { ForceField(argon, corrected, box); },
+      {"dispersion_correction needs the potential at all distances", "leave the correction out"});
   check_error([&] { ForceField(argon, {.cutoff = 1.7, .switch_from = 1}, box); },
               {"ends at 1.6 nm, but sites interact up to 1.7 nm", "shorter cutoff"});
   const Topology unlike{{{read_molecule("argon-ab-initio"), 2}, {read_molecule("argon"), 2}}};
   check_error([&] { ForceField(unlike, {.cutoff = 1.2, .switch_from = 1}, box); },
-              {"but no mixing rule applies", "[[pair]]"});
+              {"which no mixing rule combines", "[[pair]]"});
 }
 
 // Closer than the inner limit Buckingham's law falls to −∞: the energy is not a number, which ends
@@ -261,7 +262,8 @@ TEST_CASE("sites inside the inner limit have no energy") {
         ForceSettings settings{.cutoff = 1.2, .switch_from = 1};
         settings.precision = precision;
         CHECK(std::isnan(load_of(topology, settings, state).van_der_waals));
-        CHECK(inner_limit_note(topology).find("the inner limit of their law") != std::string::npos);
+        CHECK(inner_limit_note(topology).find(
+                  "the shortest distance at which their potential is valid") != std::string::npos);
       });
   CHECK(inner_limit_note({{{read_molecule("tip4p"), 1}}}).empty());
 }

@@ -407,7 +407,7 @@ class Results(unittest.TestCase):
         self.assertIn("192 atoms are too many", str(caught.exception))
 
     def test_names_of_elements_in_a_view_are_not_markup(self):
-        with self.assertRaisesRegex(polhode.Error, "no chemical element"):
+        with self.assertRaisesRegex(polhode.Error, "not a chemical element"):
             polhode.Simulation(molecules={"name": "a", "source": "-", "site": [
                 {"name": "A", "element": "</", "position": "0 0 0 nm", "mass": "1 u"}]}, count=2, box="3 nm", cutoff="1 nm")
 

@@ -87,7 +87,7 @@ class Integrator {
     const bool difference = scheme.has(Gradient::finite_difference);
     if (exact && !OffersDerivative<Forces>)
       throw Error(
-          "the scheme has exact gradient kicks and these forces have no derivative; give them a "
+          "the scheme has exact gradient kicks, but the forces have no derivative; define "
           "directional_derivative, or use finite differences as in \"gier4-fd\"");
     if (exact) dq_ = dtheta_ = Vec3Column(bodies.size());
     if (difference) shifted_ = State(bodies.size(), {});

@@ -105,7 +105,7 @@ class Scheme {
     for (const Stage& stage : half) stages_[count_++] = stage;
     for (const Flow flow : all_flows) complete(flow);
     for (std::size_t i = count_ - 1; i-- > 0;) stages_[count_++] = stages_[i];
-    if (!consistent()) throw "the drifts, the kicks or the baths of a scheme do not sum to one";
+    if (!consistent()) throw "the coefficients of drifts, of kicks or of baths do not sum to 1";
   }
 
   /// A scheme whose stages are known only at run time: see scheme_of().

@@ -22,10 +22,11 @@ enum class BathPlace {
 /// @throws Error  if the scheme already has a bath, is not a palindrome (and so has no middle
 ///   stage), or would have too many stages
 inline Scheme with_bath(const Scheme& scheme, BathPlace place, std::string_view name = "") {
-  if (scheme.has(Flow::bath)) throw Error("the scheme has a bath O already; leave its place out");
+  if (scheme.has(Flow::bath))
+    throw Error("the scheme already has a bath O; use the scheme without with_bath()");
   std::vector<Stage> stages(scheme.stages().begin(), scheme.stages().end());
   if (stages.size() + 2 > Scheme::max_stages)
-    throw Error("the scheme has too many stages for a bath; use one with fewer");
+    throw Error("the scheme has too many stages for a bath; use a shorter scheme");
   switch (place) {
     case BathPlace::ends:
       stages.insert(stages.begin(), O(0.5));
@@ -34,8 +35,8 @@ inline Scheme with_bath(const Scheme& scheme, BathPlace place, std::string_view 
     case BathPlace::middle: {
       if (!scheme.palindromic())
         throw Error(
-            "the stages of the scheme are no palindrome, so it has no middle; put the bath "
-            "at the ends, or write the stages O(...) where they should be");
+            "the scheme is not a palindrome, so it has no middle stage; put the bath at the ends, "
+            "or write its stages O(...) yourself");
       const auto middle = stages.begin() + static_cast<std::ptrdiff_t>(stages.size() / 2);
       if (stages.size() % 2 == 0) {
         stages.insert(middle, O(1));

@@ -62,9 +62,10 @@ struct ShadowSummary {
   std::uint64_t samples = 0;
   SeriesEstimate fluctuation;  ///< rms deviation of the shadow energy [kJ/mol]
   Drift drift;                 ///< drift of the shadow energy [kJ/mol/ps]
-  /// The factor by which an energy drift becomes significant sooner in the shadow energy than in
-  /// the energy. Standard errors fall with the length of a run as t^{−3/2}, so the times are
-  /// proportional to the errors to the power 2/3. Empty if any of the errors is not known.
+  /// The factor by which an energy drift becomes significant in a shorter time with the shadow
+  /// energy than in the energy. Standard errors fall with the length of a run as t^{−3/2}, so the
+  /// times are proportional to the errors to the power 2/3. Empty if any of the errors is not
+  /// known.
   std::optional<double> time_gain;
 };
 

@@ -53,9 +53,10 @@ Fault fault_of_truncation(const ForceSettings& s) {
         "smoothness", fmt::format("{}", s.smoothness),
         "must be 1, 2 or 3, the number of continuous derivatives of the switching function"};
   if (s.dispersion_correction && s.truncation == Truncation::site_shift)
-    return SettingFault{"dispersion_correction", "true",
-                        "cannot be combined with truncation = \"site-shift\", since shifting "
-                        "changes the law at all distances; leave it out, or use \"site-switch\""};
+    return SettingFault{
+        "dispersion_correction", "true",
+        "cannot be combined with truncation = \"site-shift\", which shifts the potential at all "
+        "distances; leave the correction out, or use \"site-switch\""};
   return std::nullopt;
 }
 
@@ -65,11 +66,10 @@ Fault fault_of_electrostatics(const ForceSettings& s) {
                         "must be 1 (vacuum) or more, or \"infinite\""};
   if (s.electrostatics == Electrostatics::damped_shifted_force &&
       !(s.damping >= 0 && s.damping * s.cutoff <= max_damping))
-    return SettingFault{
-        "damping", fmt::format("{:g} 1/nm", s.damping),
-        fmt::format("must be 0 or more, and at most {:g} divided by the cutoff, {:.4g} 1/nm, "
-                    "because this damping already screens charges completely; {:g} 1/nm is usual",
-                    max_damping, max_damping / s.cutoff, ForceSettings{}.damping)};
+    return SettingFault{"damping", fmt::format("{:g} 1/nm", s.damping),
+                        fmt::format("must be from 0 to {:g} / cutoff = {:.4g} 1/nm, where charges "
+                                    "are already screened completely; {:g} 1/nm is usual",
+                                    max_damping, max_damping / s.cutoff, ForceSettings{}.damping)};
   if (s.coulomb_cutoff && s.electrostatics != Electrostatics::pme)
     return SettingFault{"coulomb_cutoff", in_nm(*s.coulomb_cutoff),
                         fmt::format("has no meaning without electrostatics = \"{}\"; leave it out",
@@ -88,8 +88,8 @@ Fault fault_of_electrostatics(const ForceSettings& s) {
   if (s.precision == Precision::mixed && s.pme_accuracy < min_pme_accuracy_in_mixed)
     return SettingFault{
         "pme_accuracy", fmt::format("{:g}", s.pme_accuracy),
-        fmt::format("must be {:g} or more in mixed precision, about the rounding error of a "
-                    "single-precision mesh; or use precision = \"double\"",
+        fmt::format("must be {:g} or more in mixed precision, since a single-precision mesh has "
+                    "about this rounding error; otherwise use precision = \"double\"",
                     min_pme_accuracy_in_mixed)};
   return std::nullopt;
 }

@@ -25,16 +25,16 @@ void check_site(const std::string& word, const Topology& topology) {
     }
   if (std::find(names.begin(), names.end(), word) != names.end()) return;
   if (bare)
-    throw Error(
-        fmt::format("site '{}' has no short-range law, so pairs with this site are skipped; set "
-                    "sigma and epsilon of the site in its molecule file, or leave the pair out",
-                    word));
+    throw Error(fmt::format(
+        "site '{}' has no short-range potential, so a [[pair]] with this site has no effect; set "
+        "its sigma and epsilon in the molecule file, or delete the [[pair]]",
+        word));
   const std::string near = did_you_mean(word, names);
   throw Error(fmt::format(
       "there is no site '{}' in this system{}", word,
       !near.empty() ? near
       : names.empty()
-          ? "; no site of this system has a short-range law, so leave the pair out"
+          ? "; no site of this system has a short-range potential, so delete the [[pair]]"
           : "; sites are written as molecule.site; the sites are: " + join_names(names)));
 }
 

@@ -65,7 +65,7 @@ struct Tabulated {
   /// The integral beyond a distance does not exist.
   /// @throws Error  always, because a table has no values beyond its end
   double integral_beyond(double) const {
-    throw Error("dispersion_correction needs the law at all distances, and table '" +
+    throw Error("dispersion_correction needs the potential at all distances, but table '" +
                 table->name() + "' has no values beyond its end; leave the correction out");
   }
 };

@@ -23,7 +23,7 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
   if (cutoff > shortest / 2)
     throw Error(fmt::format(
         "{} {:.3f} nm is longer than half of the shortest box edge ({:.3f} nm), so a molecule "
-        "would interact with two images of a partner; the maximum cutoff is {:.3f} nm",
+        "would interact with two images of another molecule; the maximum cutoff is {:.3f} nm",
         cutoff > settings.cutoff ? "coulomb_cutoff" : "cutoff", cutoff, shortest,
         round_down(shortest / 2)));
   double extent = 0;

@@ -17,8 +17,9 @@ std::string_view template_text(std::string_view name) {
 }  // namespace
 
 FigureScript::FigureScript(const Image& image, int width, int height)
-    : text_(fmt::format("# Restyle this and run it again: gnuplot draws {}.\n",
-                        gnuplot_comment(image.name))) {
+    : text_(fmt::format(
+          "# To change the figure, edit this script and run gnuplot on it: it draws {}.\n",
+          gnuplot_comment(image.name))) {
   file("image", image.name).text("format", image.format);
   count("width", static_cast<std::size_t>(width)).count("height", static_cast<std::size_t>(height));
 }

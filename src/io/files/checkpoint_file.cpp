@@ -90,7 +90,7 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
   constexpr std::size_t head = length_at + number;
   if (bytes_.size() < head + number || !rest_.starts_with(magic))
     throw DamagedCheckpoint(fmt::format(
-        "'{}' is not a checkpoint: the mark at the beginning of the file is missing", path_));
+        "'{}' is not a checkpoint: the file does not begin like a polhode checkpoint", path_));
   if (const std::uint64_t length = number_at(rest_, length_at); length != rest_.size())
     throw DamagedCheckpoint(fmt::format("the checkpoint '{}' is incomplete: it has {} bytes of {}",
                                         path_, rest_.size(), length));

@@ -120,7 +120,7 @@ void check_length_of_name(const std::string& path) {
   if (length > max_length)
     throw Error(
         fmt::format("the file name of the output '{}' has {} bytes; the maximum is {} bytes, since "
-                    "the name of an unfinished file is {} bytes longer",
+                    "the temporary file has a name that is {} bytes longer",
                     path, length, max_length, longer));
 }
 

@@ -196,8 +196,9 @@ void each_row(const std::string& path, std::uint64_t bytes,
     visit(row);
   }
   if (read != bytes)
-    throw Error(
-        fmt::format("'{}' has no end of line at byte {}, where the table ended", path, bytes));
+    throw Error(fmt::format(
+        "'{}' has no end of line at byte {}, where the table ended when the checkpoint was written",
+        path, bytes));
 }
 
 void refuse_existing(const std::string& path, bool force) {

@@ -68,8 +68,8 @@ void FrameFit::check_alone(const FrameExtent& frame) const {
   for (const double coordinate : {frame.min, frame.max})
     if (!(limits_.min <= coordinate && coordinate <= limits_.max))
       throw Error(fmt::format(
-          "a coordinate has or can reach {:.10g} nm; in a .{} file coordinates must be from "
-          "{:.10g} to {:.10g} nm: write another format, or wrap molecules into the box",
+          "a coordinate may reach {:.10g} nm, but coordinates in a .{} file must be from {:.10g} "
+          "to {:.10g} nm; write another format, or wrap molecules into the box",
           coordinate, format_, limits_.min, limits_.max));
   if (!(frame.edge <= limits_.edge))
     throw Error(
@@ -87,9 +87,9 @@ void FrameFit::check_time(const FrameExtent& frame) const {
   const double rounding = 0x1p-22 * std::abs(frame.time) * (1 + n);
   if (std::abs(frame.time - due) <= 0.01 * std::abs(interval_) + rounding) return;
   throw Error(
-      fmt::format("frame {} is at {:g} ps instead of {:g} ps: the interval between the first two "
-                  "frames, {:g} ps, must be the interval of all frames in a .{} file; choose "
-                  "evenly spaced frames, or write another format",
+      fmt::format("frame {} is at {:g} ps instead of {:g} ps: the first two frames are {:g} ps "
+                  "apart, and all frames of a .{} file must have equal intervals; choose evenly "
+                  "spaced frames, or write another format",
                   before_ + 1, frame.time, due, interval_, format_));
 }
 

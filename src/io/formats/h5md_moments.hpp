@@ -24,7 +24,8 @@ class Moments {
   Moments(hid_t dataset, const std::string& name) {
     const auto extents = hdf5::extents(dataset);
     if (extents.size() > 1)
-      throw Error(fmt::format("'{}' must be one number for each frame, or one for all", name));
+      throw Error(fmt::format(
+          "'{}' must be one number for each frame, or one number for all frames", name));
     is_list_ = !extents.empty();
     numbers_.resize(is_list_ ? extents[0] : 1);
     const bool read = numbers_.empty() || H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL,

@@ -119,7 +119,9 @@ class H5mdReader : public FrameReader {
       if (hdf5::has(file_, root + std::string("/") + "position/value")) root_ = root + '/';
     }
     if (root_.empty())
-      refuse("no group below 'particles' has 'position/value'; one group must have it");
+      refuse(
+          "no group below 'particles' has the dataset 'position/value'; an H5MD trajectory must "
+          "have one");
     position_ = series("position", {Dimension::length});
     if (position_.extents.size() != 3 || position_.extents[2] != 3)
       refuse("'position/value' must have three dimensions: frames, atoms and 3");
@@ -251,8 +253,8 @@ class H5mdReader : public FrameReader {
     } catch (const Error& e) {
       throw e.at(fmt::format("{}, {}", name_, element));
     }
-    refuse(
-        fmt::format("'{}' is in '{}'; it must be in a single unit, such as \"nm\"", element, text));
+    refuse(fmt::format("'{}' has the unit '{}'; it must be a single unit, such as \"nm\"", element,
+                       text));
   }
 
   void find_box() {
@@ -348,7 +350,9 @@ class H5mdReader : public FrameReader {
     if (species.size() != count || residues.size() != count) return;
     for (const int kind : species)
       if (kind < 0 || static_cast<std::size_t>(kind) >= names.size())
-        refuse(fmt::format("an atom is of species {}; it must be 0 to {}", kind, names.size() - 1));
+        refuse(
+            fmt::format("an atom has the species number {}; species numbers must be from 0 to {}",
+                        kind, names.size() - 1));
     kinds_.clear();
     for (std::size_t k = 0; k < names.size(); ++k)
       kinds_.push_back({residue_names[k], names[k], elements[k]});

@@ -176,11 +176,10 @@ class H5mdWriter : public FrameWriter {
           "'{}' has no positions to append to; restore the file that the run wrote, or start over",
           path_));
     if (series_.contains("particles/bodies/attitude"))
-      throw Error(
-          fmt::format("'{}' was written by an earlier version, which called 'orientation' "
-                      "'particles/bodies/attitude'; resume the run with the earlier version of "
-                      "polhode, or start over",
-                      path_));
+      throw Error(fmt::format(
+          "'{}' was written by an earlier version of polhode, in which 'orientation' was called "
+          "'particles/bodies/attitude'; resume the run with that version, or start over",
+          path_));
     frames_ = frames;
   }
 

@@ -219,8 +219,8 @@ std::vector<IntegerVector> unpack_integers(const IntegerVector& lower, const Int
   for (std::size_t k = 0; k < 3; ++k)
     if (upper[k] < lower[k] || std::int64_t{upper[k]} - lower[k] >= max_width)
       throw Error(
-          fmt::format("packed coordinates range from {} to {}; the second must not be smaller, nor "
-                      "exceed the first by {} or more",
+          fmt::format("packed coordinates range from {} to {}; the maximum must be at least the "
+                      "minimum, and their difference less than {}",
                       lower[k], upper[k], max_width));
   const auto check_range = [](std::int32_t index) {
     if (index < first_range || index > last_range)

@@ -76,9 +76,9 @@ class PdbReader : public FrameReader {
     };
     if (is_digit(12) && columns(line, 35, 35) != ".")
       lines_.refuse(
-          "the serial of an atom extends beyond character 11 and x has no decimal point in "
-          "character 35, so columns are shifted; write serials of five characters, modulo 100000 "
-          "or hybrid-36");
+          "the serial number of an atom extends beyond character 11 and shifts x, whose decimal "
+          "point must be in character 35; write serials of five characters, modulo 100000 or "
+          "hybrid-36");
   }
 
   // An atom with alternate locations appears more than once; only one location may remain.
@@ -89,7 +89,7 @@ class PdbReader : public FrameReader {
     if (location != location_)
       lines_.refuse(
           fmt::format("a residue has atoms in the alternate locations '{}' and '{}' (character "
-                      "17); each atom must have one position, so delete the others",
+                      "17); each atom must have one position, so delete all other locations",
                       location_, location));
   }
 

@@ -185,9 +185,10 @@ void check_names(const GromacsTopology& gromacs, const TopologySettings& setting
   for (const auto& block : gromacs.blocks) names.push_back(gromacs.molecules[block.molecule].name);
   const auto require = [&](const std::string& name, const char* what) {
     if (std::find(names.begin(), names.end(), name) != names.end()) return;
-    throw Error(fmt::format("'{}' {} and no molecule of the topology has that name; there are: {}",
-                            name, what, join_names(names)),
-                gromacs.file);
+    throw Error(
+        fmt::format("'{}' {}, but no molecule of the topology has this name; the names are: {}",
+                    name, what, join_names(names)),
+        gromacs.file);
   };
   for (const std::string& name : settings.rigid) require(name, "is declared rigid");
   for (const auto& [name, shape] : settings.shapes) require(name, "has a shape");

@@ -105,7 +105,7 @@ void Translation::system() {
   if (draws && drawn != temperature)
     mdp_.differs("gen-temp", "velocities are drawn at the temperature of the thermostat");
   if (std::any_of(baths.begin(), baths.end(), [&](double T) { return T != baths.front(); }))
-    mdp_.differs("ref-t", "all molecules have one temperature, the first of these");
+    mdp_.differs("ref-t", "all molecules have the same temperature, the first value of this list");
   mdp_.text("tc-grps");
   const double seed = mdp_.number("gen-seed", -1);
   const bool whole = seed >= 0 && seed < 1e15 && seed == std::floor(seed);
@@ -125,15 +125,15 @@ void Translation::truncation() {
     quantity("switch", from, "nm", "rvdw-switch; the polynomial of Potential-switch");
   } else if (switched) {
     mdp_.differs("rvdw-switch",
-                 "the switching distance must be above 0 nm; it is 0.85 of the cutoff", "0");
+                 "the switching distance must be above 0 nm, so 0.85 of the cutoff is used", "0");
   } else {
     mdp_.differs("vdw-modifier",
-                 "discontinuous or shifted forces are not available: the potential is switched "
-                 "smoothly to 0 from 0.85 of the cutoff on (switch)",
+                 "discontinuous or shifted forces are not available: from 0.85 of the cutoff to "
+                 "the cutoff the potential is switched smoothly to 0 (switch)",
                  "Potential-shift");
   }
   if (!old && !mdp_.is("vdwtype", "cut-off", "cut-off"))
-    mdp_.differs("vdwtype", "not available: short-range laws end at the cutoff");
+    mdp_.differs("vdwtype", "not available: short-range potentials end at the cutoff");
   const bool energy = mdp_.is("DispCorr", "ener") || mdp_.is("DispCorr", "allener");
   if (energy) mdp_.differs("DispCorr", "the correction applies to energy and pressure");
   if (energy || mdp_.is("DispCorr", "enerpres") || mdp_.is("DispCorr", "allenerpres"))
@@ -164,12 +164,12 @@ void Translation::electrostatics() {
       mdp_.differs("coulombtype", "not available: coulombtype = PME is used instead");
     if (!mdp_.text("rcoulomb").empty())
       mdp_.differs("rcoulomb",
-                   "not needed: this cutoff is chosen with the mesh, and its value changes forces "
-                   "by less than pme_accuracy; coulomb_cutoff sets it");
+                   "not needed: this cutoff is chosen with the mesh, and affects forces by less "
+                   "than pme_accuracy; to choose the cutoff yourself, set coulomb_cutoff");
   }
   mdp_.text("coulomb-modifier");
   if (const double r = mdp_.number("epsilon-r", 1); r != 1)
-    mdp_.differs("epsilon-r", "charges interact in vacuum: scale them by 1/sqrt(epsilon-r)");
+    mdp_.differs("epsilon-r", "charges interact in vacuum: scale all charges by 1/sqrt(epsilon-r)");
   if (mdp_.number("epsilon-surface", 0) != 0)
     mdp_.differs("epsilon-surface", "the surroundings of the periodic images are conducting");
   if (!mdp_.is("ewald-geometry", "3d", "3d"))
@@ -183,13 +183,14 @@ void Translation::forces() {
   if (!mdp_.is("pbc", "xyz", "xyz")) mdp_.differs("pbc", "boxes are periodic in three dimensions");
   if (!mdp_.is("constraints", "none", "none"))
     mdp_.differs("constraints",
-                 "molecules are rigid by settles and [ constraints ] of the topology; name those "
-                 "whose bonds this makes rigid in rigid = [...] of [system]");
+                 "only settles and [ constraints ] of the topology make molecules rigid; list the "
+                 "names of other rigid molecules in rigid = [...] of [system]");
 }
 
 void Translation::integrator() {
   table("integrator");
-  line("scheme", "\"velocity-verlet\"", "integrator; \"hoa2\" is as accurate at longer steps");
+  line("scheme", "\"velocity-verlet\"",
+       "integrator; \"hoa2\" has the same accuracy at longer steps");
   quantity("step", mdp_.number("dt", 0.001) * units::fs_per_ps, "fs", "dt");
   if (mdp_.is("integrator", "bd", "md"))
     mdp_.differs("integrator",
@@ -198,7 +199,7 @@ void Translation::integrator() {
            !mdp_.is("integrator", "md-vv", "md") && !mdp_.is("integrator", "md-vv-avek", "md"))
     mdp_.differs("integrator", "not available: the run performs molecular dynamics");
   if (!mdp_.is("comm-mode", "linear", "linear"))
-    mdp_.differs("comm-mode", "the centre of mass is at rest, rotation of the system is free");
+    mdp_.differs("comm-mode", "the centre of mass is at rest, but the system may rotate");
 }
 
 bool Translation::minimises() {
@@ -230,7 +231,8 @@ void Translation::thermostat() {
   const std::vector<double> times = mdp_.numbers("tau-t");
   const double time = times.empty() ? 0 : times.front();
   if (std::any_of(times.begin(), times.end(), [&](double t) { return t != time; }))
-    mdp_.differs("tau-t", "all molecules have one thermostat, with the first of these values");
+    mdp_.differs("tau-t",
+                 "all molecules have the same thermostat, with the first value of this list");
   if (stochastic() || mdp_.is("tcoupl", "andersen") || mdp_.is("tcoupl", "andersen-massive")) {
     line("type", "\"langevin\"", stochastic() ? "integrator = sd" : "tcoupl");
     if (time > 0) quantity("friction", 1 / time, "1/ps", "1/tau-t");
@@ -267,7 +269,7 @@ std::string Translation::edges() {
   const std::size_t count = std::min<std::size_t>(P.size(), semi ? 2 : 3);
   for (std::size_t k = 1; k < count; ++k)
     if (P[k] != P[0])
-      mdp_.differs("ref-p", "the barostat has one pressure, the first of these values");
+      mdp_.differs("ref-p", "the barostat has a single pressure, the first value of this list");
   return semi ? moving({"xy", "z"}) : moving({"x", "y", "z"});
 }
 
@@ -308,9 +310,9 @@ void Translation::output() {
   if (!formats.empty()) line("formats", toml_text(formats), "nstxout-compressed; nstxout, nstvout");
   if (full > 0 && !velocities) line("velocities", "false", "nstvout = 0");
   if (compressed > 0 && full > 0 && compressed != full)
-    mdp_.differs("nstxout", "all trajectories have one interval, nstxout-compressed");
+    mdp_.differs("nstxout", "all trajectory files have the same interval, nstxout-compressed");
   if (full > 0 && velocities && mdp_.number("nstvout", 0) != mdp_.number("nstxout", 0))
-    mdp_.differs("nstvout", "all trajectories have one interval, nstxout");
+    mdp_.differs("nstvout", "all trajectory files have the same interval, nstxout");
 }
 
 std::string Translation::run_file() {
@@ -333,7 +335,8 @@ MdpImport import_mdp(std::string_view text, const std::string& file, const MdpFi
   result.run_file =
       fmt::format("# A GROMACS system with the parameters from {}.\n", printable(file));
   if (!result.differences.empty())
-    result.run_file += "# These have no counterpart, or another meaning here:\n";
+    result.run_file +=
+        "# Parameters without a counterpart in polhode, or with a different meaning:\n";
   for (const auto& [parameter, reason] : result.differences)
     result.run_file += fmt::format("#   {}: {}\n", printable(parameter), reason);
   result.run_file += '\n' + body;

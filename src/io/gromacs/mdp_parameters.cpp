@@ -40,7 +40,7 @@ constexpr std::string_view mesh =
     "not needed: the mesh is chosen for pme_accuracy in [forces], see the manual";
 constexpr std::string_view rigid =
     "not needed: molecules are rigid by construction, and their free rotation is exact";
-constexpr std::string_view outputs = "has no counterpart in the outputs";
+constexpr std::string_view outputs = "polhode has no such output";
 constexpr std::string_view groups =
     "groups of atoms are not available: settings apply to all molecules";
 constexpr std::string_view not_offered = "not available";
@@ -87,7 +87,7 @@ constexpr auto reasons = std::to_array<Reason>({
     {"tinit", "runs begin at 0 ps"},
     {"initstep", "runs begin at 0 ps"},
     {"simulationpart", "runs begin at 0 ps"},
-    {"rcoulombswitch", "the switching distance of the short-range laws applies"},
+    {"rcoulombswitch", "the switching distance of the short-range potentials applies"},
 });
 
 /// Whether a value is a word that switches a parameter off.

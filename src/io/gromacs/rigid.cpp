@@ -104,7 +104,7 @@ Place build_virtual_site(const GromacsRelation& r, std::span<const Place> places
     }
     if (r.function == 4) return ri + a * ij + b * ik + c * cross(ij, ik);
   }
-  refuse(fmt::format("the function of this virtual site is {}; the supported ones are {}",
+  refuse(fmt::format("the function type of this virtual site is {}; the supported types are {}",
                      r.function, r.kind == Kind::virtual2 ? "1 and 2" : "1, 2, 3 and 4"),
          r.place);
 }
@@ -135,9 +135,10 @@ std::vector<Distance> constrained_distances(const GromacsTopology& topology,
       auto length = first_number(topology, molecule, r, tables.constraints);
       if (!length) length = first_number(topology, molecule, r, tables.bonds);
       if (!length)
-        refuse(fmt::format("the constraint of atoms {} and {} has no length, here or in [ "
-                           "constrainttypes ] or [ bondtypes ]; write it after the function",
-                           r.atoms[0] + 1, r.atoms[1] + 1),
+        refuse(fmt::format(
+                   "the constraint of atoms {} and {} has no length, here or in [ constrainttypes "
+                   "] or [ bondtypes ]; write the length after the function type",
+                   r.atoms[0] + 1, r.atoms[1] + 1),
                r.place);
       distances.add(r.atoms[0], r.atoms[1], *length, r);
     } else if (r.kind == Kind::bond && rigidity == Rigidity::by_bonds && has_minimum(r)) {

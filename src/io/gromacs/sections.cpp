@@ -237,8 +237,8 @@ TypePair Parser::buckingham(const FieldLine& line, std::size_t first) const {
 // particle type, a single letter, shows which optional fields are present.
 void Parser::atom_type(const FieldLine& line) {
   constexpr std::string_view columns =
-      "name, optional bonded type and atomic number, mass, charge, particle type, and the "
-      "parameters of the law: two for Lennard-Jones, three for Buckingham";
+      "name, optional bonded type and atomic number, mass, charge, particle type, and two "
+      "parameters for Lennard-Jones or three for Buckingham";
   line.require(6, columns);
   const auto is_particle = [&](std::size_t k) {
     return k + 2 < line.size() && line[k].size() == 1 &&
@@ -247,8 +247,8 @@ void Parser::atom_type(const FieldLine& line) {
   const std::size_t particle = is_particle(5) ? 5 : is_particle(3) ? 3 : 4;
   if (!is_particle(particle))
     line.refuse(
-        fmt::format("there is no particle type, a letter A, V, D or S, in the fourth to sixth "
-                    "field; the fields must be: {}",
+        fmt::format("no field from the fourth to the sixth is a particle type (A, V, D or S); the "
+                    "fields must be: {}",
                     columns));
   GromacsAtomType type{.name = line.word(0), .bonded = line.word(0), .place = line.place()};
   const bool letter = std::isalpha(static_cast<unsigned char>(line[1].front()));
@@ -269,10 +269,10 @@ void Parser::atom_type(const FieldLine& line) {
 }
 
 void Parser::nonbond_pair(const FieldLine& line) {
-  line.require(5, "two atom types, function, and the parameters of the law");
+  line.require(5, "two atom types, function, and the parameters of the potential");
   if (line.integer(2, "function", 1, any) != function_)
-    line.refuse(
-        fmt::format("the function is {}; it must be {}, as in [ defaults ]", line[2], function_));
+    line.refuse(fmt::format("the function type is {}; it must be {}, as in [ defaults ]", line[2],
+                            function_));
   TypePair pair = short_range(line, 3);
   pair.first = line.word(0), pair.second = line.word(1);
   topology_.pairs.push_back(std::move(pair));
@@ -383,7 +383,7 @@ void Parser::block(const FieldLine& line) {
   if (blocks.size() == max_blocks)
     line.refuse(
         fmt::format("[ molecules ] has more than {} blocks of different molecules; sort the "
-                    "molecules, here and in the coordinates",
+                    "molecules by type, here and in the coordinate file",
                     max_blocks));
   blocks.push_back({known->second, count});
 }

@@ -38,8 +38,8 @@ void check_forces(const LammpsData& data) {
                 data.file);
   if (law == LammpsLaw::buckingham && leaves_pairs_open(data))
     throw Error(
-        "the pair style buck has no mixing rule, and the file has no pairs of unlike types; write "
-        "the file with 'write_data FILE pair ij'",
+        "the pair style buck has no mixing rule, and the file has no parameters for unlike types; "
+        "write the file with 'write_data FILE pair ij'",
         data.file);
   for (const LammpsData::Atom& atom : data.atoms)
     if (!data.types.at(atom.type).has_pair_coefficients)

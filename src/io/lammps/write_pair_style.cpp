@@ -43,7 +43,7 @@ void write_lammps_pair_coefficients(std::ostream& out, const Topology& topology,
       const ShortRange<double>& law = table.any_law<double>().law.front();
       if (!law.is_lennard_jones())
         throw Error(
-            fmt::format("sites {} and {} have a law other than Lennard-Jones, but pair_style "
+            fmt::format("the potential of sites {} and {} is not Lennard-Jones, but pair_style "
                         "polhode supports only Lennard-Jones; use --pair-style table",
                         all[i].name, all[j].name));
       const auto [c6, c12] = law.lennard_jones();

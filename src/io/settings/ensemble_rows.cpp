@@ -120,8 +120,8 @@ SettingTable thermostat_table() {
            "every momentum; `\"rescaling\"` applies one factor to all momenta; "
            "`\"separate-rescaling\"` applies one factor to translation and another to rotation"),
        row("friction", parameter(thermostat_of, &Langevin::friction), per_ps, rate,
-           "friction γ of translation, and of rotation unless `rotational_friction` is given; 0 "
-           "1/ps gives constant energy, bit for bit",
+           "friction γ of translation, and of rotation unless `rotational_friction` is given; at 0 "
+           "1/ps the run equals a run at constant energy bit for bit",
            More{.by = "type", .read = read_friction}),
        row("rotational_friction", parameter(thermostat_of, &Langevin::rotational_friction), per_ps,
            rate, "friction γ of rotation", More{.fallback = "value of `friction`", .by = "type"}),
@@ -148,14 +148,14 @@ SettingTable barostat_table() {
                between(1e-7, 10,
                        "; solids have 1e-7 1/bar, liquids 2e-5 to 2e-4 1/bar (water 4.5e-5), a gas "
                        "has 1/pressure"),
-               "estimate of the isothermal compressibility, which sets the size of the moves but "
-               "does not change the result. The default is the compressibility of water; "
+               "estimate of the isothermal compressibility; affects the size of the volume moves, "
+               "but not the averages. The default is the compressibility of water; "
                "[prepare](prepare.md) estimates the value for your system"),
            row("every", barostat(&B::every), ps, above(0),
-               "interval between two moves, rounded to whole steps; hybrid Monte Carlo rounds it "
-               "to whole trajectories, and a note says so"),
+               "interval between two volume moves, rounded to whole steps; with hybrid Monte "
+               "Carlo, rounded to whole trajectories (a note reports this)"),
            row("edges", edges_member(),
-               "groups of edges; each move scales the edges of one group, and the groups "
+               "groups of box edges; each move scales the edges of one group, and the groups "
                "alternate. `[\"x\", \"y\", \"z\"]` scales each edge separately (for crystals), and "
                "`[\"z\"]` keeps the area fixed (for slabs)",
                More{.domain = "list of groups of x, y and z",
@@ -164,10 +164,10 @@ SettingTable barostat_table() {
                     .kinds = {SettingKind::texts}}),
            row("time_constant", parameter(moves_of, &CellRescaling::time_constant), ps,
                above(0, "; 1 to 10 ps are usual"),
-               "time constant τ of the volume, at least `every`", More{.by = "type"}),
+               "relaxation time τ of the volume, at least `every`", More{.by = "type"}),
            row("metropolis", parameter(moves_of, &CellRescaling::metropolis),
-               "whether a move is accepted or rejected, which makes the distribution exact for any "
-               "`every`",
+               "whether volume moves are accepted or rejected by the Metropolis criterion, which "
+               "makes the distribution exact for any `every`",
                More{.by = "type"})},
           require_pressure};
 }

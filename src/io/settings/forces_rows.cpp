@@ -133,7 +133,7 @@ SettingTable forces_table() {
        row("smoothness", forces(&ForceSettings::smoothness), in_library(between(1, 3)),
            "number of continuous derivatives of the switching function"),
        row("skin", forces(&ForceSettings::skin), nm, in_library(above(0)),
-           "skin of the neighbour list; affects the speed, and changes results only by rounding"),
+           "skin of the neighbour list; affects the speed, but results only by rounding"),
        row("dielectric", only(reaction_field, &ForceSettings::dielectric), in_library(from(1)),
            "relative permittivity outside the cutoff, for the reaction field; may be "
            "`\"infinite\"`",
@@ -147,7 +147,8 @@ SettingTable forces_table() {
            More{.by = "electrostatics"}),
        row("pme_accuracy", only(pme, &ForceSettings::pme_accuracy), in_library(between(1e-7, 0.1)),
            "relative force error of `\"pme\"`: the rms error of electrostatic forces divided by "
-           "the rms force typical of such charges in a liquid; at least 1e-5 in mixed precision",
+           "the typical rms electrostatic force in a liquid of these charges; at least 1e-5 in "
+           "mixed precision",
            More{.by = "electrostatics"}),
        row("coulomb_cutoff", only(pme, &ForceSettings::coulomb_cutoff),
            SettingUnit{Dimension::length, "nm", "0.8 nm"}, in_library(above(0)),

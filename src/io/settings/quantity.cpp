@@ -203,7 +203,7 @@ double unit_at(std::string_view rest, const QuantityText& source) {
         " has a no-break space (U+00A0), as word processors and web pages write it; replace it by "
         "an ordinary space");
   const auto near = nearest_name(symbol, known);
-  source.refuse(fmt::format(": there is no unit '{}' of {}{}; there are: {}", symbol, noun,
+  source.refuse(fmt::format(": there is no unit '{}' of {}{}; the units are: {}", symbol, noun,
                             near ? fmt::format(" (did you mean '{}'?)", *near) : "",
                             join_names(known)));
 }
@@ -221,8 +221,8 @@ std::string no_unit(std::string_view name, std::string_view number, Dimension di
   if (dimension == Dimension::fraction)
     if (const auto value = parsed_number(bare); value && std::isfinite(100 * *value))
       return fmt::format(
-          "{} = {} has no unit; write \"{} %\", or \"{:.15g} %\" if it is a fraction of 1", name,
-          number, bare, 100 * *value);
+          "{} = {} has no unit; write \"{} %\", or \"{:.15g} %\" if the number is a fraction of 1",
+          name, number, bare, 100 * *value);
   return fmt::format("{} = {} has no unit; write for example \"{} {}\"", name, number, bare,
                      unit_of(example));
 }
@@ -246,7 +246,7 @@ std::string_view noun(Dimension dimension) { return words(dimension).noun; }
 
 double unit(std::string_view symbol, Dimension dimension) {
   if (const Unit* u = find(symbol, dimension)) return u->value;
-  throw Error(fmt::format("there is no unit '{}' of {}; there are: {}", symbol,
+  throw Error(fmt::format("there is no unit '{}' of {}; the units are: {}", symbol,
                           words(dimension).noun, join_names(symbols(dimension))));
 }
 

@@ -43,8 +43,8 @@ std::string run_file_template(std::string_view kind, std::string_view ensemble) 
   if (ensemble.empty() || ensemble == own) return text;
   if (at == text.npos)
     throw Error(
-        fmt::format("the kind of run file '{}' has its own ensemble; give the kind '{}' instead, "
-                    "or another kind with the ensemble '{}'",
+        fmt::format("run files of the kind '{}' already have an ensemble; give the kind '{}' "
+                    "instead, or combine another kind with the ensemble '{}'",
                     kind, ensemble == "nve" ? "water" : ensemble, ensemble));
   text.replace(
       at, energy.size(),

@@ -129,8 +129,8 @@ SettingTable integrator_table() {
                 .read = read_accuracy,
                 .kinds = {SettingKind::text, SettingKind::quantity}}),
        row("candidates", integrator(&I::candidates),
-           "schemes from which the [adviser](advise.md) chooses, which may be nested; the default "
-           "schemes are the cheapest at some R [for liquids](../all-schemes.md)",
+           "single or nested schemes from which the [adviser](advise.md) chooses; each default "
+           "scheme is the cheapest at some R [for liquids](../all-schemes.md)",
            More{.read = read_schemes, .free = true}),
        row("lambda", integrator(&I::lambda),
            above_to(0, 1, ": it scales the displacement of the finite difference"),
@@ -188,7 +188,7 @@ SettingTable output_table() {
   const auto output = in(&Config::output);
   return {"output",
           {row("prefix", output(&O::prefix),
-               "prefix of the output files, which must not end in `/`; its folder is relative to "
+               "prefix of the output files, which must not end in `/`; a relative path begins at "
                "the working directory",
                More{.read = read_prefix, .free = true}),
            row("trajectory_every", output(&O::trajectory_every), ps,
@@ -225,7 +225,7 @@ SettingTable study_table() {
            "averages](study.md#canonical-averages)",
            More{.free = true}),
        row("schemes", study(&S::schemes),
-           "schemes to compare, which may be nested; a [scheme of your "
+           "single or nested schemes to compare; a [scheme of your "
            "own](schemes.md#schemes-of-your-own) can be named, as in `\"mine: B(1/6) A(1/2) ...\"`",
            More{.read = read_schemes, .free = true}),
        row("steps", SettingUnit{Dimension::time, "fs", "2 fs"}, above(0), "time steps",

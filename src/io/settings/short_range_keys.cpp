@@ -32,7 +32,7 @@ double depth_or_diameter(TomlTable& table, std::string_view key, Dimension dimen
                                 : table.quantity(key, dimension).value_or(0);
   table.require(value >= 0, key,
                 owner == LawOwner::site
-                    ? "must be 0 or more; leave it out where the site has none"
+                    ? "must be 0 or more; leave it out if the site has no Lennard-Jones term"
                     : "must be 0 or more; epsilon 0 means no Lennard-Jones term");
   return value;
 }

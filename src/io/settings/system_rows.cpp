@@ -238,8 +238,8 @@ void read_shapes(const std::vector<TomlTable>& tables, TopologySettings& topolog
     table.refuse_unknown();
     if (topology.file.empty() || is_data_file(topology.file))
       table.refuse("",
-                   "a shape requires a GROMACS topology, but there is none; all other molecules "
-                   "have shapes defined by their models: leave the shape out");
+                   "a shape requires a GROMACS topology, but there is none; leave the shape out, "
+                   "since models define the shapes of all other molecules");
     if (!molecule || !positions || positions->empty())
       table.refuse("",
                    "a shape needs a molecule and its positions; write for example "
@@ -277,8 +277,7 @@ SettingTable system_table() {
            "macros of a [GROMACS topology](gromacs.md), `\"NAME\"` or `\"NAME=VALUE\"`",
            More{.read = read_define, .free = true}),
        row("rigid", topology(&TopologySettings::rigid),
-           "molecule types of a [GROMACS topology](gromacs.md) that are made rigid although they "
-           "are flexible",
+           "flexible molecule types of a [GROMACS topology](gromacs.md) that are made rigid",
            More{.read = read_topology_list, .free = true}),
        row("initial_configuration", system(&S::initial_configuration),
            "initial configuration and its box: `\"w512\"`, or the path of a file in any "
@@ -293,11 +292,11 @@ SettingTable system_table() {
            above_to(
                0, 22.6,
                ", the density of osmium, the densest element; is it in kg/m3? Water has 1 g/cm3"),
-           "density of a lattice in a cubic box; cannot be combined with `box` or "
+           "density of the initial lattice in a cubic box; cannot be combined with `box` or "
            "`initial_configuration`",
            More{.free = true}),
        row("box", SettingUnit{Dimension::length, "nm", "2.5 nm"}, above(0),
-           "box edges of a lattice; cannot be combined with `density`",
+           "box edges of the initial lattice; cannot be combined with `density`",
            More{.domain = "length, or list of three, > 0",
                 .read = read_box,
                 .kinds = {SettingKind::quantity, SettingKind::texts}}),
@@ -309,7 +308,8 @@ SettingTable system_table() {
                 .read = read_velocities}),
        row("temperature", system(&S::temperature), SettingUnit{Dimension::temperature, "K"},
            from(0),
-           "temperature of drawn momenta, equilibration and thermostat; 0 K requires a thermostat"),
+           "temperature for drawing momenta, for equilibration and for the thermostat; 0 K "
+           "requires a thermostat"),
        row("seed", system(&S::seed), from(0),
            "random seed for the lattice (positions, orientations) and for drawn momenta")},
       read_contents,

@@ -53,8 +53,8 @@ std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
       refuse("the pair has only one of C6 and C12; sigma and epsilon need both or neither");
     if (bare)
       refuse(
-          fmt::format("the pair of atom types '{}' and '{}' has a short-range law, but one of "
-                      "these types has no law of its own; both types must have a law",
+          fmt::format("the pair of atom types '{}' and '{}' has a short-range potential, but one "
+                      "of these types has no potential with itself; both types must have one",
                       pair.first, pair.second));
     for (const std::string& a : first->second.sites)
       for (const std::string& b : second->second.sites) {

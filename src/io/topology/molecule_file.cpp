@@ -49,10 +49,11 @@ Site read_site(TomlTable table, const std::string& file) {
     throw e.at(table.where("element"));
   }
   if (!site.element.empty() && !is_element(site.element))
-    table.refuse("element",
-                 fmt::format("is no chemical element{}; give a symbol such as O, also for united "
-                             "atoms (C for CH3), or leave it out if the site has no mass",
-                             did_you_mean(site.element, element_symbols())));
+    table.refuse(
+        "element",
+        fmt::format("is not a chemical element{}; give a symbol such as O, also for united "
+                    "atoms (C for CH3), or leave it out if the site has no mass",
+                    did_you_mean(site.element, element_symbols())));
   const auto position = table.vector("position", Dimension::length);
   if (!position)
     table.refuse("position", fmt::format("site '{}' has no position; write for example "

@@ -48,7 +48,7 @@ Quantities of_point(const Candidate& candidate, const AdviserPoint& point) {
       {"drift_error", "[kJ/mol/ns]", in_kJ_per_ns(drift.error),
        "standard error of the energy drift"},
       {"bound", "", there ? point.bound : std::nan(""),
-       "upper bound that the required quantity of a new run is guaranteed to meet"}};
+       "guaranteed upper bound on the required quantity in a new run"}};
   Quantities biases;
   for (std::size_t k = 0; there && k < kinds.size(); ++k)
     if (const Estimate bias = point.bias(k); bias.error != 0)
@@ -81,15 +81,16 @@ Quantities of_candidate(const Candidate& candidate) {
   const double cost = has_step ? candidate.scheme.cost() / candidate.step : 0;
   return {{"scheme", "", candidate.name, "name of the scheme, or its stages", "scheme"},
           {"text", "", text_of(candidate.scheme), "stages of the scheme as text"},
-          {"step", "fs", fs, "step that is expected to meet the bound; 0 if there is none"},
+          {"step", "fs", fs,
+           "time step that is expected to meet the required bound; 0 if no step does"},
           {"", "fs", has_step ? Value(fs) : Value(), "", "step"},
           {has_step ? "force_evaluations" : "", "1/ps", has_step ? Value(cost) : Value(),
-           "force evaluations per ps with this step", "forces"},
-          {"ns_per_day", "", candidate.ns_per_day(), "speed with this step; 0 if not measured"},
+           "force evaluations per ps at this time step", "forces"},
+          {"ns_per_day", "", candidate.ns_per_day(), "speed at this time step; 0 if not measured"},
           {"", "", timed ? Value(candidate.ns_per_day()) : Value(), "", "ns/day"},
           {candidate.obstacle.empty() ? "" : "obstacle", "",
            candidate.obstacle.empty() ? Value() : Value(candidate.obstacle),
-           "reason why there is no step"}};
+           "reason why no time step meets the required bound"}};
 }
 
 std::vector<Quantities> candidate_records(const Advice& advice) {
@@ -99,7 +100,7 @@ std::vector<Quantities> candidate_records(const Advice& advice) {
     std::vector<Quantities> points;
     for (const AdviserPoint& point : candidate.points) points.push_back(of_point(candidate, point));
     append(records.back(), {{"points", "", points, "exploratory runs at each step"},
-                            row("R % at the steps tried", tried_steps(candidate))});
+                            row("R [%] at each time step tried", tried_steps(candidate))});
   }
   return records;
 }
@@ -179,8 +180,9 @@ Quantities obstacles(const AdviceReport& r) {
                                             : fmt::format("R = {}, bound {}",
                                                           percent(point.ratio()), bound(point))))));
   for (const auto& [c, point] : advice.surpassed)
-    lines.push_back(detail(row("", fmt::format("longer steps were tried: the bound of {} is {}",
-                                               at(c, point), bound(point)))));
+    lines.push_back(
+        detail(row("", fmt::format("confirmed before longer steps were tried: {}, bound {}",
+                                   at(c, point), bound(point)))));
   return lines;
 }
 
@@ -214,10 +216,10 @@ Quantities of_best(const AdviceReport& r) {
        row("R", fmt::format("{}, mean of {} independent runs of {:.3g} ps", percent(p.ratio()),
                             p.runs.size(), p.length)),
        row(of_R ? "a new run" : std::string(name.substr(0, name.find(" of "))),
-           fmt::format("{} {} with a probability of {:g} %, {:.2g} of the requested bound",
-                       of_R ? "has R below" : "is smaller than",
-                       bound_text(criterion.quality, p.bound), 100 * guarantee_probability,
-                       p.bound / criterion.bound)),
+           fmt::format(
+               "{} {} with a probability of {:g} %; this bound is {:.2g} of the requested bound",
+               of_R ? "has R below" : "is smaller than", bound_text(criterion.quality, p.bound),
+               100 * guarantee_probability, p.bound / criterion.bound)),
        row("energy drift", with_error(in_kJ_per_ns(drift.value), in_kJ_per_ns(drift.error)) +
                                " kJ/mol/ns per molecule"),
        row("temperature", temperature_text(p)),
@@ -316,7 +318,7 @@ Quantities quantities(const AdviceReport& r) {
                 {"refused", "", point_records(advice, advice.refused),
                  "runs that did not confirm an answer"},
                 {"surpassed", "", point_records(advice, advice.surpassed),
-                 "runs that confirmed an earlier answer, before a better answer was found"}});
+                 "runs that confirmed an answer, before a better answer was found"}});
   append(list, obstacles(r));
   if (advice.best)
     list.push_back({"best", "", of_best(r), "advised scheme and step",
@@ -324,9 +326,9 @@ Quantities quantities(const AdviceReport& r) {
                                 advice.candidates[*advice.best].name,
                                 advice.confirmation.step * units::fs_per_ps)});
   else
-    append(list,
-           {{"best", "", {}},
-            {"obstacle", "", unreachable(advice, r.criterion), "reason why there is no answer"}});
+    append(list, {{"best", "", {}},
+                  {"obstacle", "", unreachable(advice, r.criterion),
+                   "reason why no scheme meets the requirement"}});
   append(list, of_others(advice));
   list.push_back({"runner_up", "", {}, "second-best scheme and step, not confirmed"});
   if (advice.runner_up)

@@ -68,7 +68,7 @@ Quantities of_limit(const Limit& l) {
           {"pair_ns", "",
            Quantities{{"forces", "", pair(l.forces, "pair", "switched")},
                       {"energies", "", pair(l.energies, "with energy", "switched, with energy")}},
-           "time of a pair of waters: best repeat, median, and spread of the repeats"}};
+           "computing time per pair of waters: best repeat, median, and spread of the repeats"}};
 }
 
 Quantities of_evaluation(const EvaluationTiming& e, int threads) {
@@ -80,13 +80,13 @@ Quantities of_evaluation(const EvaluationTiming& e, int threads) {
       {"forces_us", "", of_timing(e.forces, us, "forces", "[us]"), "time of the forces"},
       {"energies_us", "", of_timing(e.energies, us, "and energies", "[us]"),
        "time of forces and energies"},
-      {"arithmetic_us", "[us]", us * e.arithmetic / threads,
-       "time for only the arithmetic of the pairs", "arithmetic"},
+      {"arithmetic_us", "[us]", us * e.arithmetic / threads, "time of the pair arithmetic only",
+       "arithmetic"},
       {"energy_arithmetic_us", "", us * e.energy_arithmetic / threads,
-       "time for only the arithmetic of the pairs, with energies"},
+       "time of the pair arithmetic only, with energies"},
       {"share_of_limit", "", share(e, threads),
        "time of the arithmetic, divided by the time of the forces", "share"},
-      {"fill", "", e.fill, "fraction of the lanes in use", "fill"},
+      {"fill", "", e.fill, "fraction of SIMD lanes in use", "fill"},
       {"list_us", "", of_timing(e.list, us, "list build", "[us]"),
        "time to build the neighbour list"}};
 }
@@ -173,12 +173,12 @@ std::vector<std::string> verdict(const Benchmark& b) {
       for (const SystemTiming& one : b.systems)
         if (one.molecules == molecules && one.precision == s.precision && one.threads == 1)
           add(
-              fmt::format("{} compute forces {:.2f}x as fast as one in {} precision, and steps "
-                          "{:.2f}x as fast",
+              fmt::format("{} compute forces {:.2f}x as fast as one thread in {} precision, and "
+                          "steps {:.2f}x as fast",
                           threads_text(s.threads), one.evaluations[0].forces.best / e.forces.best,
                           precision, one.steps[0].all.best / hoa2.all.best));
     }
-    add("on one thread, a step of hoa2 spends outside the forces " + join(beside));
+    add("share of a step of hoa2 on one thread that is not spent on forces: " + join(beside));
     add("hoa2 at 4 fs simulates " + join(speeds));
   }
   const double spread = b.spread();

@@ -51,7 +51,7 @@ std::string sentence(const CanonicalClaim& claim, BiasCriterion criterion,
         "per ps",
         step_text(points[*claim.accurate]), points[*claim.accurate].method.cost());
   else
-    text += ": no step is shown to have all biases below their bounds";
+    text += ": no time step is shown to have all biases below their bounds";
   if (claim.beyond) {
     const CanonicalPoint& point = points[*claim.beyond];
     text += fmt::format("; at {} ", step_text(point));
@@ -127,9 +127,10 @@ std::vector<std::string> canonical_sentences(const CanonicalFindings& findings,
       "evaluations",
       names_of({*findings.cheapest}, points), with_error(cost.value, cost.error));
   if (!findings.as_cheap.empty())
-    text += "; not distinguishable from it: " + names_of(findings.as_cheap, points);
+    text += "; not distinguishable in cost: " + names_of(findings.as_cheap, points);
   if (!findings.undecided.empty())
-    text += "; undecided and not more expensive: " + names_of(findings.undecided, points);
+    text += "; equally cheap or cheaper, but with biases not known to be below their bounds: " +
+            names_of(findings.undecided, points);
   sentences.push_back(text);
   return sentences;
 }

@@ -71,7 +71,7 @@ Quantities of_point(const CanonicalPoint& p) {
           {"force_evaluations", "1/ps", p.method.cost(), "cost in force evaluations per ps", "cost",
            "", "cost"},
           {"hybrid_monte_carlo", "", p.method.hybrid,
-           "whether the scheme makes proposals of hybrid Monte Carlo", "", "", "-"},
+           "whether hybrid Monte Carlo uses the scheme to propose trajectories", "", "", "-"},
           {"runs", "", p.runs, "number of independent runs", "runs"},
           {"stable", "", p.stable, "whether no run blew up"},
           {"accuracy", "", in_words(p.accuracy(BiasCriterion::strict)),
@@ -104,9 +104,10 @@ Quantity of_findings(const char* key, const CanonicalReport& report,
     bounds += fmt::format("{} {} {:g}{}{}", bounds.empty() ? "" : ",", q.label,
                           q.bound(findings.criterion), std::string_view(q.unit) == "1" ? "" : " ",
                           std::string_view(q.unit) == "1" ? "" : q.unit);
-  return {key, "", canonical_sentences(findings, report.points),
-          fmt::format("conclusions from the points by the {} bounds", in_words(findings.criterion)),
-          fmt::format("{} bounds:{}; with 95 % confidence", in_words(findings.criterion), bounds)};
+  return {
+      key, "", canonical_sentences(findings, report.points),
+      fmt::format("conclusions from the points with the {} bounds", in_words(findings.criterion)),
+      fmt::format("{} bounds:{}; with 95 % confidence", in_words(findings.criterion), bounds)};
 }
 
 /// The quantities of the figure. Each panel shows a quantity. The last panel shows the cost of a
@@ -214,7 +215,7 @@ Quantities quantities(const CanonicalReport& report) {
           {"bounds", "", bounds, ""},
           detail({"points", "", point_records(report), "results for each scheme and step",
                   "points, with the biases of averages; * above the strict bound, ** above the "
-                  "loose one"}),
+                  "loose bound"}),
           of_findings("claims", report, report.findings[0]),
           detail(of_findings("loose_claims", report, report.findings[1])),
           row_of_files(report.files)};

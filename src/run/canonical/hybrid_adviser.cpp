@@ -261,10 +261,10 @@ Quantities quantities(const HybridAdvice& advice) {
       detail({"pilots", "", records_of(advice.pilots),
               "short runs of all combinations of step and length", "pilot runs"}),
       detail({"finalists", "", records_of(advice.finalists),
-              "longer runs of the best combinations, beginning with the answer",
-              "independent, longer runs of the best"}),
+              "longer runs of the best combinations; the first is the recommended combination",
+              "independent, longer runs of the best combinations"}),
       {"not_distinguishable", "", advice.equal,
-       "finalists, counted from 0, whose cost cannot be distinguished from the lowest cost"},
+       "indices (from 0) of the finalists whose cost is not distinguishable from the lowest cost"},
       {"answer", "", answer(advice), "answer in words"}};
   if (!advice.finalists.empty()) list.push_back(row("", answer(advice)));
   return list;

@@ -42,18 +42,19 @@ void check(const Config& config) {
         "and rotation; choose this thermostat, or remove [thermostat]");
   if (config.output.prefix.find_first_of("\"\n") != std::string::npos)
     refuse(
-        "the prefix of the output has a quotation mark or a line break, but file names in LAMMPS "
-        "scripts cannot; choose another prefix");
+        "the prefix of the output has a quotation mark or a line break, which LAMMPS does not "
+        "allow in file names; choose another prefix");
 }
 
 // The scheme with finite differences in place of exact gradients.
 Scheme lammps_scheme(const Config& config, const Callbacks& callbacks) {
   const Scheme scheme = single_scheme_of(config.integrator.scheme);
   if (!scheme.starts_with_kick() || !scheme.ends_with_kick())
-    throw Error(fmt::format("the scheme '{}' does not begin with a kick, but fix polhode needs "
-                            "such a scheme; choose another scheme, such as bcss3 or gier4-fd",
-                            scheme.name()),
-                config.source);
+    throw Error(
+        fmt::format("the scheme '{}' does not begin with a kick, but a scheme of fix polhode must "
+                    "begin with a kick; choose another scheme, such as bcss3 or gier4-fd",
+                    scheme.name()),
+        config.source);
   if (!scheme.has(Gradient::exact)) return scheme;
   callbacks.note(
       "note: the exact gradients of the scheme become finite differences, since LAMMPS does not "
@@ -194,7 +195,7 @@ class Script {
                  config_.system.seed);
     const double samples = std::max(1.0, std::round(config_.run.sample / h));
     fmt::print(out_,
-               "\ntimestep {:.17g} # one force evaluation: {} in a step of the scheme\n"
+               "\ntimestep {:.17g} # one force evaluation; a step of the scheme has {}\n"
                "{}"
                "thermo_modify format float %.15g\n"
                "thermo {:.0f}\n"

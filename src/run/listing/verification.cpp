@@ -32,7 +32,7 @@ void check_lambda(const NestedScheme& scheme) {
   if (scheme.has(Gradient::finite_difference)) return;
   throw Error(
       fmt::format("{} has no finite-difference gradient, so lambda has no effect; leave lambda "
-                  "out, or take a scheme with such a gradient, for example gier4-fd",
+                  "out, or choose a scheme with such a gradient, for example gier4-fd",
                   name_of(scheme)));
 }
 

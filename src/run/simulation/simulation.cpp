@@ -369,7 +369,7 @@ RunResult Simulation::run(const OutputOptions& options, const Callbacks& callbac
   const Trajectory trajectory = run_trajectory(files, callbacks);
   if (!trajectory.failure.empty()) {
     if (trajectory.statistics.energies.samples > 0)
-      callbacks.note(fmt::format("the energies up to that step are in {}", names.energies));
+      callbacks.note(fmt::format("the energies before the blow-up are in {}", names.energies));
     throw RunError(trajectory.failure);
   }
   return {trajectory.stopped ? RunEnd::interrupted : RunEnd::complete,

@@ -137,11 +137,11 @@ std::vector<Claim> paper_claims(const std::vector<Curve>& curves) {
 
   constexpr double limit = 0.015;
   Claim end{
-      fmt::format("above R = 1.5 % only Verlet runs without an energy drift that matters (these "
-                  "runs exclude one {} for Verlet, {} for HOA2, {} for GIER4; the curves reach R = "
-                  "{}, {} and {} %)",
-                  excluded(*verlet), excluded(*hoa2), excluded(*gier4), reached(*verlet),
-                  reached(*hoa2), reached(*gier4)),
+      fmt::format(
+          "above R = 1.5 % only Verlet has no relevant energy drift (these runs exclude such a "
+          "drift {} for Verlet, {} for HOA2, {} for GIER4; the curves reach R = {}, {} and {} %)",
+          excluded(*verlet), excluded(*hoa2), excluded(*gier4), reached(*verlet), reached(*hoa2),
+          reached(*gier4)),
       std::nullopt, Verdict::undecided};
   if (equal_runs({verlet, hoa2, gier4}))
     end.verdict = worst(runs_above(*verlet, limit), worst(opposite(runs_above(*hoa2, limit)),

@@ -100,15 +100,15 @@ std::vector<Run> RunRecord<Run>::read(std::istream& in, const std::string& path,
   std::vector<Run> runs;
   std::set<std::tuple<std::string, double, int>> met;  // runs already read, by scheme, step and
                                                        // initial configuration
-  read_record(in, path, provenance ? of_this_study(path, *provenance) : of_any_study(path),
-              field_count<Run>, [&](const RecordFields& line, std::size_t count) {
-                Run run = record_run<Run>(line, count);
-                if (!met.emplace(run.scheme, run.step, run.start).second)
-                  line.refuse(
-                      "the line has the same scheme, step and initial configuration as an earlier "
-                      "one");
-                runs.push_back(std::move(run));
-              });
+  read_record(
+      in, path, provenance ? of_this_study(path, *provenance) : of_any_study(path),
+      field_count<Run>, [&](const RecordFields& line, std::size_t count) {
+        Run run = record_run<Run>(line, count);
+        if (!met.emplace(run.scheme, run.step, run.start).second)
+          line.refuse(
+              "the line has the same scheme, step and initial configuration as an earlier line");
+        runs.push_back(std::move(run));
+      });
   return runs;
 }
 

@@ -67,7 +67,7 @@ CheckHead of_this_study(const std::string& path, const Provenance& provenance) {
       lines.refuse(
           fmt::format("'{}' contains the runs of another study, or of a version of polhode with "
                       "other initial configurations; give another output, start over, or only make "
-                      "the tables from that record",
+                      "the tables from this record",
                       path));
   };
 }

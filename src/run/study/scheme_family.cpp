@@ -98,14 +98,14 @@ SchemeFamily::SchemeFamily(const NamedScheme& scheme, const std::string& label)
     distinct = independent(slopes(*this, values_of(parameters_)));
   } catch (const Error& e) {
     throw Error(
-        fmt::format("when a free parameter of {} changes by {:g}, {}; express the other "
-                    "coefficients by the parameter, as in \"{}\"",
+        fmt::format("the stages of {} are invalid when a free parameter changes by {:g}: {}; "
+                    "express the other coefficients by the parameter, as in \"{}\"",
                     label_, displacement, e.what(), example_family));
   }
   if (!distinct)
     throw Error(fmt::format(
-        "the error of order h² of {} does not depend on {}, so there is nothing to tune; fix the "
-        "parameter, or use a parameter that changes the stages",
+        "the error of order h² of {} does not depend on {}, so this parameter cannot be tuned; "
+        "give it a fixed value, or use a parameter that changes the stages",
         label_,
         parameters_.size() == 1 ? parameters_[0].name : "its two parameters independently"));
 }

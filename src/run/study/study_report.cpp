@@ -49,7 +49,9 @@ Quantities of_point(const EfficiencyPoint& p, bool usable) {
       {"force_evaluations", "1/ps", p.cost, "cost in force evaluations per ps", "cost", "", "cost"},
       {"runs", "", p.runs, "number of independent runs", "runs"},
       {"stable", "", p.stable, "whether no run blew up"},
-      {"usable", "", usable, "whether the step is before the end of the curve"},
+      {"usable", "", usable,
+       "whether the step is within the curve, which ends where the energy drifts at all longer "
+       "steps"},
       {"R", "%", over_runs(p, p.ratio),
        "rms fluctuation of the total energy, divided by the rms fluctuation of the potential "
        "energy; `R_error` is the standard error",
@@ -57,9 +59,9 @@ Quantities of_point(const EfficiencyPoint& p, bool usable) {
       {"drift", "kJ/mol/ps", over_runs(p, p.drift.rate),
        "energy drift; `drift_error` is the standard error", "energy drift"},
       {"drift_p_value", "", p.runs > 1 ? p.drift.p_value : std::nan(""),
-       "probability that such a drift occurs by chance"},
+       "probability that chance gives a drift of at least this size"},
       {"relative_drift", "", p.relative_drift(),
-       "energy change by the drift during a run, divided by the rms fluctuation of the energy"},
+       "energy change due to the drift during a run, divided by the rms fluctuation of the energy"},
       {"temperature", "K", p.temperature, "mean kinetic temperature"},
       {"R_rounding", "", p.rounding, "estimated round-off limit of R; 0 in double precision"},
       {"rounded", "", p.at_rounding(), "whether R is less than twice `R_rounding`"},
@@ -122,7 +124,7 @@ Quantity of_guidelines(const StudyReport& report) {
   for (const Guideline& line : report.guidelines)
     lines.push_back(of_guideline(line, curves, verlet));
   return detail(
-      {"guidelines", "", lines, "lowest cost of each scheme at several R",
+      {"guidelines", "", lines, "lowest cost of each scheme at several values of R",
        fmt::format("minimum cost for R at or below the given value, in force evaluations per "
                    "ps{};\n* extrapolated by the scheme's order, + the longest step of the curve",
                    verlet < curves.size() ? " (ratio to velocity Verlet)" : "")});

@@ -31,7 +31,7 @@ Quantities of_limit(const EquipartitionFit& fit, Value axis, const Line& line) {
           {"degrees_of_freedom", "", line.degrees_of_freedom,
            "number of degrees of freedom of the standard errors"},
           {"without_step_p_value", "", p_value(line.intercept, line.degrees_of_freedom),
-           "probability that such an a occurs by chance"}};
+           "probability that chance gives an a of at least this size"}};
 }
 
 /// The fitted limit for h = 0, with a p-value if it differs from 0.

@@ -199,7 +199,7 @@ TuneResult tune(const Config& config, const TuneSettings& given, const Callbacks
       result.covariance = sum_without(measured.covariances, measured.covariances.size());
       if (!(result.covariance.aa > 0))
         throw Error(
-            "the error of order h² is zero, because no forces act on the molecules; take a system "
+            "the error of order h² is zero, because no forces act on the molecules; use a system "
             "whose molecules interact",
             config.source);
       if (all.size() > 1) result.short_steps = best_at_short_steps(result.covariance, family)[0];
@@ -216,8 +216,8 @@ Quantities quantities(const TuneResult& r) {
   Quantities list = {
       {"molecules", "", r.molecules, "number of molecules", "molecules"},
       {"step", "fs", r.settings.step * units::fs_per_ps, "time step", "step"},
-      {"runs", "", r.settings.runs, "number of runs that measure, and of runs that confirm",
-       "runs"},
+      {"runs", "", r.settings.runs,
+       "number of runs for tuning, and the same number for confirmation", "runs"},
       {"length", "ps", r.settings.length, "length of each run", "length"},
       {"rms_first_bracket", "kJ/mol", rms_bracket(r.covariance.aa, r.settings),
        "rms of the first error bracket times h²", "first bracket"},

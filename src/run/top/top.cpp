@@ -86,8 +86,8 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
   if (!std::isfinite(t)) refuse(fmt::format("t = {} is not finite; give a finite number", t), "t");
   const int zeros = (J.x == 0) + (J.y == 0) + (J.z == 0);
   if (zeros > 1)
-    refuse(fmt::format("{} of three moments are 0; at most one may be 0, since two moments vanish "
-                       "only for a point: give the moments of a linear or nonlinear body",
+    refuse(fmt::format("{} of the three moments of inertia are 0; at most one may be 0: give the "
+                       "moments of a linear or nonlinear body",
                        zeros),
            name_J + "1 to " + name_J + "3");
   for (std::size_t k = 0; k < 3; ++k) {

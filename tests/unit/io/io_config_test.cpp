@@ -216,7 +216,7 @@ TEST_CASE("the damped shifted force has a damping, and a site switch for Lennard
   CHECK(forces.electrostatics == Electrostatics::damped_shifted_force);
   CHECK(forces.truncation == Truncation::site_switch);
   CHECK(forces.damping == doctest::Approx(1.5).epsilon(1e-15));
-  check_text(law + "damping = \"5 1/nm\"", {"at most 3 divided by the cutoff, 3 1/nm"});
+  check_text(law + "damping = \"5 1/nm\"", {"from 0 to 3 / cutoff = 3 1/nm"});
   check_text(law + "pme_accuracy = 1e-4", {"no meaning without electrostatics = \"pme\""});
 }
 
@@ -260,7 +260,7 @@ TEST_CASE("PME has an accuracy, and a site switch for Lennard-Jones") {
               "forces.truncation"});
   check_text("[forces]\ndispersion_correction = 1", {"must be true or false"});
   check_text("[forces]\ntruncation = \"site-shift\"\ndispersion_correction = true",
-             {"changes the law at all distances"});
+             {"shifts the potential at all distances"});
 }
 
 TEST_CASE("the mixing rule is read, and pairs are given by molecule and site") {

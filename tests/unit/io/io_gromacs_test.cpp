@@ -173,7 +173,7 @@ TEST_CASE("errors in topologies give the line, what was found and what was expec
   refused(replaced(spce, "0.650629", "-1"),
           {"epsilon = -1; both must be 0 or more", "topol.top:4"});
   refused(replaced(spce, "0.650629", "nan"), {"the epsilon is nan; it must be a finite number"});
-  refused(replaced(spce, "8 15.9994 0 A", "8 15.9994 0 0"), {"there is no particle type"});
+  refused(replaced(spce, "8 15.9994 0 A", "8 15.9994 0 0"), {"is a particle type (A, V, D or S)"});
   refused(replaced(spce, "2 HW 1 SOL HW1", "5 HW 1 SOL HW1"),
           {"found atom 5 where atom 2 must be"});
   refused(replaced(spce, "1 OW 1", "1 OX 1"),
@@ -219,7 +219,7 @@ TEST_CASE("pairs of atom types become pairs of sites, in sigma and epsilon") {
   CHECK(geometric.topology.parts[0].molecule.sites[0].epsilon ==
         doctest::Approx(0.5).epsilon(1e-12));
   refused(replaced(text, "HW OW 1 0 0", "HW OW 1 0.3 0.1"),
-          {"one of these types has no law of its own"});
+          {"one of these types has no potential with itself"});
 }
 
 TEST_CASE("with nbfunc 2 atom types and pairs have Buckingham laws") {
@@ -235,7 +235,7 @@ TEST_CASE("with nbfunc 2 atom types and pairs have Buckingham laws") {
   CHECK(!sites[1].has_short_range());
   REQUIRE(rigid.mixing.pairs.size() == 1);
   CHECK(rigid.mixing.pairs[0].law == ShortRangeLaw(BuckinghamLaw{5e5, 40, 2e-3}));
-  refused(replaced(text, "NA OW 2 5e5", "NA OW 1 5e5"), {"the function is 1; it must be 2"});
+  refused(replaced(text, "NA OW 2 5e5", "NA OW 1 5e5"), {"the function type is 1; it must be 2"});
   refused(replaced(text, "9e5 38 2.6e-3", "9e5 38"),
           {"three parameters A, B and C", "topol.top:4"});
   refused(replaced(text, "9e5 38 2.6e-3", "-9e5 38 0"), {"A = -900000", "topol.top:4"});

@@ -221,6 +221,6 @@ TEST_CASE("errors in molecule files name file, line and key") {
   check_text(file(head, site + "sigma = \"3 A\""), {"no effect without epsilon", "site[0].sigma"});
   check_text(file(head, site + "[[site]]\n" + site), {"the same position"});
   check_text(file(head, replaced(site, "element = \"", "element = \"X")),
-             {"no chemical element", "leave it out"});
+             {"not a chemical element", "leave it out"});
   check_text("name = \"x\"\nsource = 3", {"source = 3 must be a text in quotes", "x.toml:2"});
 }

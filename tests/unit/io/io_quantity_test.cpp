@@ -52,7 +52,7 @@ TEST_CASE("a quantity without a unit is refused with an example") {
   check_error([] { quantity("0.855", Dimension::viscosity, "--viscosity"); }, {R"("0.855 mPa s")"});
   check_error([] { quantity("3", Dimension::inverse_length, "damping"); }, {R"("3 1/nm")"});
   check_error([] { quantity("0.005", Dimension::fraction, "accuracy"); },
-              {R"(write "0.005 %", or "0.5 %" if it is a fraction of 1)"});
+              {R"(write "0.005 %", or "0.5 %" if the number is a fraction of 1)"});
   check_error([] { quantity("1e308", Dimension::fraction, "accuracy"); }, {R"("1e308 %")"});
 }
 

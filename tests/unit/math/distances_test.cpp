@@ -59,14 +59,14 @@ TEST_CASE(
           {"2 distances do not determine the positions of 3 points", "can still move"});
   refused(2, {}, {"0 distances do not determine the positions of 2 points"});
   refused(3, {{0, 1, 0.1}, {0, 2, 0.1}, {1, 2, 0.3}},
-          {"the distance of points", "the other distances give"});
-  refused(2, {{0, 1, 0}}, {"the distance of points 1 and 2 is 0 nm; it must be above 0 nm"});
+          {"the distance between points", "the other distances give"});
+  refused(2, {{0, 1, 0}}, {"the distance between points 1 and 2 is 0 nm; it must be above 0 nm"});
   auto list = all_distances(chiral);
   list[5].length += 0.01;
-  refused(5, list, {"or the shape does not exist"});
+  refused(5, list, {"or no such shape exists"});
   // A hinge: two triangles with a common edge fold.
   refused(4, {{0, 1, 0.1}, {0, 2, 0.1}, {1, 2, 0.1}, {1, 3, 0.1}, {2, 3, 0.1}, {0, 3, 0.3}},
-          {"the distance of points"});
+          {"the distance between points"});
 }
 
 TEST_CASE("a nearly linear shape is made linear, others are unchanged") {

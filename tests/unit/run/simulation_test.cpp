@@ -299,7 +299,8 @@ TEST_CASE("a run that blows up says so and keeps its energies") {
   CHECK_THROWS_AS(
       simulation.run({}, {.message = [&](const std::string& text) { messages.push_back(text); }}),
       RunError);
-  CHECK(messages.back() == "the energies up to that step are in " + (folder / "out-energies.csv"));
+  CHECK(messages.back() ==
+        "the energies before the blow-up are in " + (folder / "out-energies.csv"));
   CHECK_FALSE(simulation.resumable_step());
 }
 

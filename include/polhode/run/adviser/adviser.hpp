@@ -33,7 +33,7 @@ struct Candidate {
   double step = 0;                   ///< step that is expected to meet the bound [ps]; 0 if there
                                      ///< is none
   double seconds = 0;                ///< wall-clock time per simulated ps at this step [s]
-  std::string obstacle;              ///< reason why there is no step
+  std::string obstacle;              ///< reason why no time step meets the required bound
 
   double ns_per_day() const { return seconds > 0 ? 86.4 / seconds : 0; }
 };

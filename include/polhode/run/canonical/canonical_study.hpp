@@ -54,7 +54,7 @@ struct CanonicalMethod {
   std::string text;  ///< name or stages of the scheme in records
   Scheme scheme;  ///< scheme with a bath, or a scheme without a bath for proposals of hybrid Monte
                   ///< Carlo
-  bool hybrid = false;  ///< whether the scheme makes proposals of hybrid Monte Carlo
+  bool hybrid = false;  ///< whether hybrid Monte Carlo uses the scheme to propose trajectories
   double step = 0;      ///< time step [ps]
   double cost() const { return scheme.cost() / step; }  ///< force evaluations per ps
 };

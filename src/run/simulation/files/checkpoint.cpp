@@ -320,8 +320,8 @@ std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
   }
   try {
     return FoundCheckpoint{read_checkpoint_of(files.previous, identity, reader),
-                           fmt::format("{}; the previous one, '{}', is intact and the run resumes "
-                                       "from it, with the same results",
+                           fmt::format("{}; the run resumes from the previous checkpoint, '{}', "
+                                       "which is intact, with the same results",
                                        damage, files.previous)};
   } catch (const DamagedCheckpoint& e) {
     throw OutputError(fmt::format(

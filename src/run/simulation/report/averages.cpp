@@ -84,7 +84,8 @@ std::string accepted_text(std::uint64_t some, std::uint64_t all, const SeriesEst
 
 Quantities of_barostat(const BarostatSummary& s) {
   return {
-      {"density", "kg/m3", in_kg_per_m3(s.density), "mean of the mass over the volume", "density"},
+      {"density", "kg/m3", in_kg_per_m3(s.density), "mean of the total mass divided by the volume",
+       "density"},
       detail({"volume", "nm3", s.volume, "mean volume", "volume"}),
       {"compressibility", "1/bar", in_per_bar(s.compressibility),
        "isothermal compressibility, from the fluctuations of the volume", "compressibility",
@@ -109,7 +110,7 @@ std::string effective_samples_text(const HybridMonteCarloSummary& s) {
   const Known known = s.effective_samples.known;
   if (known == Known::not_defined) return "not defined: the potential energy is constant";
   if (known != Known::yes) return not_known(known);
-  return fmt::format("{} of the potential energy, whose autocorrelation time is {}",
+  return fmt::format("{} for the potential energy, whose autocorrelation time is {}",
                      text_of(s.effective_samples), text_of(s.correlation_time, "ps"));
 }
 
@@ -126,9 +127,9 @@ Quantities of_hybrid_monte_carlo(const HybridMonteCarloSummary& s) {
           {"correlation_time", "ps", s.correlation_time,
            "integrated autocorrelation time of the potential energy"},
           {"effective_samples", "", s.effective_samples,
-           "number of independent samples of the potential energy with the same error"},
+           "number of independent samples that give the mean potential energy with the same error"},
           {"work", "kJ/mol", s.work,
-           "energy that the bodies received by drawing momenta and rejecting trajectories"}};
+           "energy that the bodies received when momenta were drawn and trajectories rejected"}};
 }
 
 /// The results of the ensemble; null at constant energy.
@@ -245,8 +246,9 @@ Quantities of_averages(const RunSummary& s) {
   if (s.temperatures_at_bath) {
     Quantities half =
         of_temperatures(*s.temperatures_at_bath, n, "  of half steps", "  of half steps");
-    list.push_back({"half_steps", "", flattened(half),
-                    "temperatures of the momenta on which a bath within the steps acts"});
+    list.push_back(
+        {"half_steps", "", flattened(half),
+         "temperatures of the half-step momenta, on which a bath within the steps acts"});
     half.front().key.clear();
     append(list, {half[0], half[1]});
   }
@@ -267,8 +269,8 @@ Quantities of_averages(const RunSummary& s) {
                  : ""}});
   append(list, of_ensemble(s.ensemble));
   list.push_back(detail({"equilibrium_start", "ps", s.equilibrium_start,
-                         "time from which on the potential energy and the volume are stationary, "
-                         "to within a twentieth of the run",
+                         "time after which the potential energy and the volume are stationary, "
+                         "with a resolution of a twentieth of the run",
                          "equilibrium from"}));
   list.push_back(detail({"momentum", "", s.momentum, "sum of all momenta at the end [u nm/ps]",
                          "total momentum", " u nm/ps"}));

@@ -126,8 +126,8 @@ std::optional<Warning> weight_warning(const HybridMonteCarloSummary& s) {
         fmt::format("the mean of {} is {:.4g} ± {:.2g} instead of the canonical value {:g}, so "
                     "this run has not sampled the canonical distribution",
                     name, mean.value, mean.error, exact),
-        "equilibrate longer before the run, or use a shorter step, so that even the largest energy "
-        "errors occur; external forces must depend only on positions, orientations and the box"};
+        "equilibrate longer before the run, or use a shorter step; external forces must depend "
+        "only on positions, orientations and the box"};
   };
   const auto first = warning(s.weight, 1, "exp(-dH/kT)");
   return first ? first : warning(s.bounded_weight, 0, "(exp(-dH/kT) - 1) exp(-|dH|/kT)");

@@ -70,7 +70,7 @@ Quantities of_drift(const Drift& drift, double walk, std::uint64_t samples) {
           {"drift_error", "", known_if(known, drift.rate.error),
            "standard error of the slope [kJ/mol/ps]"},
           {"drift_p_value", "", known_if(known, drift.p_value),
-           "probability of such a slope without an energy drift"},
+           "probability of a slope of at least this size without an energy drift"},
           {"drift_significant", "", known ? Value(drift.significant()) : Value(),
            "whether the p-value is below 0.01"},
           {"drift_verdict", "", verdict(drift),
@@ -124,7 +124,8 @@ Quantities conservation_rows(const RunSummary& s) {
       "energy drift",
       fmt::format(
           "{}{}{}", drift_text(s.drift, s.samples), harmless ? ", too little to matter" : "",
-          s.walk_known ? "" : "; part of it is the random walk of rounding in mixed precision")));
+          s.walk_known ? ""
+                       : "; R includes the random walk caused by rounding in mixed precision")));
   if (s.walk > 0)
     rows.push_back(
         detail(row("random walk",
@@ -150,14 +151,15 @@ Quantities of_conservation(const RunSummary& s) {
         "rms fluctuation of the potential energy"},
        {"R_rounding", "%", s.rounding, "estimated round-off limit of R; 0 in double precision"},
        {"R_truncation", "%", s.truncation,
-        "predicted R of the random walk that the truncation causes"},
+        "predicted R of the random walk caused by the truncation"},
        {"R_of_random_walk", "%", known_if(s.walk > 0, s.ratio_of_walk()),
         "R that the random walk would cause without other errors; null if there is no evidence for "
         "a random walk"},
-       {"walk_of_rounding_known", "", s.walk_known, "whether the random walk of rounding is known"},
+       {"walk_of_rounding_known", "", s.walk_known,
+        "whether the random walk caused by rounding is known"},
        {"drift_in_run_over_rms_potential", "", known_if(known, s.relative_drift()),
-        "energy change by the drift in this run, divided by the rms fluctuation of the potential "
-        "energy"},
+        "energy change due to the drift in this run, divided by the rms fluctuation of the "
+        "potential energy"},
        {"drift_kT_per_ns_per_degree_of_freedom", "",
         known_if(known && n > 0, s.drift.rate.value * units::ps_per_ns / (kT * n)),
         "energy drift per degree of freedom"}});
@@ -171,16 +173,16 @@ Quantities of_shadow(const RunSummary& s) {
   const SeriesEstimate& rms = shadow.fluctuation;
   const bool known = rms.known == Known::yes;
   Quantities list = of_drift(shadow.drift, shadow.drift.walk, shadow.samples);
-  append(list,
-         {{"samples", "", shadow.samples, "number of samples of the shadow energy"},
-          {"rms", "kJ/mol", rms.value, "rms fluctuation of the shadow energy"},
-          {"rms_error", "kJ/mol", known_if(known, rms.error),
-           "standard error of this rms fluctuation"},
-          {"time_gain", "", shadow.time_gain ? Value(*shadow.time_gain) : Value(),
-           "factor by which an energy drift becomes significant sooner in the shadow energy"}});
+  append(list, {{"samples", "", shadow.samples, "number of samples of the shadow energy"},
+                {"rms", "kJ/mol", rms.value, "rms fluctuation of the shadow energy"},
+                {"rms_error", "kJ/mol", known_if(known, rms.error),
+                 "standard error of this rms fluctuation"},
+                {"time_gain", "", shadow.time_gain ? Value(*shadow.time_gain) : Value(),
+                 "factor by which an energy drift becomes significant in a shorter time with the "
+                 "shadow energy"}});
   if (!known)
-    list.push_back(
-        {"error_not_known", "", reason(rms.known), "reason why the rms fluctuation has no error"});
+    list.push_back({"error_not_known", "", reason(rms.known),
+                    "reason why the standard error of the rms fluctuation is not known"});
   Quantities all = {{"shadow", "", std::move(list)}};
   if (!s.ensemble.settings.hybrid_monte_carlo)
     all.push_back(detail(
@@ -267,7 +269,7 @@ Quantity of_guarantee(const std::optional<GuaranteeCheck>& k) {
                      {"length", "ps", k->guarantee.length,
                       "length of the runs for which the accuracy is guaranteed"},
                      {"R_expected", "", k->guarantee.expected.value,
-                      "value measured in the runs that confirmed the choice"},
+                      "value of the bounded quantity in the runs that confirmed the choice"},
                      {"met", "", k->met(), "whether this run meets the bound"},
                      row("accuracy guarantee",
                          fmt::format("{}: {}", k->met() ? "met" : "NOT MET", guarantee_text(*k))),

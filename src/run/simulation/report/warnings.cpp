@@ -109,7 +109,7 @@ std::optional<Warning> ratio_warning(const RunSummary& s) {
       fmt::format(
           "R is {:.3g} % (bound: {:g} %): {} is conserved so poorly that averages are biased",
           100 * R, 100 * max_ratio, conserved_energy(s)),
-      "use a shorter step, or let accuracy = \"1 %\" in [integrator] choose it"};
+      "use a shorter step, or write accuracy = \"1 %\" in [integrator], which chooses the step"};
 }
 
 /// The R that the energy drift would give without other fluctuations. The rms deviation of a
@@ -156,13 +156,12 @@ std::string truncation_remedy(const ForceSettings& forces) {
 Warning truncation_warning(const ForceSettings& forces, const std::string& scheme, double ratio,
                            double bound) {
   const int n = is_shifted(forces) ? 1 : forces.smoothness;
-  return {
-      "truncation", ratio, bound,
-      fmt::format(
-          "the truncated potential has {} continuous derivative{}, so with {} the energy performs "
-          "a random walk: R grows with the run length, here to about {:.2g} % (bound: {:.2g} %)",
-          n, n == 1 ? "" : "s", scheme, 100 * ratio, 100 * bound),
-      truncation_remedy(forces)};
+  return {"truncation", ratio, bound,
+          fmt::format("the truncated potential has only {} continuous derivative{}; with {} the "
+                      "energy therefore performs a random walk, and R grows with the run length, "
+                      "here to about {:.2g} % (bound: {:.2g} %)",
+                      n, n == 1 ? "" : "s", scheme, 100 * ratio, 100 * bound),
+          truncation_remedy(forces)};
 }
 
 double truncation_bound(const RunSummary& s) {

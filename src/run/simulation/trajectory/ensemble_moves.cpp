@@ -23,10 +23,10 @@ template <class Type>
 void check_time_constant(const Type& type, double step) {
   if constexpr (requires { type.time_constant; })
     if (!(type.time_constant >= step))
-      throw Error(fmt::format(
-          "the thermostat's time_constant of {:g} fs is shorter than the step of {:g} fs; it must "
-          "be at least a step, and 100 to 1000 fs are usual",
-          type.time_constant * units::fs_per_ps, step * units::fs_per_ps));
+      throw Error(
+          fmt::format("the thermostat's time_constant of {:g} fs is shorter than the step of {:g} "
+                      "fs; it must be at least one step, and 100 to 1000 fs are usual",
+                      type.time_constant * units::fs_per_ps, step * units::fs_per_ps));
 }
 
 void check_barostat(const TrajectorySettings& settings) {

@@ -69,7 +69,7 @@ class Propagator::Impl {
     if (steps % whole != 0)
       throw Error(
           fmt::format("{} steps are not a whole number of hybrid Monte Carlo trajectories of {} "
-                      "steps each; advance by a multiple of the steps of a trajectory",
+                      "steps each; advance by a multiple of this number",
                       steps, whole));
     leave_last_sample();
     clocks_->skip_pause();
