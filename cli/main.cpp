@@ -143,8 +143,8 @@ void print_error(const Error& e) {
 /// The message when memory runs out unexpectedly.
 std::string no_memory() {
   return fmt::format(
-      "memory is exhausted: this process may use {:.3g} GB; use fewer molecules, frames, lags or "
-      "bins",
+      "memory is exhausted: this process may use {:.3g} GB; use fewer molecules, frames, lag times "
+      "or bins",
       memory_limit() / 1e9);
 }
 

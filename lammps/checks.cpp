@@ -75,9 +75,9 @@ void check_system(LAMMPS* lammps, const Fix* own, std::size_t evaluations) {
         "fix polhode cannot minimise, because LAMMPS minimisers deform rigid molecules; minimise "
         "before the fix is defined, or with 'polhode minimise'");
   if (!LAMMPS_NS::utils::strmatch(lammps->update->integrate_style, "^verlet"))
-    throw Error(
-        std::string("the run style is ") + lammps->update->integrate_style +
-        "; fix polhode needs run_style verlet, and nested schemes of fix polhode replace respa");
+    throw Error(std::string("the run style is ") + lammps->update->integrate_style +
+                "; fix polhode needs run_style verlet: use a nested scheme of fix polhode instead "
+                "of respa");
   if (lammps->domain->dimension == 2)
     throw Error(
         "the system is two-dimensional; fix polhode rotates molecules in three dimensions, "

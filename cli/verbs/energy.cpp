@@ -57,10 +57,9 @@ Action energy_verb(Command& command) {
       "--forces", o->forces,
       "print force [kJ/mol/nm] and torque [kJ/mol] of every body as CSV; energies go to "
       "standard error");
-  command.add_flag(
-      "--gradient", o->gradient,
-      "add the directional derivative of force and torque along the displacement (f/m, "
-      "J^-1 S tau) of the gradient kick; implies --forces");
+  command.add_flag("--gradient", o->gradient,
+                   "also print the directional derivative of force and torque along the "
+                   "gradient-kick displacement (f/m, J^-1 S tau); implies --forces");
   command.add_flag("--json", o->json, "print the energies as JSON");
   return [o] { return energy(*o); };
 }

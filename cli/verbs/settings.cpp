@@ -17,7 +17,8 @@ Action settings_verb(Command& command) {
     bool json = false;
   };
   auto o = std::make_shared<Options>();
-  command.add_option("NAME", o->name, "a setting, \"run.length\", or a table; default: all");
+  command.add_option("NAME", o->name,
+                     "name of a setting, such as \"run.length\", or of a table; default: all");
   command.add_option("--file", o->file, "run file (TOML), whose values are shown");
   command.add_flag("--json", o->json, "print JSON");
   return [o] {

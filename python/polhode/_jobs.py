@@ -315,10 +315,9 @@ def study(source: Source = None, *, schemes: Texts | None = None,
         source, **keywords: as in settings(); the other arguments have precedence.
         schemes (list of str): single or nested schemes to compare.
         steps (list): time steps: "2 fs".
-        runs (int): number of independent runs at each point.
+        runs (int): number of independent runs for each scheme and step.
         length: length of each run: "15 ps".
-        decorrelate: length of the equilibration of each initial configuration after drawing new momenta: "10
-            ps".
+        decorrelate: equilibration time of each initial configuration after new momenta are drawn: "10 ps".
         configurational_sample: interval between values of the configurational temperatures: "20 fs".
         ensemble (str): measure of accuracy, R or the bias of canonical averages: nve, nvt.
         quick (bool): small study, which takes one to three minutes on two cores.

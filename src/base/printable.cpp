@@ -55,7 +55,7 @@ void check_name(std::string_view what, std::string_view name) {
     if (length == 0)
       throw Error(
           fmt::format("the name of {}, '{}', contains the byte 0x{:02x}, which is a control "
-                      "character or not UTF-8; choose a name of printable characters",
+                      "character or not UTF-8; choose another name of printable characters",
                       what, printable(name), static_cast<unsigned char>(rest[0])));
     rest.remove_prefix(length);
   }

@@ -82,8 +82,8 @@ Fault fault_of_electrostatics(const ForceSettings& s) {
   if (!(s.pme_accuracy >= min_pme_accuracy && s.pme_accuracy <= max_pme_accuracy))
     return SettingFault{
         "pme_accuracy", fmt::format("{:g}", s.pme_accuracy),
-        fmt::format("must be from {:g} to {:g}: the rms error of electrostatic "
-                    "forces divided by their rms; {:g} is usual",
+        fmt::format("must be from {:g} to {:g}, the rms error of electrostatic forces relative to "
+                    "their rms; {:g} is usual",
                     min_pme_accuracy, max_pme_accuracy, ForceSettings{}.pme_accuracy)};
   if (s.precision == Precision::mixed && s.pme_accuracy < min_pme_accuracy_in_mixed)
     return SettingFault{

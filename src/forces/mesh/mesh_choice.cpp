@@ -312,7 +312,7 @@ MeshSettings MeshChoice::operator()(const Box& box) {
   if (points_of(best) > max_points)
     throw Error(fmt::format(
         "a charge cutoff of {:g} nm and an accuracy of {:g} need {} x {} x {} mesh points for "
-        "{:.0f} charges; the maximum for so few bodies is {:.2g} points, so {}",
+        "{:.0f} charges; the maximum for this number of charges is {:.2g} points, so {}",
         best.cutoff, settings_.pme_accuracy, best.points[0], best.points[1], best.points[2],
         charges, max_points, remedy(box, best)));
   return best;

@@ -102,7 +102,7 @@ void HeldFile::hold(const std::string& path) {
       errno != EWOULDBLOCK)
     return;
   throw Error(
-      fmt::format("another process is writing to '{}', under this or another name; wait until that "
+      fmt::format("another process is writing to '{}', perhaps through a link; wait until that "
                   "process has ended, or replace the link by a copy of the file",
                   path));
 }

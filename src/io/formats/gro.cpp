@@ -202,7 +202,7 @@ class GroReader : public FrameReader {
     std::size_t width = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const auto here = [&] {
-        return fmt::format("atom {} of the {} that the second line gives", i + 1, count);
+        return fmt::format("atom {} of {} (the number in the second line)", i + 1, count);
       };
       const std::string_view line = lines_.next(here);
       if (line.size() < first_number || line.find('.') < first_number)

@@ -210,8 +210,8 @@ class LammpsDumpReader : public FrameReader {
 
   void read_atom(Frame& frame, AtomKinds& kinds, std::size_t i, std::size_t count) {
     using What = DumpColumn::What;
-    std::string_view rest = lines_.next(
-        [&] { return fmt::format("atom {} of the {} that the frame has", i + 1, count); });
+    std::string_view rest =
+        lines_.next([&] { return fmt::format("atom {} of the {} in the frame", i + 1, count); });
     Atom& atom = frame.atoms.emplace_back();
     std::string_view element;
     ParticleColumns particle;

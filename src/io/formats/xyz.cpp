@@ -226,8 +226,8 @@ class XyzReader : public FrameReader {
     AtomKinds kinds(frame.kinds);
     frame.atoms.clear();
     for (std::size_t i = 0; i < count; ++i) {
-      std::string_view rest = lines_.next(
-          [&] { return fmt::format("atom {} of the {} that the frame has", i + 1, count); });
+      std::string_view rest =
+          lines_.next([&] { return fmt::format("atom {} of the {} in the frame", i + 1, count); });
       Atom& atom = frame.atoms.emplace_back();
       for (const auto& [what, words] : properties_) switch (what) {
           case Property::What::species: {

@@ -196,8 +196,8 @@ SettingTable output_table() {
                "interval between frames; 0 ps writes no trajectory. A frame is written at the "
                "first energy sample after each interval, so give a multiple of `sample`"),
            row("formats", output(&O::formats),
-               "[formats](formats.md) of the trajectory, given by their extensions; each format "
-               "has its own file",
+               "[formats](formats.md) of the trajectory, given by file extensions; each format "
+               "gives a separate file",
                More{.domain = "list of [formats](formats.md)", .read = read_formats}),
            row("massless_sites", output(&O::massless_sites),
                "whether the trajectory includes massless sites, such as M of TIP4P"),
@@ -234,10 +234,10 @@ SettingTable study_table() {
                 .read = read_steps,
                 .kinds = {SettingKind::texts}}),
        row("runs", study(&S::runs), between(2, 1e6, ", for an error bar"),
-           "number of independent runs at each point", More{.free = true}),
+           "number of independent runs for each scheme and step", More{.free = true}),
        row("length", study(&S::length), ps, above(0), "length of each run", More{.free = true}),
        row("decorrelate", study(&S::decorrelate), ps, equilibration,
-           "length of the equilibration of each initial configuration after drawing new momenta",
+           "equilibration time of each initial configuration after new momenta are drawn",
            More{.free = true}),
        row("configurational_sample", study(&S::configurational_sample),
            SettingUnit{Dimension::time, "fs", "20 fs"},

@@ -128,8 +128,8 @@ Molecule read_molecule(const std::string& name_or_path) {
   const auto names = molecule_names();
   const auto near = did_you_mean(name_or_path, names);
   throw Error(
-      fmt::format("there is no molecule '{}'{} ('polhode molecules' lists all of them; the "
-                  "path of a file of your own ends in .toml)",
+      fmt::format("there is no molecule '{}'{} ('polhode molecules' lists all molecules; the name "
+                  "of your own molecule file must end in .toml)",
                   name_or_path, near));
 }
 

@@ -95,8 +95,7 @@ class Adviser {
     const double seconds = min_work() * evaluation_ / workers_.threads();
     if (seconds > settings_.seconds)
       callbacks_.note(
-          fmt::format("choosing the step for this system takes at least {:.0f} s, more than the "
-                      "requested {:g} s",
+          fmt::format("choosing the step needs at least {:.0f} s, more than the requested {:g} s",
                       seconds, settings_.seconds));
     effort_.expect(std::max(min_work(), budget(1) / evaluation_ - effort_.done()));
     prepare_conversion();

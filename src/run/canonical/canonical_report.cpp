@@ -194,10 +194,11 @@ std::string canonical_conditions(const Config& config) {
   bath.thermostat = config.ensemble.thermostat.value_or(ThermostatSettings{});
   const auto hybrid = config.ensemble.hybrid_monte_carlo.value_or(HybridMonteCarloSettings{});
   return fmt::format(
-      "at most {} runs of {:g} ps, without the first {:g} ps; every scheme starts from the same "
+      "at most {} runs of {:g} ps, whose first {:g} ps are left out; every scheme starts from the "
+      "same "
       "canonical configurations; schemes with a bath: {}; hybrid Monte Carlo: {} steps per "
-      "trajectory; temperatures are compared with {:g} K, other averages with the averages of "
-      "hybrid Monte Carlo",
+      "trajectory; the reference is {:g} K for temperatures, and hybrid Monte Carlo for other "
+      "averages",
       config.study.runs, config.study.length, relaxation(config.study.length), description(bath),
       hybrid.steps, config.system.temperature);
 }

@@ -98,8 +98,8 @@ SchemeFamily::SchemeFamily(const NamedScheme& scheme, const std::string& label)
     distinct = independent(slopes(*this, values_of(parameters_)));
   } catch (const Error& e) {
     throw Error(
-        fmt::format("the stages of {} are invalid when a free parameter changes by {:g}: {}; "
-                    "express the other coefficients by the parameter, as in \"{}\"",
+        fmt::format("the stages of {} do not form a scheme when a free parameter changes by {:g}: "
+                    "{}; express the other coefficients by the parameter, as in \"{}\"",
                     label_, displacement, e.what(), example_family));
   }
   if (!distinct)

@@ -233,7 +233,8 @@ std::string conditions(const Config& config) {
   return fmt::format(
       "{}, switched from {:g} to {:g} nm (class C{}){}, initial configuration {}; at most {} runs "
       "of {:g} ps from initial configurations equilibrated for {:g} ps at {:g} K, the same for "
-      "every scheme; energies at least every 2.5 fs or every step; a curve ends where the energy "
+      "every scheme; energies are sampled at least every 2.5 fs, or at every step; a curve ends "
+      "where the energy "
       "drifts at all longer steps, with a p-value below {:g} and, during a run, by at least {:g} "
       "times the rms fluctuation of the energy",
       f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",

@@ -67,12 +67,12 @@ TEST_CASE("errors in GRO files give the line, what was found and what was expect
   check_text(replaced(water, "\n3\n", "\nthree\n"), {"found 'three' where the number of", ":2"});
   check_text(replaced(water, "\n3\n", "\n-3\n"), {"found '-3' where the number of atoms"});
   check_text(replaced(water, "\n3\n", "\n4\n"),
-             {"where atom 4 of the 4 that the second line gives must be", "a.gro:6"});
+             {"where atom 4 of 4 (the number in the second line) must be", "a.gro:6"});
   check_text(replaced(water, "\n3\n", "\n2\n"),
              {"another atom", "the frame has 2 atoms", "a.gro:5"});
   check_text("water\n3\n" + atoms, {"the file ends where the box must be", "a.gro:6"});
   check_text("water\n3\n" + atoms.substr(0, 90),
-             {"the file ends where atom 3 of the 3 that the second line gives must", "a.gro:5"});
+             {"the file ends where atom 3 of 3 (the number in the second line) must", "a.gro:5"});
   check_text("water\n3\n" + atoms.substr(0, 87),
              {"the line ends after 42 characters; with three coordinates of 8 characters each",
               "must have 44 characters", "a.gro:4"});

@@ -91,16 +91,16 @@ std::string ratio_text(const RunSummary& s) {
 /// The fluctuations of which R is the ratio, and the size of the energy drift; none without them.
 Quantities conservation_details(const RunSummary& s) {
   if (s.samples < min_samples_reported || s.potential_fluctuation.value == 0) return {};
-  return {detail(row("rms fluctuations",
-                     fmt::format("of the {} energy {:.4g} kJ/mol, of the potential energy {:.4g} "
-                                 "kJ/mol; R is their ratio",
-                                 energy_name(s), s.total_fluctuation.value,
-                                 s.potential_fluctuation.value))),
-          detail(row("drift in this run",
-                     fmt::format("of the {} energy, {:.2g} % of the rms fluctuation of the "
-                                 "potential energy{}",
-                                 energy_name(s), percent(s.relative_drift()),
-                                 drift_matters(s) ? "" : ", too little to matter")))};
+  return {
+      detail(row(
+          "rms fluctuations",
+          fmt::format(
+              "{} energy {:.4g} kJ/mol, potential energy {:.4g} kJ/mol; R is the ratio of the two",
+              energy_name(s), s.total_fluctuation.value, s.potential_fluctuation.value))),
+      detail(row("drift in this run",
+                 fmt::format("{} energy: {:.2g} % of the rms fluctuation of the potential energy{}",
+                             energy_name(s), percent(s.relative_drift()),
+                             drift_matters(s) ? "" : ", too little to matter")))};
 }
 
 /// Rows on energy conservation. There are none for hybrid Monte Carlo, which does not conserve any
@@ -120,17 +120,18 @@ Quantities conservation_rows(const RunSummary& s) {
     rows.back().detail = !dominates;
   }
   const bool harmless = s.drift.known == Known::yes && s.drift.significant() && !drift_matters(s);
-  rows.push_back(row(
-      "energy drift",
-      fmt::format(
-          "{}{}{}", drift_text(s.drift, s.samples), harmless ? ", too little to matter" : "",
-          s.walk_known ? ""
-                       : "; R includes the random walk caused by rounding in mixed precision")));
+  rows.push_back(
+      row("energy drift",
+          fmt::format(
+              "{}{}{}", drift_text(s.drift, s.samples), harmless ? ", too little to matter" : "",
+              s.walk_known
+                  ? ""
+                  : "; the drift includes the random walk caused by rounding in mixed precision")));
   if (s.walk > 0)
     rows.push_back(
         detail(row("random walk",
-                   fmt::format("of the {} energy, {:.2g} kJ/mol per sqrt(ps): R is {:.2g} % in "
-                               "this run and grows as the square root of the run length",
+                   fmt::format("{} energy: {:.2g} kJ/mol per sqrt(ps); R is {:.2g} % in this run "
+                               "and grows as the square root of the run length",
                                energy_name(s), std::sqrt(s.walk), percent(s.ratio_of_walk())))));
   return rows;
 }
