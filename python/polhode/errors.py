@@ -34,7 +34,7 @@ class OutputError(Error):
         super().__init__(text, where)
         self.resumable = resumable
         remedy = "resume=True, which resumes, or " if resumable else ""
-        self.args = (f"{self.args[0]}\n  try  {remedy}force=True, which starts over and overwrites",)
+        self.args = (f"{self.args[0]}\n  try  {remedy}force=True, which starts over and overwrites the earlier output",)
 
     def __reduce__(self):
         return type(self), (self.text, self.where, self.resumable)
