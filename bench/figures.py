@@ -99,7 +99,7 @@ def peers(result, path):
                title=f"{molecules} molecules, {threads} thread{'s' * (threads > 1)}")
         figures.plain_ticks(ax.xaxis, targets)
     rows[0][0].set_ylabel("seconds per nanosecond")
-    # A build for another instruction set has a different speed.
+    # Builds for other instruction sets run at different speeds.
     builds = "\n".join(f"{program(n)} {v}" for n, v in result.get("versions", {}).items() if n in looks and not n.startswith("polhode"))
     figure.supxlabel(f"Builds as distributed, others are faster or slower:\n{builds}" if builds else "", fontsize=9)
     figures.legend(figure, rows[0][0], 3)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// polhode: the first word is a verb; errors become messages and exit codes.
+// The polhode program: runs the verb given as the first word, and turns errors into messages and
+// exit codes.
 #include <fmt/core.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
@@ -38,7 +39,7 @@ void check_verb(const std::string& word) {
                           did_you_mean(word, names), join_names(names)));
 }
 
-/// A suggestion to replace an option that the verb does not have.
+/// Suggests a replacement for an option that the verb does not have.
 std::string instead_of(const std::string& option, const CLI::App& verb) {
   if (verb.get_name() == "run" && option == "--steps")
     return "; the length of a run is given as a time: write --length \"8 fs\" for 4 steps of 2 fs";

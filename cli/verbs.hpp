@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The verbs of the command line. A verb declares its options on a subcommand, and returns a
-// function to call after parsing. The return value of this function is the exit code.
+// function to call after parsing. The return value of the returned function is the exit code.
 #pragma once
 
 #include <functional>
@@ -24,13 +24,13 @@ struct VerbGroup {
   std::vector<Verb> verbs;
 };
 
-/// All verbs, in the order in which help lists them. Help, overview and the indices of the manual
-/// and of Python follow from this table.
+/// All verbs, in the order in which help lists them. The help, the overview, and the indices of the
+/// manual and of the Python documentation are generated from this table.
 const std::vector<VerbGroup>& verb_groups();
 
 std::vector<std::string> verb_names();
 
-/// The list of verbs with three examples.
+/// Lists the verbs and shows three examples.
 std::string overview();
 
 }  // namespace polhode::cli

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One complete force evaluation of 512 TIP4P waters, list valid, on every instruction set, in both
-// precisions, for each interaction; and a step of HOA2, which adds drifts, kicks and list updates.
-// The derivative of the forces is compared with a force evaluation. The results for the molecule
-// switch include the fraction of lanes in use and the time of the pair arithmetic alone.
+// Times one complete force evaluation of 512 TIP4P waters with a valid neighbour list, for every
+// instruction set, precision and interaction. Also times a step of HOA2, which adds drifts, kicks
+// and list updates. The derivative of the forces is timed in comparison with a force evaluation.
+// The results for the molecule switch include the fraction of lanes in use and the time of the pair
+// arithmetic alone.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -49,7 +50,8 @@ void force_evaluation(benchmark::State& loop, InstructionSet instruction_set, Tr
 }
 
 /// Measures the derivative of forces along the direction of a gradient kick, interleaved with force
-/// evaluations. Minimum times are used, so that their ratio does not depend on other load.
+/// evaluations. Minimum times are used, so that other programs on the computer do not affect the
+/// ratio of both times.
 void derivative(benchmark::State& loop, InstructionSet instruction_set, Precision precision,
                 const ForceSettings& settings) {
   force_instruction_set(instruction_set);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The particle mesh of 512 TIP4P waters, on every instruction set, in both precisions: its parts,
-// charges to the grid, transforms and product, forces from it, and the whole, forces alone and with
-// energies; then a mesh chosen for an accuracy, and larger boxes of water. The time per charge
-// should be constant.
+// Times the particle mesh of 512 TIP4P waters for every instruction set and precision. The parts
+// are charge spreading, transforms with the influence function, and interpolation of the forces.
+// The whole mesh is timed with and without energies. Also timed are a mesh chosen for an accuracy,
+// and larger boxes of water. The time per charge should be constant.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ using bench::waters;
 
 constexpr double cutoff = 0.9;
 
-/// A state in the data structures of the mesh.
+/// A state, stored in the data structures that the mesh code uses.
 template <class T>
 struct Placed {
   NeighbourList list;
@@ -88,7 +88,7 @@ void add(const std::string& name, InstructionSet instruction_set, What what, std
 
 template <class T>
 void add_all(const std::string& precision) {
-  // These settings have relative errors of 0.9e-4 in this water.
+  // With these mesh settings, the relative force error in this water is 0.9e-4.
   const MeshSettings usual{{20, 20, 20}, 5, 5, cutoff};
   for (const InstructionSet instruction_set : available_instruction_sets()) {
     const std::string on = precision + "/" + name(instruction_set);

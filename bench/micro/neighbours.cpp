@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Building the neighbour list of water at liquid density, on every instruction set: the whole, and
-// sorting the bodies alone; time per body should hardly depend on their number.
+// Times the construction of the neighbour list of liquid water for every instruction set, and
+// separately the sorting of the bodies. The time per body should hardly depend on the number of
+// bodies.
 #include <benchmark/benchmark.h>
 
 #include <string>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Nanoseconds per body and free rotation: series and NO_SQUISH in the same packs, on every
-// instruction set, at two rates of rotation; closed form and recursive method one body at a time.
+// Prints nanoseconds per body for a free rotation. The series and NO_SQUISH use the same packs, on
+// every instruction set, at two rates of rotation. The closed form and the recursive method rotate
+// one body at a time.
 //
 //     build/bench/bench_rotor [--benchmark_...]
-//  The ratios at the end are from alternating repetitions, so a change of clock rate or other load
-// affects both.
+//  The final ratios come from alternating repetitions, so changes of clock rate or load affect both
+// methods.
 #include "rotor.hpp"
 
 #include <benchmark/benchmark.h>

@@ -162,7 +162,7 @@ class Gromacs(Engine):
         return logs.gromacs_energies((case.folder / "energy.xvg").read_text())
 
     def step_us(self, case, step, steps, threads):
-        # The counters are reset halfway, when the list is tuned, so there are twice as many steps.
+        # GROMACS resets its counters halfway, after tuning its pair list, so the run has twice as many steps.
         log = self._run(case, step, 2 * steps, 100, threads, "-resethway")
         return logs.gromacs_step_us(log, step)
 

@@ -52,7 +52,7 @@ def main():
     context = mm.Context(water(start, order), integrator, mm.Platform.getPlatformByName("CPU"),
                          {"Threads": str(order["threads"])})
     context.setPositions([mm.Vec3(*r) for r in start.positions])
-    # The velocities of the integrator lag half a step behind.
+    # The velocities of this OpenMM integrator lag the positions by half a time step.
     pull = context.getState(getForces=True).getForces()._value
     back = [order["step_fs"] / 2000 / MASSES[i % gro.SITES] if MASSES[i % gro.SITES] else 0.0
             for i in range(len(start.labels))]

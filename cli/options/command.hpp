@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A verb's options as they are declared. Behind it is CLI11, a long header that only command.cpp
-// and main.cpp include.
+// The declared options of a verb. The implementation uses CLI11, a long header that only
+// command.cpp and main.cpp include.
 #pragma once
 
 #include <memory>
@@ -29,8 +29,8 @@ class CommandOption {
   CLI::Option* option_;
 };
 
-/// A verb on the command line. It refers to a command object of the parser. That object has a
-/// longer lifetime.
+/// A verb on the command line. A Command refers to a command object of the parser, which must
+/// outlive the Command.
 class Command {
  public:
   /// @param typed  whole command as a user could type it

@@ -12,8 +12,8 @@
 
 namespace polhode::cli {
 
-/// The form in which results are printed. By default, only the requested results are printed, which
-/// fit on a screen.
+/// The output format of results. The default output is only the requested results, which fit on a
+/// screen.
 struct ResultForm {
   bool json = false;
   bool verbose = false;  ///< whether to print details as well, such as the tables of a study
@@ -33,10 +33,8 @@ struct JobOptions : ResultForm {
   void declare_force(Command& command);
   void declare_resume(Command& command);
 
-  /// The settings of the run file, or of the default run, combined with the command line. Notes on
-  /// defaults that the command line selects are printed.
-  /// @param quick  whether the quick version of the job is requested
-  /// @throws Error  under the same conditions as read_config()
+  /// The settings of the run file, or of the default run, combined with the command line. This
+  /// function prints notes on defaults that the command line selects.
   Config config(bool quick = false) const;
   /// The output options.
   /// @throws Error  if both --resume and --force are given

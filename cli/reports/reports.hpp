@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What verbs print at their end.
+// The output that verbs print when they finish.
 #pragma once
 
 #include <string>
@@ -17,8 +17,7 @@ void print_results(const Quantities& results, const ResultForm& form);
 /// Prints a list of records as JSON or as a table with a title.
 void print_results(const std::string& title, const std::vector<Quantities>& records, bool json);
 
-/// Prints the results of a run. If it was interrupted, this is reported on standard error.
-/// @return  exit code
+/// Prints the results of a run. An interrupted run is reported on standard error.
 int print_run(const RunResult& result, const Simulation& simulation, const ResultForm& form);
 
 /// Prints to standard error the step from which a run that ended with an error can be resumed, if
@@ -26,9 +25,7 @@ int print_run(const RunResult& result, const Simulation& simulation, const Resul
 void note_resumable(const Simulation& simulation);
 
 /// Prints the results of a study, and how to resume it if it was interrupted. Without a finished
-/// run there are no results.
-/// @param record  file with the runs so far
-/// @return  exit code
+/// run, no results are printed.
 template <class Report>
 int finish_study(const Report& report, const std::string& record, const ResultForm& form) {
   if (form.json || !report.points.empty()) print_results(quantities(report), form);

@@ -8,7 +8,7 @@
 namespace polhode::cli {
 namespace {
 
-// All threads of a study read the flag, and the handler may run in any of them.
+// All threads of a study read this flag, and the signal handler may run in any of these threads.
 std::atomic<bool> caught = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
@@ -27,8 +27,8 @@ void catch_interrupts() {
   // A second signal has its default effect and ends the program at once.
   for (const int signal_number : {SIGINT, SIGTERM})
     take(signal_number, static_cast<int>(SA_RESETHAND));
-  // These signals are repeated by the system: when a terminal closes, and every second beyond the
-  // limit of CPU time.
+  // The system may repeat SIGXCPU and SIGHUP: every second beyond the CPU time limit, and when a
+  // terminal closes.
   take(SIGXCPU, 0);
   struct sigaction hangup {};
   sigaction(SIGHUP, nullptr, &hangup);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C, SIGTERM, SIGHUP and SIGXCPU set a flag that loops poll, so that results so far are
-// written.
+// Ctrl-C, SIGTERM, SIGHUP and SIGXCPU set a flag that loops poll, so that a job can write its
+// results before it ends.
 #pragma once
 
 namespace polhode::cli {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The progress of a job on standard error, with the expected end. On a terminal a single line is
-// updated, and in a log a line is added now and then.
+// The progress of a job on standard error, with the expected end. On a terminal, a single progress
+// line is updated; in a log, a new line is added from time to time.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// Shows the progress of a job: on a terminal at most five times a second, and in a log at the
-  /// pace of ProgressPace.
+  /// intervals that ProgressPace sets.
   void show(const Progress& now);
   /// Erases the line on a terminal until progress is shown again.
   void clear();

@@ -11,13 +11,13 @@
 
 namespace polhode::cli {
 
-/// Opens replacements for closed standard streams, so that no other file gets their descriptors. It
-/// also turns the signals of closed pipes and file size limits into write errors. Call this
-/// function first.
+/// Opens replacements for closed standard streams, so that no other file gets their descriptors.
+/// The function also turns the signals of closed pipes and file size limits into write errors. Call
+/// this function first.
 void prepare_streams();
 
 /// The exit code of a program that would end with `code`. If standard output could not be written
-/// completely, it is 1 instead of 0, and a message is printed.
+/// completely, the exit code is 1 instead of 0, and a message is printed.
 int exit_code(int code);
 
 /// Prints to standard error. Write errors are ignored, so that a run does not end because of its

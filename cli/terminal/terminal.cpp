@@ -15,22 +15,23 @@ namespace {
 constexpr std::size_t min_width = 40, max_indent = 30;  // smallest width, and largest indent of the
                                                         // parser's column of meanings
 
-/// The number of columns of a text, which is the number of bytes that begin a UTF-8 character.
+/// The display width of a text in columns, which is the number of bytes that begin a UTF-8
+/// character.
 std::size_t columns(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xc0) != 0x80; }));
 }
 
-/// The column at which a wrapped line continues. This is the column of the text after a label and
-/// two blanks, or otherwise the column at which the line begins.
+/// The column at which a wrapped line continues. The continuation column is the column of the text
+/// after a label and two blanks, or otherwise the column at which the line begins.
 std::size_t indent_of(std::string_view line, std::size_t width) {
   const auto begin = line.find_first_not_of(' ');
   const auto text = line.find_first_not_of(' ', line.find("  ", begin));
   return std::min({text == line.npos ? begin : text, max_indent, width / 2});
 }
 
-/// The number of bytes of the longest beginning of a line that fits and ends at a blank. If there
-/// is no blank, it is the whole line.
+/// The number of bytes of the longest beginning of a line that fits and ends at a blank. If the
+/// line has no such blank, the result is the length of the whole line.
 std::size_t fitting(std::string_view line, std::size_t width) {
   std::size_t end = line.npos;
   const std::size_t first = line.find_first_not_of(' ');

@@ -8,8 +8,8 @@
 
 namespace polhode::cli {
 
-/// Wraps a text between words, so that lines have at most `width` columns. Continuation lines begin
-/// below the text of the line, as in the meaning of an option.
+/// Wraps a text between words, so that lines have at most `width` columns. Continuation lines are
+/// indented to the column of the line's text, for example of an option's description.
 std::string wrapped(std::string_view text, std::size_t width);
 
 /// Wraps a text at the environment variable COLUMNS, or at the width of the terminal to which a

@@ -19,7 +19,7 @@ namespace {
 
 using Options = RequestOptions<AdviceRequest>;
 
-/// Gives advice for hybrid Monte Carlo, which has no bias that could be bounded.
+/// Advises on hybrid Monte Carlo, whose averages have no time-step bias to bound.
 int advise_canonical(const Options& o, const Config& config, bool schemes_given) {
   const HybridAdviserSettings settings = o.request.hybrid_settings(config, schemes_given);
   Workers workers = o.workers();

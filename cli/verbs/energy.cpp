@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// polhode energy [FILE]: single-point energies, and forces and torques on all bodies as CSV.
+// polhode energy [FILE]: prints single-point energies, and the forces and torques on all bodies as
+// CSV.
 #include <fmt/core.h>
 
 #include <memory>

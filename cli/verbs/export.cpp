@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode export PROGRAM FILE: a run file as input of another program.
+// polhode export PROGRAM FILE: converts a run file to input for another program.
 #include <fmt/core.h>
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode minimise [FILE]: the nearest minimum of the energy, as a coordinate file.
+// polhode minimise [FILE]: finds the nearest energy minimum and writes a coordinate file.
 #include <fmt/core.h>
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode new KIND [FILE]: a commented run file to start from.
+// polhode new KIND [FILE]: writes a run file with comments as a starting point.
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 

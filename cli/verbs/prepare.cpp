@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// polhode prepare [FILE]: an equilibrated start from composition, temperature and pressure or
-// density.
+// polhode prepare [FILE]: makes an equilibrated initial configuration from composition, temperature
+// and pressure or density.
 #include <memory>
 
 #include "../options/job_options.hpp"

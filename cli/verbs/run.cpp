@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode run [FILE]: a trajectory with its energies, plots and summary.
+// polhode run [FILE]: simulates a trajectory, and writes its energies, plots and summary.
 #include <memory>
 
 #include "../options/job_options.hpp"

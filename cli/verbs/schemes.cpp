@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode schemes [NAME]: the table of splitting schemes.
+// polhode schemes [NAME]: prints the table of splitting schemes.
 #include <memory>
 #include <string>
 

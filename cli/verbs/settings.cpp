@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode settings [NAME] [FILE]: the settings of run files.
+// polhode settings [NAME] [FILE]: describes the settings of run files.
 #include <fmt/core.h>
 
 #include <memory>

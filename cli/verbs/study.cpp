@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode study [FILE]: accuracy against cost for each scheme, the figure of the paper.
+// polhode study [FILE]: compares the accuracy and cost of schemes, as in the figure of the paper.
 #include <memory>
 
 #include "../options/job_options.hpp"

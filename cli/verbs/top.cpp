@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// polhode top: the rotation of a free top, exact and with NO_SQUISH, or of all tops in a table.
+// polhode top: computes the rotation of a free top, exactly and with NO_SQUISH, for one top or all
+// tops in a table.
 #include "polhode/run/top/top.hpp"
 
 #include <fmt/ranges.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// polhode tune-scheme [FILE]: finds the best η of the hoa2 family, the best η and ξ of the gier4
-// family, or the best free parameters of a scheme, for a given system and step.
+// polhode tune-scheme [FILE]: finds the best parameters of a scheme for a given system and step.
+// These are η of the hoa2 family, η and ξ of the gier4 family, or the free parameters of a
+// user-defined scheme.
 #include <fmt/core.h>
 
 #include <memory>

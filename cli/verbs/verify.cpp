@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode verify NAME|TEXT: the order of a scheme from the slope of its energy error.
+// polhode verify NAME|TEXT: measures the order of a scheme from the slope of its energy error.
 #include <memory>
 #include <string>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Free rotations of a column of bodies, over packs: the series and NO_SQUISH do the same work, from
-// orientation and lab-frame angular momentum to the new orientation of length one.
+// Benchmark kernels for free rotations of many bodies with SIMD packs: the series and NO_SQUISH.
+// Both do the same work, from orientation and lab-frame angular momentum to the new, normalized
+// orientation.
 #include "../rotor.hpp"
 
 #include "base/pack.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Memory for packs. Large blocks lie on large pages, because the processor's address tables hold
-// only a limited number of pages.
+// Memory for packs. Large memory blocks are placed on large pages, because the processor's address
+// tables hold only a limited number of pages.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,8 @@
 
 namespace polhode {
 
-/// Size of the widest SIMD pack in bytes; columns start and end at multiples of it.
+/// Size of the widest SIMD pack in bytes; the memory of a column starts and ends at multiples of
+/// this size.
 inline constexpr std::size_t pack_bytes = 64;
 
 /// Size of a large page on common processors, in bytes. A block of memory of at least two large

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Functions and lambdas of inner loops that the compiler must inline, as the shape of molecules is
-// known there.
+// Macros for functions and lambdas that the compiler must inline into inner loops, where the shape
+// of the molecules is known.
 #pragma once
 
 #define POLHODE_INLINE [[gnu::always_inline]]                 // before a function

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Columns hold one number per body, contiguous and aligned for the widest pack. They are padded to
-// a whole number of packs, so that loops over packs need no remainder. The padding holds a harmless
-// value.
+// a whole number of packs, so that loops over packs need no remainder. Padding elements are set to
+// a value that is safe in arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -63,8 +63,9 @@ class Component {
   std::size_t size_ = 0;
 };
 
-/// Owns the memory of `n` columns of equal size, at equal distances. Other languages can share this
-/// memory as one array with strides. Assigning the same number of values does not move the memory.
+/// Owns the memory of `n` columns of equal size, placed at equal distances in memory. Other
+/// languages can share this memory as one array with strides. Assigning values of the same number
+/// does not move the memory.
 template <std::size_t n>
 class Components {
  public:
@@ -87,7 +88,7 @@ class Components {
     for (std::size_t k = 0; k < n && size > 0; ++k)
       std::fill_n(component(k).data(), padded_size(), value[k]);
   }
-  /// Updates the components after the memory may have moved.
+  /// Updates the component pointers after a move of the memory.
   void place(const std::array<Component*, n>& components) {
     for (std::size_t k = 0; k < n; ++k) {
       components[k]->data_ = component(k).data();
@@ -100,8 +101,8 @@ class Components {
   }
 
  private:
-  /// The stride is one pack larger than the values need, because components that are whole pages
-  /// apart share few cache lines.
+  /// The stride is one pack larger than necessary, because components that are whole pages apart
+  /// share few cache lines.
   static constexpr std::size_t stride_of(std::size_t size) {
     return Column<double>::padded(size) + pack_bytes / sizeof(double);
   }

@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// The names of the values of an enumeration, as an array in their order. It is specialized for
-/// each enumeration that has names.
+/// The names of all values of an enumeration, in the order of the values. This array is specialized
+/// for each enumeration that has names.
 template <class Enum>
 inline constexpr auto enum_names = nullptr;
 

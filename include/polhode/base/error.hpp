@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The two kinds of errors that a user may see. The text gives the invalid value with its unit, the
-// bound, a brief reason, and a remedy; the place is added where it is known.
+// The two kinds of errors that a user may see. The message gives the invalid value with its unit,
+// the bound, a brief reason, and a remedy. The place in the file is added where it is known.
 #pragma once
 
 #include <stdexcept>
@@ -9,14 +9,14 @@
 
 namespace polhode {
 
-/// Bad input: a file, a value, an option. Front ends print it and exit with code 2.
+/// Invalid input: a file, a value or an option. Front ends print the message and exit with code 2.
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& what_and_remedy, std::string where = {})
       : std::runtime_error(what_and_remedy), where_(std::move(where)) {}
 
-  /// The place of the error as far as it is known: file, line and key, such as "water.toml:9,
-  /// forces.cutoff".
+  /// The place of the error in the input, as far as it is known: file, line and key, such as
+  /// "water.toml:9, forces.cutoff".
   const std::string& where() const { return where_; }
 
   /// Returns this error with a place added, unless a more precise place is already known.

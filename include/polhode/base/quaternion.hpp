@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Unit quaternions as orientations: (w, x, y, z) is the active rotation A, body → lab. Its
-// transposed matrix is the S of the papers, lab → body: x_body = S x_lab.
+// Unit quaternions as orientations: (w, x, y, z) is the active rotation A, body → lab. The
+// transpose of A is the matrix S of the papers, lab → body: x_body = S x_lab.
 #pragma once
 
 #include "polhode/base/vec3.hpp"

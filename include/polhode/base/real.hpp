@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What physics may require of a number type beyond + - * /, for plain double and float. Packs and
-// dual numbers overload the same names, so that each potential is written once for all number
-// types.
+// The functions and operators that physics code may require of a number type beyond + - * /,
+// implemented here for double and float. Packs and dual numbers overload the same functions, so
+// that each potential is written once for all number types.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +26,9 @@ constexpr Real select(bool condition, Real if_true, Real if_false) {
 /// Whether a comparison holds in any lane; a plain number has one lane.
 constexpr bool any(bool mask) { return mask; }
 
-/// The type of constant factors of a Real. For a dual number it is the plain number type, because
-/// constants have no derivative. For all other Reals it is the Real type.
+/// The type of constant factors of a Real. For a dual number, the constant type is the plain number
+/// type, because constants have no derivative. For all other Reals, the constant type is the Real
+/// type.
 template <class Real>
 struct ConstantOf {
   using type = Real;
@@ -56,8 +57,8 @@ constexpr void subtract_product(Real& sum, const Real& a, const Real& b) {
   sum -= a * b;
 }
 
-/// The value of a function at x, with its known derivative. For a dual number this derivative gives
-/// the slope. This is cheaper than differentiating the value.
+/// The value of a function at x, with its known derivative. A dual number takes its slope from this
+/// known derivative, which is cheaper than differentiating the computation of the value.
 template <class Real>
 constexpr Real with_derivative(const Real& value, const Real&, const Real&) {
   return value;
@@ -89,7 +90,8 @@ Real inverse_sqrt(Real a) {
   return Real(1.0) / sqrt(a);
 }
 
-/// 1/r, 1/r² and 1/r³ from r². For packs there are faster ways than multiplying powers of 1/r.
+/// The powers 1/r, 1/r² and 1/r³, computed from r². Packs have faster methods than multiplying
+/// powers of 1/r.
 template <class Real>
 class InversePowers {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The unit system of the program: nm, ps, u, e, K, kJ/mol. It is consistent (1 kJ/mol = 1 u
-// nm²/ps²), so no conversion factor appears in any formula; values with other units are converted
+// The unit system of the program: nm, ps, u, e, K, kJ/mol. These units are consistent (1 kJ/mol = 1
+// u nm²/ps²), so no conversion factor appears in any formula. Values in other units are converted
 // once, in io.
 #pragma once
 

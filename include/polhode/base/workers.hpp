@@ -8,7 +8,7 @@
 namespace polhode {
 
 /// A fixed number of threads, including the calling thread. Between calls the other threads spin
-/// for a few tens of µs, so that the next call costs only a µs or two. After that they sleep and
+/// for a few tens of µs, so that the next call costs only a µs or two. Idle threads then sleep and
 /// leave the cores to other processes. If the system gives a thread no core, the thread takes no
 /// work, and no other thread waits for it.
 class Workers {
@@ -26,13 +26,13 @@ class Workers {
   int threads() const { return threads_; }
 
   /// Calls task(k) once for every 0 ≤ k < count, in any order and on any thread, and returns when
-  /// all are done. The caller then sees everything that the tasks have written. Does not allocate
+  /// all are done. The caller then sees all data that the tasks have written. Does not allocate
   /// memory. A call from within a task, or during another thread's call, runs all its tasks on the
   /// calling thread.
   ///
   /// If a task throws, all tasks that have not started are skipped, and the exception of the task
-  /// with the smallest k is rethrown. Tasks start in order, so this is the exception that a single
-  /// thread would throw.
+  /// with the smallest k is rethrown. Tasks start in order, so a single thread would throw the same
+  /// exception.
   template <class Task>
   void each(std::size_t count, const Task& task) {
     if (count > 1 && threads_ > 1)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Barostats: moves of the edges of the box that keep a pressure. Centres of mass are scaled,
+// Barostats: moves of the edges of the box that keep a pressure. Centres of mass are scaled, but
 // orientations are not, so molecules stay rigid.
 #pragma once
 
@@ -24,10 +24,10 @@ struct BarostatMemory {
   std::uint64_t beyond_shape = 0;  ///< moves rejected by max_shape_change
 };
 
-/// The largest ratio of the factors by which edges in different groups have changed since the first
-/// move. A fluid does not resist a change of shape. Without a bound, the box shape would drift
-/// until an edge is too short for the cutoff. Moves beyond the bound are rejected, so the
-/// distribution within it is unchanged.
+/// Bound on the change of the box shape: the largest ratio of the scaling factors of edges in
+/// different groups since the first move. A fluid does not resist a change of shape. Without a
+/// bound, the box shape would drift until an edge is too short for the cutoff. Moves beyond the
+/// bound are rejected, so the distribution of box shapes within the bound is unchanged.
 inline constexpr double max_shape_change = 1.2;
 
 /// Scales box edges, and with them the centres of mass.
@@ -44,13 +44,13 @@ void scale_box(State& state, const CoupledEdges& edges, double factor, bool mome
 /// violation of detailed balance by the move [roberts1996]. If `metropolis` is false, every move is
 /// accepted, Δ is the error of the move, and the work is the change of H minus Δ.
 ///
-/// Monte Carlo: ΔV is uniform between ±δ with δ = 2 √(kT β V₀), where V₀ is the volume at the first
-/// move. Momenta do not change. A move of N molecules is accepted with probability min(1, exp(−(ΔU
-/// + P₀ΔV)/kT + N ln(V'/V))).
+/// Monte Carlo: the volume change ΔV is uniform between ±δ with δ = 2 √(kT β V₀), where V₀ is the
+/// volume at the first move. Momenta do not change. A move of N molecules is accepted with
+/// probability min(1, exp(−(ΔU + P₀ΔV)/kT + N ln(V'/V))).
 ///
-/// The total momentum is 0, and the centre of mass scales with the box. The volume of an ideal gas
-/// of N molecules has the distribution Gamma(N, kT/P₀) with cell rescaling, and Gamma(N + 1, kT/P₀)
-/// with Monte Carlo moves. Momenta have 3 N − 3 degrees of freedom.
+/// The total momentum is held at 0, and the centre of mass scales with the box. The volume of an
+/// ideal gas of N molecules has the distribution Gamma(N, kT/P₀) with cell rescaling, and Gamma(N +
+/// 1, kT/P₀) with Monte Carlo moves. Momenta have 3 N − 3 degrees of freedom.
 class Barostat {
  public:
   /// Computes forces, energies and virial of a state.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Hybrid Monte Carlo [duane1987]: trajectories of a scheme are proposals, which are accepted or
-// rejected by their energy errors. The canonical distribution is then sampled exactly with any
-// step.
+// rejected by their energy errors. Hybrid Monte Carlo samples the canonical distribution exactly
+// with any time step.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +21,11 @@ namespace polhode {
 struct HybridMonteCarloMemory {
   double work = 0;  ///< energy given to the bodies by new momenta and rejections [kJ/mol]
   std::uint64_t trajectories = 0, accepted = 0;
-  /// Blocks of three quantities. The first is the weight w = exp(−ΔH/kT). Its mean must be 1. The
-  /// second is 1 for accepted trajectories and 0 for rejected ones. The third is (w − 1)
-  /// exp(−|ΔH|/kT). Its mean must be 0 (docs/theory.md, Eq. (40)). The third quantity lies between
-  /// −1 and 1, so its error is known even if rare large weights make the error of w unknown.
+  /// Blocks of three quantities. The first quantity is the weight w = exp(−ΔH/kT). The mean of w
+  /// must be 1. The second quantity is 1 for accepted trajectories and 0 for rejected trajectories.
+  /// The third quantity is (w − 1) exp(−|ΔH|/kT). The mean of the third quantity must be 0
+  /// (docs/theory.md, Eq. (40)). The third quantity lies between −1 and 1, so its error is known
+  /// even if rare large weights make the error of w unknown.
   TimeBlocks weights;
 
   /// Adds the decision on one trajectory.
@@ -33,8 +34,9 @@ struct HybridMonteCarloMemory {
 };
 
 /// @throws Error  unless the scheme is a palindrome without a bath, so that it is reversible. All
-///   drifts and kicks conserve phase-space volume. This includes gradient kicks by finite
-///   difference, because such kicks change momenta by a function of positions and orientations.
+///   drifts and kicks conserve phase-space volume. Gradient kicks by finite difference also
+///   conserve this volume, because they change momenta by a function of positions and orientations
+///   only.
 void check_hybrid(const Scheme& scheme);
 
 /// Accepts or rejects trajectories of a scheme. A trajectory begins with momenta √(1 − φ) p + √φ ξ,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The streams of random numbers, and the purpose of each. Numbers are functions of seed, use, step,
-// stage and body. They do not depend on the number of threads or on the step at which a run was
-// suspended.
+// The streams of random numbers and the use of each stream. Random numbers are functions of seed,
+// use, step, stage and body. Random numbers do not depend on the number of threads or on the step
+// at which a run was suspended.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace polhode {
 /// What random numbers are used for; no two uses share a number.
 enum class RandomUse : std::uint64_t {
   langevin = 1,
-  thermostat,           ///< a thermostat's first numbers; a run has one thermostat
-  thermostat_rotation,  ///< and its second ones, where rotation has its own
+  thermostat,           ///< first random numbers of the thermostat
+  thermostat_rotation,  ///< second random numbers of a thermostat for rotation
   cell_rescaling,
   volume_move,
   hybrid_momenta,

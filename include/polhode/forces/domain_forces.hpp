@@ -16,16 +16,17 @@ namespace polhode {
 struct AnyPairEngine;
 
 /// Computes the forces on the bodies of a domain, exerted by each other and by ghosts. Ghosts are
-/// copies of bodies of other domains, or periodic images, at explicit positions. The caller may
-/// make space periodic in directions in which the domain extends over the whole box. Pairs of two
+/// copies of bodies of other domains, or periodic images, at explicit positions. A caller can treat
+/// a direction as periodic if the domain extends over the whole box in this direction. Pairs of two
 /// ghosts and the forces on ghosts are not computed. Local bodies are the bodies of this domain. A
 /// pair of a local body and a ghost contributes half of its energy and virial, because the other
 /// domain adds the other half.
 ///
-/// All ghosts that interact with a local body must be present. Without a cutoff between centres,
-/// the centres of such ghosts are within the cutoff plus the extents of both molecules. Constant
-/// energies of local bodies are included. The self-energy of charges is omitted if another program
-/// adds the self-energy with its mesh, see ForceSettings::ewald_alpha.
+/// The caller must supply all ghosts that interact with a local body. Without a cutoff between
+/// molecule centres, the centres of interacting ghosts are within the cutoff plus the extents of
+/// both molecules. Constant energies of local bodies are included. The self-energy of charges is
+/// omitted if another program computes the mesh and adds the self-energy, see
+/// ForceSettings::ewald_alpha.
 class DomainForces {
  public:
   /// @param own, ghosts  kinds and numbers of local bodies and of ghosts; some numbers may be 0
@@ -39,7 +40,7 @@ class DomainForces {
   DomainForces& operator=(DomainForces&&) noexcept;
   ~DomainForces();
 
-  /// Whether a box edge is long enough: each body interacts with at most one image of another body,
+  /// Whether a box edge is so long that each body interacts with at most one image of another body,
   /// and with no image of itself.
   static bool is_long_enough(double edge, const Topology& topology, const ForceSettings& settings);
 

@@ -14,12 +14,12 @@ namespace polhode {
 /// Forces that are added to a force field. The forces must depend only on positions, orientations
 /// and box, because an evaluation is reused until one of these three changes.
 struct ExternalForces {
-  std::string name;  ///< name in messages and checkpoints; a checkpoint fits only runs with this
-                     ///< name
+  std::string name;  ///< name in messages and checkpoints; a checkpoint is valid only for runs with
+                     ///< this name
   /// Adds the external forces, torques, energy (Load::external), and virial if `has_virial` is set.
   std::function<void(const State& state, Load& load)> add{};
-  bool has_virial = false;  ///< whether `add` sets the virial; if not, pressures do not include the
-                            ///< external forces
+  bool has_virial =
+      false;  ///< whether `add` sets the virial; otherwise, pressures omit the external forces
 };
 
 /// Adds the derivative of external forces and torques along a displacement of all bodies, as in

@@ -17,7 +17,7 @@ namespace polhode {
 struct AnyPairEngine;
 class NeighbourList;
 
-/// Energies that do not depend on the positions of the bodies [kJ/mol], and the virial of these
+/// Energy terms that do not depend on the positions of the bodies [kJ/mol], and the virial of these
 /// terms.
 struct ConstantTerms {
   double dispersion = 0;                                ///< long-range dispersion correction
@@ -38,16 +38,17 @@ struct ListMemory {
 
 /// Computes site-site Lennard-Jones and Coulomb forces of rigid molecules in the periodic box of
 /// the state. After a change of the box, the list and everything else that depends on the box is
-/// rebuilt. Results then agree to the last bit with a force field constructed for the new box. An
-/// evaluation throws an Error if the box has become too small for the cutoff, or needs a mesh with
-/// too many points.
+/// rebuilt. After such a rebuild, results are bitwise identical to the results of a force field
+/// constructed for the new box. An evaluation throws an Error if the box has become too small for
+/// the cutoff, or needs a mesh with too many points.
 ///
-/// ExternalForces of the settings are added to these forces. Their derivative is a central
-/// difference.
+/// ExternalForces of the settings are added to the forces of the force field. The derivative of
+/// external forces is a central difference.
 ///
 /// The points of a mesh are fixed in space, so the mesh exerts a net force. remove_net_force()
-/// subtracts this net force, so that the total momentum is conserved. The forces are then minus the
-/// gradient of the energy along every motion that leaves the centre of mass at rest.
+/// subtracts this net force, so that the total momentum is conserved. After this subtraction, the
+/// forces are minus the gradient of the energy along every motion that leaves the centre of mass at
+/// rest.
 class ForceField {
  public:
   /// @param box      box of the first state, against which the settings are checked
@@ -70,24 +71,23 @@ class ForceField {
   /// Centres move by dq [nm], and orientations rotate by the body-frame vectors dtheta [rad]. f and
   /// tau of the result are derivatives per unit displacement, in the lab frame; its energies and
   /// virial are 0. The function uses the same list and loops as the forces. The derivative is
-  /// cheapest at the state of the last evaluation, because the mesh potential is then reused. It
-  /// does not allocate memory after the first call.
+  /// cheapest at the state of the last evaluation, because the mesh potential is then reused. The
+  /// function does not allocate memory after its first call.
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
                               Load& slope);
 
   /// The state of the neighbour list, for checkpoints.
   /// @param box  box of the current state
   ListMemory list_memory(const Box& box) const;
-  /// Rebuilds the list from the positions in `memory`. The forces then agree to the last bit with
-  /// the force field from which the memory was taken.
-  /// @param box  box of the state from which the run resumes
+  /// Rebuilds the list from the positions in `memory`. The rebuilt list gives bitwise the same
+  /// forces as the force field from which `memory` was taken.
   void resume_from(const ListMemory& memory, const Box& box);
 
   std::uint64_t evaluations() const { return evaluations_; }
   /// Number of rebuilds of the neighbour list, including rebuilds before the list was restored.
   std::size_t list_rebuilds() const;
   const NeighbourList& neighbours() const;
-  /// The settings in use. With PME they include the mesh that was chosen for the box.
+  /// The settings in use. With PME, the settings include the mesh that was chosen for the box.
   const ForceSettings& settings() const { return settings_; }
   /// Energies that do not depend on the positions of the bodies, in the box of the last state.
   const ConstantTerms& constant_terms() const { return constant_; }

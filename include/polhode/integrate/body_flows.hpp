@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The reference integrator: drifts, kicks and gradient kicks of rigid bodies, computed for one body
-// at a time as in the paper. Together with step() it is a complete integrator for another engine,
-// which supplies only the forces. Header-only.
+// at a time as in the paper. Together with step(), these flows form a complete integrator for
+// another engine, which supplies only the forces. Header-only.
 #pragma once
 
 #include <span>
@@ -40,10 +40,8 @@ struct BodyLoad {
   Vec3<double> f{}, tau{};
 };
 
-/// Drifts and kicks for a few rigid bodies. Forces are reused in the next kick unless the positions
-/// have changed in between.
-/// @tparam Forces  callable as forces(std::span<const RigidBody>, std::span<BodyLoad>), which sets
-///                 the force and torque of every body
+/// Drifts and kicks for a few rigid bodies. A kick reuses the forces of the previous kick unless
+///                 the positions have changed.
 template <class Forces>
 class BodyFlows {
  public:

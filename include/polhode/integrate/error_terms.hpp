@@ -8,7 +8,7 @@
 namespace polhode {
 
 /// The prefactors α and β in H̃ = H + h² (α V̈ + β W) + O(h⁴), the Hamiltonian that a palindromic
-/// scheme conserves. The brackets are V̈ = {T,{T,V}} and W = {V,{V,T}}.
+/// scheme conserves. The Poisson brackets are V̈ = {T,{T,V}} and W = {V,{V,T}}.
 struct ErrorTerms {
   double alpha = 0, beta = 0;
 };

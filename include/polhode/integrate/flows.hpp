@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Drift and kick of all bodies, which every scheme is composed of [vanzon2008, Eqs. 2 and 3], and
-// the displacement of gradient kicks. Bodies are advanced independently, so the results are bitwise
-// identical for any number of threads.
+// The drift and kick of all bodies, from which every scheme is composed [vanzon2008, Eqs. 2 and 3],
+// and the displacement that gradient kicks use. Bodies are advanced independently, so the results
+// are bitwise identical for any number of threads.
 #pragma once
 
 #include "polhode/base/workers.hpp"
@@ -21,9 +21,9 @@ void drift(State& state, const Bodies& bodies, double t, Workers& workers = Work
 void kick(State& state, const Bodies& bodies, const Load& load, double t,
           Workers& workers = Workers::serial());
 
-/// Computes the direction along which a gradient kick needs the derivative of the forces. It is f/m
-/// for each centre, and J⁻¹ S τ in the body frame for each orientation. ∇W is twice the derivative
-/// of f and τ along this direction.
+/// Computes the direction along which a gradient kick needs the derivative of the forces. This
+/// direction is f/m for each centre, and J⁻¹ S τ in the body frame for each orientation. ∇W is
+/// twice the derivative of f and τ along this direction.
 void gradient_direction(const State& state, const Bodies& bodies, const Load& load, Vec3Column& dq,
                         Vec3Column& dtheta, Workers& workers = Workers::serial());
 

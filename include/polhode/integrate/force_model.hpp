@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What integrators need of forces.
+// The interface that integrators require of a force model.
 #pragma once
 
 #include "polhode/model/load.hpp"

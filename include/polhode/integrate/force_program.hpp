@@ -23,10 +23,10 @@ struct ForceEvaluation {
                   ///< restored afterwards. 0 for a plain evaluation.
 };
 
-/// Lists the force evaluations of one step in order. A step begins with the forces at its first
-/// positions. The last evaluation of the previous step has computed these forces. A scheme that
-/// begins with a kick has as many evaluations as Scheme::force_evaluations() counts. Any other
-/// scheme has one more evaluation.
+/// Lists the force evaluations of one step in order. The forces at the initial positions of a step
+/// are known from the last evaluation of the previous step. A scheme that begins with a kick has as
+/// many evaluations as Scheme::force_evaluations() counts. Any other scheme needs one more
+/// evaluation.
 /// @throws Error  if the scheme has exact gradients, because other engines do not compute
 ///   derivatives of forces
 inline std::vector<ForceEvaluation> force_program(const Scheme& scheme) {

@@ -23,7 +23,7 @@ struct FreeDrift {
   void operator()(State& state, double t) const { drift(state, bodies, t, workers); }
 };
 
-/// Replaces the bath in integrators of schemes that have none.
+/// A placeholder for the bath in integrators of schemes that have no bath.
 struct NoBath {};
 
 /// A callable that drifts a state over a time t.
@@ -49,9 +49,10 @@ struct IntegratorMemory {
   std::vector<IntegratorMemory> inner;  ///< memory of the inner scheme, if there is one
 };
 
-/// Applies step() to a state. It joins adjacent stages, reuses forces while positions do not
-/// change, computes energies only on demand, and counts steps and evaluations. The integrator works
-/// in place and owns the scratch space and the last Load, so a step does not allocate memory.
+/// Applies step() to a state. The integrator joins adjacent stages, reuses forces while positions
+/// do not change, and computes energies only on demand. It also counts steps and evaluations. The
+/// integrator works in place and owns the scratch space and the last Load, so a step does not
+/// allocate memory.
 /// @tparam Drift  drift to use instead of free motion, such as steps of an inner scheme
 /// @tparam Bath   bath, for schemes that have one
 template <ForceModel Forces, StateDrift Drift = FreeDrift, StateBath Bath = NoBath>
@@ -95,9 +96,8 @@ class Integrator {
   }
 
   /// Advances by `steps` steps e^{Lh} [vanzon2008, Eq. 1]. Adjacent stages of the same flow are
-  /// joined and applied together. An example is the last stage of a step and the first stage of the
-  /// next step. At the end the state is synchronized: positions and momenta belong to the same
-  /// time.
+  /// joined, such as the last stage of a step and the first stage of the next step. At the end the
+  /// state is synchronized: positions and momenta belong to the same time.
   /// @param energies  whether load() will need energies at the end; if not, load() computes them on
   ///   demand
   void advance(State& state, double h, std::size_t steps = 1, bool energies = true) {
@@ -141,10 +141,10 @@ class Integrator {
   /// Forces and torques of the last kick, at the positions of that kick.
   const Load& last_load() const { return load_; }
 
-  /// Discards the stored Load. Call this after a change of positions or box from outside.
+  /// Discards the stored Load. Call this after other code has changed positions or box.
   void forget() { current_ = false; }
-  /// Replaces the stored Load. Call this after a change of positions or box from outside, if the
-  /// new Load is known with energies.
+  /// Replaces the stored Load. Call this after other code has changed positions or box, if the new
+  /// Load is known with energies.
   void replace_load(const Load& load) {
     load_ = load;
     current_ = complete_ = true;
@@ -214,10 +214,10 @@ class Integrator {
     current_ = true;
   }
 
-  /// Adds the gradient term ξ h² ∇W to the momenta: the difference of e^{B̂(ξ)t} and e^{Bt}
-  /// [vanzon2008, Eq. 5]. ∇W is twice the derivative of f and τ along the displacement that forces
-  /// and torques would cause (docs/theory.md, Eq. (14)). h is the full step, whatever the fraction
-  /// of the kick.
+  /// Adds the gradient term ξ h² ∇W to the momenta, by which e^{B̂(ξ)t} differs from e^{Bt}
+  /// [vanzon2008, Eq. 5]. ∇W is twice the derivative of f and τ along the displacement that
+  /// gradient_direction() returns (docs/theory.md, Eq. (14)). h is the full step, whatever the
+  /// fraction of the kick.
   void exact_gradient_kick(State& state, double t, double xi_h2) {
     gradient_direction(state, bodies_, load_, dq_, dtheta_, workers_);
     forces_.directional_derivative(state, dq_, dtheta_, gradient_load_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Flows that join adjacent stages of the same flow, within a step and across the boundary of two
-// steps.
+// A layer between a scheme and its flows, which joins adjacent stages of the same flow within a
+// step and between steps.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,15 @@
 
 namespace polhode {
 
-/// Delays each drift or kick until a different flow follows. The last kick of a step and the first
-/// kick of the next step are then joined: e^{Bs} e^{Bt} = e^{B(s + t)}. Only flush() synchronizes
-/// the state.
+/// Delays each drift or kick until a different flow follows. For example, the last kick of a step
+/// and the first kick of the next step are joined: e^{Bs} e^{Bt} = e^{B(s + t)}. Only flush()
+/// synchronizes the state.
 template <Flows F>
 class JoinedFlows {
  public:
   /// @param flows        kept by reference
-  /// @param join_drifts  false for drifts that depend on how the time is divided, such as inner
-  ///   steps
+  /// @param join_drifts  false for drifts whose result depends on the division of the time, such as
+  ///   inner steps
   explicit JoinedFlows(F& flows, bool join_drifts = true)
       : flows_(flows), join_drifts_(join_drifts) {}
 
@@ -52,8 +52,8 @@ class JoinedFlows {
 
   F& flows_;
   bool join_drifts_;
-  std::optional<Stage> held_;  // Delayed stage, as a stage of a step h = 1: its fraction is a time,
-                               // and its ξ is ξ h².
+  std::optional<Stage> held_;  // Delayed stage, stored for a step h = 1, so that its fraction is a
+                               // time and its ξ is ξ h².
 };
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Multiple time steps (r-RESPA) [tuckerman1992]: an outer scheme applies the slow forces. Each of
-// its drifts consists of steps of an inner scheme, which applies the near forces.
+// Multiple time steps (r-RESPA) [tuckerman1992]: an outer scheme applies the slow forces. Each
+// drift of the outer scheme consists of steps of an inner scheme, which applies the near forces.
 #pragma once
 
 #include "polhode/integrate/integrator.hpp"
@@ -18,9 +18,9 @@ struct InnerSteps {
   }
 };
 
-/// Computes the slow forces of V = V_near + V_slow, which are all forces minus the near forces. At
-/// the positions of the integrated state, the inner and the outer integrator share one evaluation
-/// of the near forces.
+/// Computes the slow forces of V = V_near + V_slow, which are the total forces minus the near
+/// forces. At the current positions of the integrated state, the inner and the outer integrator
+/// share one evaluation of the near forces.
 /// @tparam Near  a cheap, rapidly varying part of the forces of Full
 template <ForceModel Full, ForceModel Near>
 class SlowForces {
@@ -28,7 +28,7 @@ class SlowForces {
   SlowForces(Full& full, Near& near, Integrator<Near>& inner, std::size_t bodies)
       : full_(full), near_(near), inner_(inner), part_(bodies) {}
 
-  /// Computes slow forces and torques. The energies and the virial of the result belong to all
+  /// Computes slow forces and torques. The result contains the energies and the virial of the total
   /// forces.
   void operator()(const State& state, Load& load) {
     full_(state, load);
@@ -39,8 +39,8 @@ class SlowForces {
     polhode::forces_alone(full_, state, load);
     subtract(load, near_load(state));
   }
-  /// Computes the derivative of the slow forces and torques: the derivative of all forces minus the
-  /// derivative of the near forces.
+  /// Computes the derivative of the slow forces and torques: the derivative of the total forces
+  /// minus the derivative of the near forces.
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
                               Load& derivative) requires OffersDerivative<Full> &&
       OffersDerivative<Near> {
@@ -85,7 +85,7 @@ class SlowForces {
   std::uint64_t near_evaluations_ = 0, near_derivatives_ = 0;
 };
 
-/// Integrates a scheme with an inner scheme. This class is an Integrator of the slow forces, and an
+/// Integrates a scheme with an inner scheme. The outer Integrator applies the slow forces, and an
 /// Integrator of the near forces performs its drifts.
 template <ForceModel Full, ForceModel Near, StateBath Bath = NoBath>
 class NestedIntegrator {
@@ -109,7 +109,7 @@ class NestedIntegrator {
     outer_.advance(state, h, steps, energies);
   }
 
-  /// The slow forces, with the energies and the virial of all forces.
+  /// The slow forces, with the energies and the virial of the total forces.
   const Load& load(const State& state) {
     slow_.integrates(state);
     return outer_.load(state);
@@ -117,7 +117,7 @@ class NestedIntegrator {
   const Load& last_load() const { return outer_.last_load(); }
   SlowForces<Full, Near>& slow_forces() { return slow_; }
 
-  /// Discards stored loads. Call this after a change of positions from outside.
+  /// Discards stored loads. Call this after other code has changed the positions.
   void forget() { inner_.forget(), outer_.forget(); }
   void replace_load(const Load&) {
     forget();

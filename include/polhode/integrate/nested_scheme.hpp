@@ -9,7 +9,8 @@
 
 namespace polhode {
 
-/// An inner scheme. Its steps with the near forces replace each drift of an outer scheme.
+/// An inner scheme. Steps of the inner scheme with the near forces replace each drift of an outer
+/// scheme.
 struct InnerScheme {
   Scheme scheme;
   int steps = 1;           ///< steps per drift of the outer scheme
@@ -53,8 +54,8 @@ struct NestedScheme {
   int near_derivatives() const {
     return inner ? inner_steps() * inner->scheme.derivatives() + outer.derivatives() : 0;
   }
-  /// Total cost per step of near-force evaluations and near-force derivatives, in evaluations of
-  /// the near forces.
+  /// Total cost per step of near-force evaluations and near-force derivatives, in units of one
+  /// near-force evaluation.
   double near_cost() const { return near_evaluations() + derivative_cost * near_derivatives(); }
 
  private:

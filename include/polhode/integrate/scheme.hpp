@@ -82,16 +82,15 @@ constexpr Stage B(double b, double xi = 0, Gradient gradient = Gradient::exact) 
 }
 constexpr Stage O(double c) { return {Flow::bath, c, 0}; }
 
-/// Cost of the derivative of the forces, in force evaluations, as measured for 512 four-site waters
-/// with bench/micro/forces.cpp (docs/gradient.md).
+/// Cost of the derivative of the forces, in units of one force evaluation, as measured for 512
+/// four-site waters with bench/micro/forces.cpp (docs/gradient.md).
 inline constexpr double derivative_cost = 2.0;
 
 /// Placeholder for the fraction that makes the fractions of a flow sum to one step.
 inline constexpr double rest = std::numeric_limits<double>::quiet_NaN();
 
-/// A scheme. User-defined lines of the table are checked at compile time. The constructor is
-/// consteval. It rejects a scheme if the fractions of its drifts, kicks or baths do not sum to one
-/// step.
+/// A scheme. User-defined lines of the table are checked at compile time. The consteval constructor
+/// rejects a scheme if the fractions of its drifts, kicks or baths do not sum to one step.
 class Scheme {
  public:
   static constexpr std::size_t max_stages = 64, max_name = 32;
@@ -127,13 +126,13 @@ class Scheme {
   constexpr int order() const { return order_; }  ///< declared order; 0 if unknown
   constexpr std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 
-  /// Number of force evaluations per step in a sequence of steps. A bath costs none, nor does a
-  /// kick at the positions of the previous kick. A gradient kick by finite difference costs one
+  /// Number of force evaluations per step in a sequence of steps. Baths, and kicks at the positions
+  /// of the previous kick, need no evaluation. A gradient kick by finite difference costs one
   /// additional evaluation.
   constexpr int force_evaluations() const { return evaluations().forces; }
   /// Number of derivative evaluations per step: one for each exact gradient kick.
   constexpr int derivatives() const { return evaluations().derivatives; }
-  /// Total cost of force evaluations and derivatives per step, in force evaluations.
+  /// Total cost of force evaluations and derivatives per step, in units of one force evaluation.
   constexpr double cost() const { return force_evaluations() + derivative_cost * derivatives(); }
 
   constexpr bool has(Flow flow) const {
@@ -146,8 +145,8 @@ class Scheme {
       if (stage.has(gradient)) return true;
     return false;
   }
-  /// Number of gradient kicks per step. The last kick of a step may be joined with the first of the
-  /// next step.
+  /// Number of gradient kicks per step. The last kick of a step may be joined with the first kick
+  /// of the next step.
   constexpr int gradient_kicks() const {
     int n = 0;
     for (std::size_t i = 0; i < count_; ++i) n += stages_[i].xi != 0 && !joins_next(i) ? 1 : 0;
@@ -191,8 +190,8 @@ class Scheme {
     return true;
   }
 
-  /// The sum of all fractions of one flow. It is 1 for a consistent scheme, and 0 for baths in a
-  /// scheme without baths.
+  /// The sum of all fractions of one flow. The sum is 1 for a consistent scheme, and 0 for baths in
+  /// a scheme without baths.
   constexpr double total(Flow flow) const {
     double sum = 0;
     for (const Stage& stage : stages())

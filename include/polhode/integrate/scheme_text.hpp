@@ -28,15 +28,15 @@ struct FreeParameter {
 /// The order is 2 if the scheme is a palindrome with an error of order h², otherwise it is unknown.
 /// @param values  values of free parameters, which replace the values in the text
 /// @throws Error  if the name is unknown, the text cannot be parsed, or the drifts or kicks do not
-///   sum to one. The message suggests a name or gives the position
+///   sum to one. The message suggests a similar name or gives the position of the error
 Scheme scheme_of(std::string_view name_or_text, std::span<const FreeParameter> values = {});
 
-/// The free parameters of a scheme text, in the order of their definitions. A name of the table has
-/// none.
-/// @throws Error  under the same conditions as scheme_of()
+/// The free parameters of a scheme text, in the order of their definitions. A scheme given by its
+/// name in the table has no free parameters.
 std::vector<FreeParameter> free_parameters(std::string_view name_or_text);
 
-/// All stages of a scheme as text, without its name. scheme_of() reproduces the same bits from it.
+/// All stages of a scheme as text, without its name. scheme_of() reads this text back to bitwise
+/// the same coefficients.
 std::string text_of(const Scheme& scheme);
 
 }  // namespace polhode

@@ -8,8 +8,8 @@
 namespace polhode {
 
 /// The value of η that minimizes α² + β², where α and β are the prefactors of the O(h²) error
-/// [omelyan2003]. It is 1/2 − c/12 + 1/(6c) with c = (2 √326 + 36)^{1/3}. The same scheme is in
-/// [mclachlan1995].
+/// [omelyan2003]. Its value is η = 1/2 − c/12 + 1/(6c) with c = (2 √326 + 36)^{1/3}. The scheme
+/// with this η is also in [mclachlan1995].
 inline constexpr double eta = 0.1931833275037836;
 
 /// The fraction θ = 1/(2 − 2^{1/3}) [forest1990].
@@ -32,7 +32,7 @@ inline constexpr double mclachlan[] = {(14 - 4.3588989435406735522) / 108,
 inline constexpr double inverse_root_3 = 0.5773502691896257645;
 
 /// Fraction of the outer kick that minimizes the energy error over all harmonic oscillators with ω
-/// h < 2 [blanes2014, section 6]. The paper gives five digits.
+/// h < 2 [blanes2014, section 6]. [blanes2014] gives five digits of this fraction.
 inline constexpr double oscillator_kick = 0.21178097959263092;
 
 /// Fraction of the outer kicks around one gradient kick [omelyan2003].

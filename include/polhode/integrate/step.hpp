@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One step of a scheme, played on flows: any object with drift(t) and kick(t). Header-only, so that
-// another engine can supply its own flows and use these schemes.
+// Performs one step of a scheme on any object with drift(t) and kick(t), called its flows.
+// This code is header-only, so that another engine can supply its own flows and use these schemes.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace polhode {
 
-/// Identifies a stage of a step in a trajectory. The random numbers of a bath are a function of
-/// this number. They do not depend on threads or on the step at which a run was suspended.
+/// Identifies a stage of a step in a trajectory. The random numbers of a bath are a function of the
+/// StageNumber, and do not depend on threads or on the step at which a run was suspended.
 struct StageNumber {
   std::uint64_t step = 0;
   std::size_t stage = 0;

@@ -16,8 +16,8 @@ enum class BathPlace {
   middle  ///< bath within the middle stage: velocity Verlet becomes BAOAB [leimkuhler2013]
 };
 
-/// Adds bath stages O to a scheme. Their fractions sum to one step. The result is e^{Oh/2} e^{Lh}
-/// e^{Oh/2}, or has O between two halves of the middle stage.
+/// Adds bath stages O to a scheme. The fractions of the bath stages sum to one step. The new scheme
+/// is e^{Oh/2} e^{Lh} e^{Oh/2}, or has O between two halves of the middle stage.
 /// @param name  name of the result, at most Scheme::max_name characters
 /// @throws Error  if the scheme already has a bath, is not a palindrome (and so has no middle
 ///   stage), or would have too many stages

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points from their distances: the shape of a molecule that is given by constraints.
+// Computes points from their mutual distances, such as the shape of a molecule given by
+// constraints.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ struct Distance {
   double length;              ///< [nm]
 };
 
-/// Round-off of distances in files, which usually have five decimals [nm].
+/// Round-off [nm] of distances in files, which usually have five decimals.
 inline constexpr double distance_rounding = 1e-5;
 /// Largest allowed contradiction between redundant distances [nm].
 inline constexpr double distance_tolerance = 1e-4;
@@ -31,8 +32,8 @@ struct PlacedPoints {
 };
 
 /// Computes positions of points from their distances, unique up to rigid motions and reflection. A
-/// point is placed as soon as its distances to placed points determine its position. Every point is
-/// tried as the first point.
+/// point is placed as soon as its distances to already placed points determine its position. Every
+/// point is tried as the first point.
 /// @throws Error  if the distances do not determine all points, contradict each other, or violate
 ///   the triangle inequality
 PlacedPoints place_points(std::size_t count, std::span<const Distance> distances);

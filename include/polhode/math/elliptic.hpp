@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Jacobi's elliptic functions and integrals of the first and third kind. The modulus k and its
-// complement k' are both given. Near k = 1 the complement cannot be computed accurately from k, and
-// near k' = 1 the modulus cannot be computed accurately from k'. k' may be as small as 1e-170,
-// where k'² underflows.
+// complement k' are both given. The complement cannot be computed accurately from k near k = 1, nor
+// the modulus from k' near k' = 1.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +24,7 @@ struct Modulus {
 inline double quarter_period(const Modulus& modulus) {
   if (modulus.complement == 0) return std::numeric_limits<double>::infinity();
   double a = 1, b = modulus.complement;
-  // Convergence is quadratic: once the difference is below √ε, the next mean is exact.
+  // The means converge quadratically: once their difference is below √ε, the next mean is exact.
   while (std::abs(a - b) > 1e-8 * a) {
     const double mean = 0.5 * (a + b);
     b = std::sqrt(a) * std::sqrt(b);
@@ -51,7 +50,8 @@ inline JacobiFunctions descending(double u, const Modulus& modulus) {
 /// The functions sn, cn and dn by ascending Landen transformations (k → 1, DLMF 22.7.6 to 22.7.8),
 /// for k > k'.
 inline JacobiFunctions ascending(double u, const Modulus& modulus) {
-  // For |u| ≤ K/2 the error of tanh and sech is below k'² cosh²u ≈ 4 k', which gives the bound.
+  // For |u| ≤ K/2 the error of tanh and sech is below k'² cosh²u ≈ 4 k', so k' < 1e-17 is small
+  // enough.
   if (!(modulus.complement >= 1e-17)) {
     const double e = std::exp(-std::abs(u)),
                  sech = 2 * e / (1 + e * e);  // avoids cosh, which would overflow
@@ -100,8 +100,8 @@ inline double first_kind_integral(double x, double y, double z) {
 }
 
 /// The integral ∫₀ᵘ sn²/(1 + n sn²) du = sn³/3 · R_J(cn², dn², 1, 1 + n sn²), from the values f of
-/// sn, cn and dn at u. It is valid for n ≥ 0 and sn ≥ 0 in the first quarter period. It equals
-/// Legendre's (F − Π)/n without the cancellation at small n.
+/// sn, cn and dn at u. The formula is valid for n ≥ 0 and sn ≥ 0 in the first quarter period. This
+/// integral equals Legendre's (F − Π)/n, but does not lose digits at small n.
 /// @source DLMF 19.25.14 and 19.36(i): Carlson's duplication. Here δ = (p−x)(p−y)(p−z) is sn⁶ n
 ///   (1+n)(n+k²), which needs no subtraction.
 inline double third_kind_integral(const JacobiFunctions& f, double n, double k) {

@@ -30,22 +30,22 @@ struct Line {
 };
 
 /// Fits a line by weighted least squares to points with known, positive standard errors of y. The
-/// errors of its parameters follow from the errors of y.
+/// errors of the line's parameters follow from the errors of y.
 Line weighted_line(std::span<const double> x, std::span<const Estimate> y);
 
-/// The p-value of the deviations of points from their line, by Fisher's F test. This is the
-/// probability that chance causes deviations at least this large. It is 1 for two points. The
-/// errors of y have the line's degrees of freedom.
+/// The p-value of the deviations of points from their line, by Fisher's F test. The p-value is the
+/// probability that chance causes deviations at least this large. The p-value is 1 for two points.
+/// The errors of y are assumed to have the degrees of freedom given in `line`.
 double misfit_p_value(const Line& line, std::span<const double> x, std::span<const Estimate> y);
 
 /// The p-value of an estimate, by a two-sided Student t test with the given degrees of freedom.
-/// This is the probability that chance puts the estimate of a zero quantity at least this far from
-/// zero. It is 1 if value and error are 0.
+/// The p-value is the probability that the estimate of a quantity that is really zero lies at least
+/// this far from zero. The p-value is 1 if value and error are 0.
 double p_value(const Estimate& estimate, double degrees_of_freedom);
 
-/// The multiple of a standard error that corresponds to three standard deviations of a normal
-/// distribution, two-sided. For an error estimated with 4 degrees of freedom it is 6.6. For an
-/// exact error, for which the argument is 0, it is 3.
+/// The number of standard errors that corresponds to three standard deviations of a normal
+/// distribution, for a two-sided interval. This number is 6.6 for an error estimated with 4 degrees
+/// of freedom. For an exact error, which has the argument 0, the number is 3.
 double three_sigma_quantile(double degrees_of_freedom);
 
 }  // namespace polhode

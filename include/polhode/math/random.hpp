@@ -34,8 +34,8 @@ constexpr std::array<Word, 4> philox(std::array<Word, 4> counter,
 
 /// Derives the seed of the `index`-th item of a series from a common seed, for example for initial
 /// configurations of a study. The derived seed is half of a Philox block with a counter that no
-/// Random uses. Two derived seeds are equal with probability 2⁻⁶⁴. With a simple sum, index 1 of
-/// seed 1 would equal index 0 of seed 2.
+/// Random uses. Two derived seeds are equal with probability 2⁻⁶⁴. If seed and index were simply
+/// added, index 1 of seed 1 would equal index 0 of seed 2.
 constexpr std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t index) {
   const auto word = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
   const auto block =
@@ -64,7 +64,8 @@ class Random {
   /// A uniform number in the open interval (0, 1): the midpoint of one of 2⁵² equal parts.
   double uniform() { return (static_cast<double>(bits() >> 12) + 0.5) * 0x1p-52; }
 
-  /// A random integer below n; its probabilities are uniform to within n/2⁶⁴.
+  /// A random integer below n; each probability deviates from 1/n by a relative error of at most
+  /// n/2⁶⁴.
   std::uint64_t below(std::uint64_t n) { return bits() % n; }
 
   /// A normal deviate with mean 0 and variance 1, by the Box-Muller method; the second number of

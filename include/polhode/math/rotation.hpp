@@ -18,8 +18,8 @@ inline Quaternion<double> rotation_quaternion(const Vec3<double>& v) {
   return {std::cos(0.5 * angle), s * v.x, s * v.y, s * v.z};
 }
 
-/// The unit quaternion q, with w ≥ 0, of an active rotation matrix A(q). It divides by the largest
-/// component, so that no component loses accuracy.
+/// The unit quaternion q, with w ≥ 0, of an active rotation matrix A(q). The conversion divides by
+/// the largest component, so that no component loses accuracy.
 inline Quaternion<double> quaternion_of(const Mat3<double>& a) {
   const double trace = a[0].x + a[1].y + a[2].z;
   const double largest = std::max({trace, a[0].x, a[1].y, a[2].z});

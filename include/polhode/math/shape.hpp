@@ -26,8 +26,8 @@ double difference(const Shape& a, const Shape& b);
 /// decimals [nm].
 inline constexpr double line_rounding = 0.002;
 
-/// Moves points that are collinear to within `line_rounding` exactly onto a line. Otherwise a
-/// linear body would spin about its axis with a tiny moment of inertia.
+/// Moves points that are collinear to within `line_rounding` exactly onto a line. Without this
+/// correction, a linear body would spin about its axis with a tiny moment of inertia.
 Shape straighten(Shape shape);
 
 /// A shape in its principal frame, with axis signs that do not depend on the given orientation. The

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Theta functions of complex argument, and from them an integral of the third kind for any
-// argument.
+// Theta functions of complex argument, and an integral of the third kind that is computed from them
+// for any argument.
 #pragma once
 
 #include <complex>
@@ -41,7 +41,7 @@ inline ThetaSeries theta_series(std::complex<double> P, std::complex<double> M, 
 
 /// The integral κ ∫₀ᵛ sn²/(1 + n sn²) du with κ² = n(1+n)(n+k²), κ > 0, computed as a term linear
 /// in v minus the complex argument of a theta function [vanzon2007a, Sec. 3; jacobi1849]. With
-/// sc(b, k') = √n/k and Jacobi's zeta function Z it is
+/// sc(b, k') = √n/k and Jacobi's zeta function Z, the integral is
 ///
 ///     −i Z(ib, k) v − arg θ₄(π (v + ib)/2K),                         q = exp(−π K'/K),
 ///
@@ -49,10 +49,10 @@ inline ThetaSeries theta_series(std::complex<double> P, std::complex<double> M, 
 ///
 ///     [√(n(1+n)/(n+k²)) − Z(b, k') − y/K] v − [arg θ₂(y − iπv/2K') − y v/K],
 ///
-/// with y = π b/2K' and q = exp(−π K/K'). The form with the smaller nome is used. This nome never
-/// exceeds e^{−π}, so four terms suffice for every k, including the separatrix (k = 1, q = 0). The
-/// subtracted term has the period 2K and needs v only modulo 2K, whereas the linear term needs the
-/// full v.
+/// with y = π b/2K' and q = exp(−π K/K'). The class uses the form with the smaller nome. This nome
+/// never exceeds e^{−π}, so four terms suffice for every k, including the separatrix (k = 1, q =
+/// 0). The subtracted term has the period 2K, so it needs v only modulo 2K, but the linear term
+/// needs the full v.
 class ThetaIntegral {
  public:
   /// Whether the nome can be computed from k, which requires that k² does not underflow. For a top,
@@ -89,7 +89,7 @@ class ThetaIntegral {
     }
   }
 
-  /// The coefficient of v, which is the mean of the integrand over a period, times κ.
+  /// The coefficient of v: the mean of the integrand over a period, times κ.
   double rate() const { return rate_; }
 
   /// The term that is subtracted from rate() v, between −π/2 and π/2.

@@ -14,8 +14,8 @@
 namespace polhode {
 
 /// Cutoff treatment. Smooth switches are needed because the energy error of a scheme of order p
-/// contains the p-th derivative of the energy. This derivative is bounded if the smoothness is at
-/// least p − 1 (docs/statistics.md).
+/// contains the p-th derivative of the potential energy. A switch of class C^(p−1) keeps this p-th
+/// derivative bounded (docs/statistics.md).
 enum class Truncation {
   molecule_switch,  ///< all site pairs of two molecules are multiplied by w(R), with R between
                     ///< centres of mass
@@ -51,14 +51,15 @@ struct ForceSettings {
   double skin = 0.05;        ///< skin of the neighbour list [nm]
   Precision precision = Precision::double_precision;
   Mixing mixing{};  ///< Lennard-Jones parameters of unlike sites
-  /// Requested rms error of the electrostatic forces of PME, relative to their rms.
+  /// Requested rms error of the electrostatic forces of PME, relative to the rms electrostatic
+  /// force.
   double pme_accuracy = 1e-4;
   /// Distance up to which PME sums pairs of charges [nm]. If not set, this cutoff and the mesh are
   /// chosen together. `cutoff` applies only to the short-range potentials.
   std::optional<double> coulomb_cutoff{};
   double damping = 2;  ///< α of the damped shifted force [1/nm]
-  /// α of Ewald's Gaussian split [1/nm], for PME with the mesh of another program. The force field
-  /// then has no mesh, and sums pairs up to the cutoff.
+  /// α of Ewald's Gaussian split [1/nm], for PME with the mesh of another program. With this
+  /// setting, the force field has no mesh and sums charge pairs up to the cutoff.
   std::optional<double> ewald_alpha{};
   /// The mesh of PME; if not set, the cheapest mesh that meets `pme_accuracy` is chosen for each
   /// box.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cheapest particle mesh and charge cutoff for a given accuracy. The error is predicted by
-// theory, the time by measurements, and a search finds the optimum.
+// The cheapest particle mesh and charge cutoff for a given accuracy. Theory predicts the error,
+// measurements predict the time, and a search finds the optimum.
 #pragma once
 
 #include <map>
@@ -20,15 +20,15 @@ namespace polhode {
 /// body largely cancel at long range.
 double expected_mesh_error(const Topology& topology, const Box& box, const MeshSettings& settings);
 
-/// A rough estimate of the rms electrostatic force on a charge in a dense liquid [kJ/mol/nm]. It is
-/// the force between two rms charges at the mean distance between charges.
+/// A rough estimate of the rms electrostatic force on a charge in a dense liquid [kJ/mol/nm]. The
+/// estimate is the force between two rms charges at the mean distance between charges.
 double typical_force(const Topology& topology, const Box& box);
 
 /// Chooses the fastest mesh whose rms force error is at most a given fraction of the rms
-/// electrostatic force on a charge. The choice includes the grid, order and exponent. It also
-/// includes the cutoff of the charges, unless the settings fix this cutoff. A shorter cutoff means
-/// fewer pairs and a finer mesh. The choice depends only on the settings and the current box. The
-/// energy is therefore a function of the state, as constant pressure requires.
+/// electrostatic force on a charge. The choice includes the grid, order and exponent, and the
+/// cutoff of the charges unless the settings fix this cutoff. A shorter cutoff means fewer charge
+/// pairs, but requires a finer mesh. The choice depends only on the settings and the current box.
+/// The energy is therefore a function of the state, as constant pressure requires.
 class MeshChoice {
  public:
   /// @param settings  force settings with the accuracy and the cutoffs
@@ -56,8 +56,8 @@ class MeshChoice {
 
   Topology topology_;
   ForceSettings settings_;
-  // Errors in a box of 1 nm³ by cutoff, spacing, order and exponent. The error scales with the
-  // volume as V^(-1/2).
+  // Mesh errors in a box of 1 nm³, as a function of cutoff, grid spacing, order and exponent. The
+  // mesh error scales with the box volume as V^(-1/2).
   std::map<std::tuple<double, int, int, int>, double> errors_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parameters of the particle mesh: the grid, the spreading of charges onto it, and the split.
+// Parameters of the particle mesh: the grid, the order of charge spreading, and the Coulomb split.
 #pragma once
 
 #include <array>

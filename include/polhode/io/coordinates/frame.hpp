@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A frame: the atoms at one time as in coordinate files, without rigid bodies. Readers produce
-// frames and writers take them; the functions below convert between bodies and atoms.
+// frames and writers consume frames; the functions below convert between bodies and atoms.
 #pragma once
 
 #include <cstddef>
@@ -47,8 +47,8 @@ void complete_elements(Frame& frame);
 
 enum class MasslessSites { keep, omit };
 
-/// The frame with all sites of all bodies: r = q + x and v = p/m + ω × x. Molecules are whole, and
-/// their centres are wrapped into the box.
+/// The frame with all sites of all bodies. A site at x from the body's centre q has r = q + x and v
+/// = p/m + ω × x. Molecules are whole, and molecule centres are wrapped into the box.
 Frame frame_of(const State& state, const Topology& topology,
                MasslessSites massless = MasslessSites::keep);
 
@@ -63,16 +63,18 @@ std::string title_of(const State& state);  ///< title of the frame of a state, w
 
 /// Rigid bodies fitted to a frame.
 struct FittedState {
-  State state;                  ///< state at time 0
-  bool has_velocities = false;  ///< if false, all momenta are zero
-  double deviation = 0;         ///< largest distance of an atom with mass from its model site [nm]
-  /// Largest distance of a massless site from its model position [nm]. It may have any value,
-  /// because file positions of massless sites are ignored.
+  State state;  ///< state at time 0
+  bool has_velocities =
+      false;             ///< whether the frame has velocities; otherwise all momenta are zero
+  double deviation = 0;  ///< largest distance of an atom with mass from its model site [nm]
+  /// Largest distance of a massless site from its model position [nm]. This distance is not
+  /// limited, because file positions of massless sites are ignored.
   double massless_deviation = 0;
 };
 
 /// Fits rigid bodies to atoms. Atoms are assigned to the topology's bodies in order; massless sites
-/// may be missing. Molecules broken across the boundary are made whole. Orientations minimize Σ m
+/// may be missing. Molecules split across the periodic boundary are made whole. Orientations
+/// minimize Σ m
 /// |Δr|² [horn1987]. Momenta are sums over atoms: p = Σ m v, ℓ = Σ m (r − q) × v.
 /// @throws Error  if atoms do not match sites, are too few or too many, or if an atom with mass is
 ///   farther than `fit_tolerance` from the model
@@ -82,8 +84,8 @@ FittedState fit_state(const Frame& frame, const Topology& topology);
 /// models differ by up to 0.01 nm, and isomers differ by more than 0.02 nm.
 inline constexpr double fit_tolerance = 0.02;
 
-/// Completes a topology: if its only count is 0, the count becomes the number of molecules in the
-/// frame.
+/// Completes a topology: if its only molecule count is 0, the count becomes the number of molecules
+/// in the frame.
 Topology complete_topology(Topology topology, const Frame& frame);
 
 }  // namespace polhode

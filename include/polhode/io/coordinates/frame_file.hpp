@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files of frames, read and written one frame at a time. A coordinate file holds one frame, and a
-// trajectory any number of frames. No file is ever in memory as a whole.
+// trajectory any number of frames. Files are never held in memory as a whole.
 #pragma once
 
 #include <cstddef>
@@ -22,9 +22,8 @@ namespace polhode {
 class FrameReader {
  public:
   virtual ~FrameReader() = default;
-  /// Reads the next frame into `frame`. Old contents are replaced, and the memory is reused.
-  /// @return  false at the end of the file
-  /// @throws Error  with file, line or offset, the text found and the text expected
+  /// Reads the next frame into `frame`. The old contents of `frame` are replaced, and its memory is
+  /// reused.
   virtual bool next(Frame& frame) = 0;
   /// Fraction of the file that has been read, from 0 to 1.
   virtual double fraction_read() { return 0; }
@@ -37,8 +36,7 @@ class FrameReader {
 std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names = nullptr);
 
 /// Opens a LAMMPS dump file in which each particle is a molecule of the topology, in the order of
-/// ids. The frames have all sites.
-/// @throws Error  under the same conditions as open_frames(), or if the file has another format
+/// ids. The frames contain all sites of the molecules.
 std::unique_ptr<FrameReader> open_particle_frames(const std::string& path,
                                                   const Topology& topology);
 
@@ -68,8 +66,7 @@ struct FrameNumber {
 class FrameWriter {
  public:
   virtual ~FrameWriter() = default;
-  /// Appends the frame of a state. Formats that can store rigid bodies also store the bodies.
-  /// @throws RunError  if the file cannot be written completely
+  /// Appends the frame of a state. Formats that can store rigid bodies also receive the bodies.
   virtual void write(const State& state) = 0;
   /// Writes a frame with observables. Every frame must have the same observables; formats that
   /// cannot store numbers ignore them.
@@ -97,7 +94,7 @@ std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topolo
 /// @throws Error  if the contents have changed
 void check_frames(const std::string& path, const FileMark& mark);
 
-/// Resumes a file after the frames of a mark; anything written later is removed.
+/// Resumes a file after the frames of a mark, and removes everything after the mark.
 /// @throws Error  if the file is shorter than the mark
 std::unique_ptr<FrameWriter> resume_frames(const std::string& path, const Topology& topology,
                                            const FileMark& mark, const FrameChoice& choice = {});

@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// The data of a figure that plots columns of a CSV file as lines against its first column, in
-/// panels.
+/// The data of a figure with panels, in which columns of a CSV file are plotted against its first
+/// column.
 struct CurvesFigure {
   std::string csv;
   std::string title, x_label, y_label;

@@ -8,8 +8,8 @@
 namespace polhode {
 
 /// Locks a file for this process with flock(2). The system releases the lock when the process ends,
-/// for whatever reason. NFS makes the lock visible to other computers. The file contains the name
-/// of the process and is removed with the lock. A file that a killed process left behind does not
+/// for whatever reason. On NFS, other computers also see the lock. The file contains the name of
+/// the process and is removed with the lock. A lock file that a killed process left behind does not
 /// lock anything.
 class FileLock {
  public:

@@ -13,8 +13,8 @@
 
 namespace polhode {
 
-/// The origin of an output file: the program, command and settings that made it. Every file begins
-/// with these lines.
+/// The origin of an output file: the program, command and settings that made it. Every output file
+/// begins with these data.
 struct Provenance {
   std::string version;          ///< version of the program
   std::string command;          ///< command as the user typed it
@@ -40,7 +40,7 @@ struct Table {
   std::vector<std::vector<Cell>> rows;
 };
 
-/// Position at the end of a growing table, used to resume it.
+/// Position at the end of a growing table, from which the table can be resumed.
 struct TableMark {
   std::uint64_t bytes = 0;     ///< length of the file
   std::uint64_t checksum = 0;  ///< CRC-64 of the file up to this position

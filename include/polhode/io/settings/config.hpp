@@ -33,13 +33,13 @@ struct SystemSettings {
                                     ///< configuration contains
   };
   std::vector<Component> molecules;
-  TopologySettings topology;        ///< alternative to `molecules`: a topology file
-  std::optional<double> density;    ///< density of the lattice, if there is no initial
-                                    ///< configuration [u/nm³]
+  TopologySettings topology;  ///< alternative to `molecules`: a topology file
+  std::optional<double>
+      density;  ///< density of the start lattice, if there is no initial configuration [u/nm³]
   std::optional<Vec3<double>> box;  ///< box edges, if there is no initial configuration [nm]
   double temperature = 297;         ///< temperature of initial velocities, and of a thermostat [K]
-  /// Whether velocities are drawn. If false, the initial configuration must have velocities. If
-  /// empty, velocities are drawn unless the initial configuration has some.
+  /// Whether velocities are drawn. If false, the initial configuration must have velocities. If not
+  /// set, velocities are drawn unless the initial configuration contains velocities.
   std::optional<bool> new_velocities{};
   std::uint64_t seed = 1;
   /// Path of a coordinate file, or "w512" for the built-in configuration. If empty, molecules are
@@ -55,8 +55,8 @@ Molecule molecule_of(const SystemSettings::Component& component);
 
 struct IntegratorSettings {
   NamedScheme scheme = "hoa2";
-  /// Accuracy for which the adviser chooses the step, and also the scheme if none is given. May be
-  /// empty.
+  /// Accuracy for which the adviser chooses the time step, and also the scheme if the run file
+  /// gives no scheme. May be empty.
   std::optional<Requirement> accuracy;
   /// Schemes from which the adviser chooses.
   std::vector<NamedScheme> candidates = {"velocity-verlet", "hoa2", "bcss3", "gier4-fd"};
@@ -105,8 +105,8 @@ struct OutputSettings {
 
 /// The ensemble for the averages that a study measures.
 enum class StudyEnsemble : std::uint8_t {
-  nve,  ///< constant energy: the accuracy is R, the measure of energy conservation
-  nvt   ///< constant temperature: the accuracy is the bias of canonical averages
+  nve,  ///< constant energy: accuracy is measured by the energy fluctuation ratio R
+  nvt   ///< constant temperature: accuracy is measured by the bias of averages
 };
 
 template <>
@@ -160,7 +160,7 @@ struct Config {
   }
 };
 
-/// Default value of lambda in mixed precision, and its smallest accepted value.
+/// Value of λ in mixed precision: the default, which is also the smallest accepted value.
 inline constexpr double lambda_in_mixed = 1, min_lambda_in_mixed = 0.1;
 
 /// Reads and checks a run file. Relative paths in the file are relative to its folder.

@@ -12,7 +12,7 @@ namespace polhode {
 /// Default switching distance of the near forces, relative to the cutoff of the near forces.
 inline constexpr double default_near_switch = 0.7;
 
-/// Parses a scheme from a name or text. A single scheme is written as for scheme_of(). A nested
+/// Parses a scheme from a name or text. A single scheme is written as in scheme_of(). A nested
 /// scheme is written as "OUTER / INNER x STEPS within [FROM to] CUTOFF". FROM and CUTOFF have the
 /// same unit.
 /// @throws Error  under the conditions of scheme_of(), if the part after the slash cannot be parsed
@@ -37,7 +37,8 @@ struct NamedScheme : NestedScheme {
 /// unnamed.
 std::string name_of(const NestedScheme& scheme);
 
-/// All stages of a nested scheme as text that nested_scheme_of() reads back to the same bits.
+/// All stages of a nested scheme as text that nested_scheme_of() reads back to bitwise the same
+/// coefficients.
 std::string text_of(const NestedScheme& scheme);
 
 }  // namespace polhode

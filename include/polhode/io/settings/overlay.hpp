@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Settings from a command line or from keywords. They override the settings of a run file.
+// Settings from a command line or from keywords, which override the settings of a run file.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-/// A setting that overrides the run file. Its value is parsed according to its key.
+/// A setting that overrides the run file. The value of the override is parsed according to the key.
 struct Override {
   std::string key;                  ///< key such as "integrator.step", or a list of tables: "pair"
   std::vector<std::string> values;  ///< value as text (also for a number, "4"), or the texts of a

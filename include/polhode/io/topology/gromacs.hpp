@@ -43,7 +43,7 @@ struct GromacsAtomType {
   double sigma = 0;       ///< [nm]
   double epsilon = 0;     ///< [kJ/mol]
   ShortRangeLaw law{};
-  bool one_sided = false;  ///< Whether exactly one of C6 and C12 is 0. No sigma and epsilon can
+  bool one_sided = false;  ///< Whether exactly one of C6 and C12 is 0. Sigma and epsilon cannot
                            ///< express such a potential.
   TextPlace place;
 
@@ -115,9 +115,9 @@ GromacsTopology parse_gromacs(std::string_view text, const std::string& file,
 /// `folders`, the folders in GMXLIB and GMXDATA, and the installed GROMACS data folder.
 IncludeLoader file_loader(std::vector<std::string> folders);
 
-/// Selects the distances between real atoms that determine a rigid shape. These are distances fixed
-/// by settles and constraints. With `by_bonds`, they include the equilibrium values of bonds and
-/// angles.
+/// Selects the distances between real atoms that determine a rigid shape. Settles and constraints
+/// fix these distances. With `by_bonds`, the equilibrium values of bonds and angles also fix
+/// distances.
 enum class Rigidity { by_constraints, by_bonds };
 std::vector<Distance> constrained_distances(const GromacsTopology& topology,
                                             const GromacsMolecule& molecule, Rigidity rigidity);

@@ -34,8 +34,8 @@ struct RigidTopology {
                                      ///< the run file applies
   bool rule_matters = false;         ///< whether some pairs use the mixing rule
   std::vector<std::string> origins;  ///< for each part, how its shape was determined
-  /// Shapes that the topology does not determine, by molecule type, in the principal frame. They
-  /// are given by the user or taken from the initial configuration.
+  /// Shapes that the topology does not determine, by molecule type, in the principal frame. Such
+  /// shapes are given by the user or taken from the initial configuration.
   std::map<std::string, Shape> shapes{};
 };
 
@@ -51,8 +51,8 @@ RigidTopology read_topology(const TopologySettings& settings, const Frame* start
 
 /// Converts the molecules of a GROMACS topology to rigid bodies. Molecules in `shapes` have the
 /// given shape. Molecules in `rigid` have the shape given by the equilibrium values of bonds and
-/// angles. If these do not determine a shape, the mean shape in the initial configuration is used.
-/// Settles and constraints determine the shape of all other molecules.
+/// angles. If bonds and angles do not determine a shape, the mean shape in the initial
+/// configuration is used. Settles and constraints determine the shape of all other molecules.
 /// @throws Error  if a molecule is not rigid, with the reason
 RigidTopology rigid_topology(const GromacsTopology& gromacs, const TopologySettings& settings,
                              const Frame* start);
