@@ -10,8 +10,8 @@ class Pair;
 
 extern "C" {
 
-/// Functions that make an object of a style. The kind of the style determines which function is
-/// called.
+/// Functions that make an object of a style. The style kind (pair or fix) determines which function
+/// is called.
 union LammpsFactory {
   LAMMPS_NS::Pair* (*pair)(LAMMPS_NS::LAMMPS* lammps);
   LAMMPS_NS::Fix* (*fix)(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments);

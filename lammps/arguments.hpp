@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words behind a style in an input script: values in order, and keywords with theirs.
+// The words after a style in an input script: positional values, and keywords with their values.
 #pragma once
 
 #include <functional>

@@ -50,7 +50,8 @@ Received<Item> exchange(const std::vector<Item>& items, const std::vector<int>& 
   return received;
 }
 
-// Throws an Error on all processes if any process has a problem; the text is the first problem.
+// Throws an Error on all processes if any process has a problem; the message describes the first
+// problem.
 void agree(const std::optional<std::string>& problem, MPI_Comm world) {
   int process = 0, processes = 0;
   MPI_Comm_rank(world, &process);
@@ -79,7 +80,7 @@ void together(MPI_Comm world, const Work& work) {
   agree(problem, world);
 }
 
-// A molecule of this process, with its atoms sorted by id and in one periodic image.
+// A molecule of this process. Its atoms are sorted by id and lie in one periodic image.
 struct Assembled {
   std::int64_t number;
   std::vector<SiteAtom> atoms;
@@ -127,8 +128,8 @@ std::size_t index_of_kind(const std::vector<Kind>& kinds, const std::vector<Site
   return static_cast<std::size_t>(found - kinds.begin());
 }
 
-// The new kinds of this process as numbers. Each is made from its molecule with the lowest number
-// on this process.
+// The new kinds of molecules on this process, encoded as numbers. Each new kind is made from the
+// molecule of this kind with the lowest number on this process.
 std::vector<double> new_kinds(const std::vector<Assembled>& molecules,
                               const std::vector<Kind>& known) {
   std::vector<Kind> found;
@@ -148,8 +149,9 @@ bool same_atoms(const Kind& a, const Kind& b) {
   return true;
 }
 
-// Adds the kinds of all processes to the known kinds. If several kinds have the same atoms, only
-// the kind from the lowest molecule is added. Kinds are in the order of these molecules.
+// Adds the kinds of molecules from all processes to the known kinds. If several kinds have the same
+// atoms, only the kind of the lowest-numbered molecule is added. New kinds are in the order of
+// their lowest-numbered molecules.
 void join_kinds(const std::vector<double>& own, std::vector<Kind>& kinds, MPI_Comm world) {
   int processes = 0;
   MPI_Comm_size(world, &processes);

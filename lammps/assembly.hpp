@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Assembles molecules with atoms on several processes. The number of a molecule selects a process.
-// This process receives all atoms of the molecule, and sends the result back to the processes of
-// the atoms.
+// Assembles molecules with atoms on several processes. The number of a molecule determines the
+// process that assembles it. This process receives all atoms of the molecule, and sends the results
+// back to the processes of the atoms.
 #pragma once
 
 #include <mpi.h>
@@ -30,13 +30,13 @@ struct SiteMessage {
   int place, kind, site;
   std::int64_t owner;  ///< id of the atom that owns the body
   Vec3<double> x, v;
-  BodyRecord body;  ///< body, only for its owner
+  BodyRecord body;  ///< data of the body, sent only to the owner atom
 };
 
 struct AssemblySettings {
   double tolerance = default_tolerance;
-  /// Whether atoms may be away from the sites of their bodies, as within a gradient kick. Existing
-  /// bodies are then not changed.
+  /// Whether atoms may be away from the sites of their bodies, as within a gradient kick. While
+  /// atoms are away from their sites, existing bodies are not changed.
   bool trust_bodies = false;
   /// Returns the periodic image of a difference vector that is nearest to zero.
   std::function<Vec3<double>(const Vec3<double>&)> minimum_image;

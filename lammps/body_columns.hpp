@@ -18,21 +18,20 @@ struct Pose {
   Quaternion<double> orientation;
 };
 
-/// The data of a body that determine the rest of its trajectory, in LAMMPS units: momenta are mass
-/// × velocity, and angular momenta are mass × length × velocity.
+/// The data of a body that determine its future motion, in LAMMPS units.
 struct BodyRecord {
   Pose pose;
   Vec3<double> p{}, ell{};
-  // For a gradient kick in progress: the pose to return to, and forces and torques at this pose.
+  // Used during a gradient kick: the original pose, and forces and torques at this pose.
   Pose kept_pose;
   Vec3<double> kept_f{}, kept_tau{};
 };
 
-/// The number of values in a record. They are doubles without padding, so that records can be
+/// The number of values in a record. The values are doubles without padding, so that records can be
 /// copied as arrays.
 inline constexpr std::size_t record_size = 26;
-/// The number of values that a restart file needs. Data of a gradient kick are not needed, because
-/// restart files are never written within a kick.
+/// Number of values of a record that a restart file needs. Data of a gradient kick are not needed,
+/// because restart files are never written within a kick.
 inline constexpr std::size_t stored_size = 13;
 static_assert(sizeof(BodyRecord) == record_size * sizeof(double));
 

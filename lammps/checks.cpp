@@ -21,7 +21,7 @@ namespace {
 using LAMMPS_NS::Fix;
 using LAMMPS_NS::LAMMPS;
 
-// Styles that change velocities or positions of atoms without changing the bodies.
+// LAMMPS styles that change velocities or positions of atoms but not the bodies of fix polhode.
 constexpr std::array changers = {
     "ehex",           "heat",        "momentum",  "move",         "recenter",
     "temp/berendsen", "temp/csld",   "temp/csvr", "temp/rescale", "thermal/conductivity",

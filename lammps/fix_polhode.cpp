@@ -77,15 +77,15 @@ void FixPolhode::setup(int vflag) {
   tally_virial();
 }
 
-// This is a run without setup(), as with the command rerun.
+// The virial is old here only in a run without setup(), as with the command rerun.
 void FixPolhode::end_of_step() {
   if (!virial_is_old_) return;
   collect_forces(columns_->load);
   tally_virial();
 }
 
-/// The flows that act on the columns of bodies. Forces at displaced positions are known when a
-/// gradient kick by finite difference is due.
+/// The flows that act on the columns of bodies. When a gradient kick by finite difference is
+/// applied, the forces at the displaced positions are already known.
 struct FixPolhode::Flows {
   FixPolhode& fix;
   BodyColumns& columns;
@@ -145,7 +145,8 @@ void FixPolhode::end_displacement() {
   columns_->state.orientation = columns_->kept_orientation;
 }
 
-/// Applies the Ornstein-Uhlenbeck flow. It conserves the total momentum if all atoms are in bodies.
+/// Applies the Ornstein-Uhlenbeck flow. The bath conserves the total momentum if all atoms are in
+/// bodies.
 void FixPolhode::bath(double t, StageNumber at) {
   const LangevinArguments& langevin = *settings_.langevin;
   const double friction = 1 / langevin.damping_time;
@@ -263,8 +264,8 @@ LAMMPS_NS::bigint FixPolhode::dof(int group) {
   return all;
 }
 
-/// Returns minus the energy that the bath has given to the bodies. Adding it to the total energy
-/// gives a conserved quantity.
+/// Returns minus the energy that the bath has given to the bodies. The total energy plus this
+/// number is a conserved quantity.
 double FixPolhode::compute_scalar() { return -heat_; }
 
 /// Returns the kinetic energy of translation or of rotation, or the number of bodies.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// fix polhode: rigid molecules advanced by the exact free rotation and any splitting scheme, with
-// the forces of LAMMPS. A LAMMPS step is a force evaluation of the scheme.
+// fix polhode advances rigid molecules by the exact free rotation and any splitting scheme, with
+// the forces of LAMMPS. Each LAMMPS step is one force evaluation of the scheme.
 //
 // Every atom knows its site and the id of the atom that owns its body; the process of the owner
-// advances the body. Poses travel forward from owners to their ghosts, forces and torques back.
-// Pair styles that compute forces on bodies themselves read the bodies and add to their forces.
+// advances the body. Poses are sent from owner atoms to their ghosts, and forces and torques are
+// sent back. Pair styles that compute forces on whole bodies read the bodies and add forces to
+// them.
 #pragma once
 
 #include <array>
@@ -105,8 +106,9 @@ class FixPolhode : public LAMMPS_NS::Fix {
     int kind = -1, site = 0;  ///< kind, which is −1 if the atom does not belong to a body, and site
     std::int64_t owner = 0;  ///< id of the atom that owns the body
   };
-  /// The body of an atom, or a ghost of this body that receives messages. It includes the shift by
-  /// box edges that brings the body next to the atom, and the place of the atom in the body.
+  /// The body of an atom, or a ghost of this body that receives messages. An Owner also contains
+  /// the shift by box edges that brings the body next to the atom, and the atom's position in the
+  /// body.
   struct Owner {
     int body = -1;
     Vec3<double> shift{}, site{};
@@ -172,8 +174,8 @@ class FixPolhode : public LAMMPS_NS::Fix {
                                 // momentum
   bool virial_is_old_ = false;  // whether forces were computed without a call of setup()
   std::vector<AtomInfo> info_;  // links of local atoms to their bodies
-  // For each owner atom, the index of its body. The body is in the columns, in arrivals_ (with
-  // indices after the columns), or for ghosts in ghosts_. It is −1 for other atoms.
+  // For each atom, the index of the body that it owns, or −1 if it owns none. This body is in the
+  // columns, in arrivals_ (with indices after the columns), or for ghosts in ghosts_.
   std::vector<int> body_of_;
   std::vector<Kind> kinds_;
   std::unique_ptr<BodyColumns> columns_;
@@ -184,8 +186,8 @@ class FixPolhode : public LAMMPS_NS::Fix {
   std::vector<Motion> motions_;  // motions of the bodies, during set_velocities()
   Message message_ = Message::owners;
   // Swaps of a process with itself, which make images in directions with only one process. They
-  // hold the lists of atoms to send, and the first received ghosts. Such images are computed
-  // without messages.
+  // hold the lists of atoms to send, and the first received ghosts. Periodic images from such swaps
+  // are computed without messages.
   std::vector<const int*> own_lists_;
   std::vector<int> own_firsts_;
   const double* packed_ = nullptr;  // buffer and list of the last message

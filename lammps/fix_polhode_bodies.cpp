@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fix polhode: which atoms form bodies, and where the bodies are.
+// This part of fix polhode determines which atoms form bodies, and where the bodies are.
 #include <algorithm>
 #include <cmath>
 
@@ -45,8 +45,8 @@ BodyRecord FixPolhode::record(int body) const {
   return i < columns_->size() ? columns_->record(i) : arrivals_[i - columns_->size()];
 }
 
-/// The origin of an image. Images of the bodies of this process are computed from these bodies, and
-/// images of ghosts from the ghosts, without messages.
+/// The body from which a periodic image is computed. Images of local bodies are computed from these
+/// bodies, and images of ghosts from the ghosts, without messages.
 FixPolhode::Owner FixPolhode::origin(int body) const {
   if (!is_ghost_body(body)) return {body};
   const GhostBody& image = ghost(body);
@@ -72,8 +72,8 @@ Vec3<double> FixPolhode::edges_of_box(const std::array<int, 3>& count) const {
           n(1) * domain->yprd + n(2) * domain->yz, n(2) * domain->zprd};
 }
 
-/// Assembles the molecules, creates for each a body that agrees with the atoms, and moves the atoms
-/// to the sites.
+/// Assembles the molecules and creates a body for each molecule from its atoms, then moves the
+/// atoms to the sites of the bodies.
 void FixPolhode::recognise() {
   std::vector<AtomMessage> messages;
   std::vector<std::pair<int, BodyRecord>> particles;
@@ -176,7 +176,7 @@ void FixPolhode::rebuild_columns() {
   }
 }
 
-/// Moves a body by whole box edges to the image of its wrapped owner atom.
+/// Shifts a body by whole box edges, so that it is at the periodic image of its wrapped owner atom.
 void FixPolhode::wrap_to_owner(int owner) {
   const auto body = static_cast<std::size_t>(body_of(owner));
   const Vec3<double> difference =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// fix polhode: what atoms take along to other processes and into restart files, and what owners and
-// their ghosts tell each other.
+// This part of fix polhode packs and unpacks the data that move with atoms between processes, into
+// restart files, and between owners and their ghosts.
 #include <algorithm>
 #include <cstring>
 #include <string>
@@ -91,8 +91,8 @@ bool FixPolhode::bodies_extend_over_atoms() const {
          });
 }
 
-/// Packs the owner of an atom's body, which may be a ghost that is forwarded; 0 if the atom has no
-/// body.
+/// Packs the body of an owner atom, which may be a ghost that is forwarded; packs 0 if the atom
+/// owns no body.
 double* FixPolhode::pack_owner(int i, const std::array<int, 3>& image, double* to) {
   const int body = body_of(i);
   *to++ = body >= 0 ? 1 : 0;

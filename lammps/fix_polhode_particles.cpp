@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// fix polhode: particles, each of which is a whole molecule. LAMMPS stores centres and velocities
-// as for atoms, and orientations and angular momenta in columns of fix property/atom.
+// This part of fix polhode handles particles, each of which is a whole molecule. LAMMPS stores
+// centres and velocities as for atoms, and orientations and angular momenta in columns of fix
+// property/atom.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -30,8 +31,8 @@ bool same_kind(const Kind& a, const Kind& b) {
 
 }  // namespace
 
-/// Adds the kinds of the molecule files. They come before kinds that are found among molecules of
-/// atoms.
+/// Adds the kinds of the molecule files. These kinds precede kinds that are found among molecules
+/// of atoms.
 void FixPolhode::find_kinds_of_particles() {
   for (const ParticleArguments& particle : settings_.particles) {
     std::vector<double> masses = particle.file.masses;
@@ -66,7 +67,7 @@ void FixPolhode::find_kinds_of_particles() {
   }
 }
 
-/// The kind of an atom if it is a particle in the group; otherwise −1.
+/// The kind of a particle in the group; −1 if the atom is not such a particle.
 int FixPolhode::kind_of_particle(int i) const {
   if ((atom->mask[i] & groupbit) == 0) return -1;
   for (std::size_t k = 0; k < kinds_.size(); ++k)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors of the library become errors of LAMMPS.
+// Converts errors of the library to errors of LAMMPS.
 #pragma once
 
 #include <string>

@@ -46,8 +46,8 @@ struct PairUnits {
                           ///< correct.
 };
 
-/// The kinds as molecules with interactions. The Lennard-Jones parameters of pairs are given by
-/// explicit_pairs(), which replaces any parameters of sites.
+/// The kinds as molecules with interactions. explicit_pairs() gives the Lennard-Jones parameters of
+/// pairs, which replace any parameters of sites.
 std::vector<Molecule> interacting_molecules(const std::vector<Kind>& kinds,
                                             const KindCharges& charges,
                                             const PairCoefficients& coefficients,

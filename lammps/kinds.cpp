@@ -17,7 +17,8 @@ namespace {
 // deviate by less from a common line are moved onto it. Rounding to three decimals in Å causes such
 // deviations in molecules of 1 Å and more.
 constexpr double same_line = 0.002;
-// Tolerance for unchanged atoms, relative to the size of the molecule and its largest velocity.
+// Relative tolerance within which atoms count as unchanged, in units of the molecule's size and its
+// largest velocity.
 constexpr double unchanged = 1e-9;
 
 std::string name_of(std::int64_t number) {
@@ -56,7 +57,7 @@ Shape straight(Shape shape) {
   return shape;
 }
 
-// Makes the kind with a given shape. Its owner is the site nearest to the centre.
+// Makes the kind with a given shape. The owner of the kind is the site nearest to the centre.
 Kind kind_with_shape(const std::string& name, const Shape& shape,
                      const std::vector<double>& masses) {
   Kind kind;

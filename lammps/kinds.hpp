@@ -23,16 +23,16 @@ struct SiteAtom {
 };
 
 /// The default of the keyword `tolerance`: the largest accepted deviation from the rigid shape,
-/// relative to the span of the molecule. Coordinates with three decimals in Å are within it, and so
-/// are flexible molecules with stiff bonds.
+/// relative to the span of the molecule. Coordinates with three decimals in Å meet this tolerance,
+/// and so do flexible molecules with stiff bonds.
 inline constexpr double default_tolerance = 0.02;
 
 struct Kind {
-  std::vector<int> types;  ///< atom types of its sites, in the order of atom ids
+  std::vector<int> types;  ///< atom types of the sites of the kind, in the order of atom ids
   Molecule molecule;       ///< molecule with its sites in the same order
-  int particle = 0;        ///< type of its particles; 0 if each site is an atom
+  int particle = 0;        ///< atom type of the particles of the kind; 0 if each site is an atom
   // Only for particles: the charges of the sites, and the rotation from the principal frame to the
-  // frame of the molecule file. LAMMPS orientations refer to the latter.
+  // frame of the molecule file. LAMMPS orientations refer to the frame of the molecule file.
   std::vector<double> charges;
   Quaternion<double> frame{};
   std::int64_t first = 0;  ///< number of the molecule from which the shape was taken
@@ -62,7 +62,7 @@ bool matches(const Kind& kind, const std::vector<SiteAtom>& atoms);
 void append(std::vector<double>& numbers, const Kind& kind);
 Kind read_kind(const double*& numbers);
 
-/// Fits a body of a kind to the atoms. Its momenta are sums over the atoms.
+/// Fits a body of a kind to the atoms. The momenta of the body are sums over the atoms.
 BodyRecord fitted_body(const Kind& kind, const std::vector<SiteAtom>& atoms);
 
 /// The position and velocity of an atom of a body.
@@ -80,12 +80,12 @@ void check_shape(const Kind& kind, std::int64_t number, const std::vector<SiteAt
 /// A body that agrees with the atoms. If the sites of the given body and their velocities agree
 /// with the atoms to 1e-9, the result is the given body in the image of the atoms. This tolerance
 /// is well above round-off. Otherwise, for example after commands that set positions or velocities,
-/// it is the fitted body.
+/// the result is a body fitted to the atoms.
 BodyRecord updated_body(const Kind& kind, const std::vector<SiteAtom>& atoms,
                         const BodyRecord& before);
 
-/// A particle with the data that LAMMPS stores. Its orientation refers to the frame of the molecule
-/// file.
+/// A particle with the data that LAMMPS stores. The orientation of the particle refers to the frame
+/// of the molecule file.
 struct Particle {
   Vec3<double> x{}, v{};
   Quaternion<double> orientation;
@@ -93,8 +93,8 @@ struct Particle {
 };
 Quaternion<double> orientation_of_particle(const Kind& kind, const Pose& pose);
 
-/// The body of a particle. Numbers of the given body that agree with the particle to 1e-9 are kept,
-/// in the image of the particle. Other numbers are taken from the particle.
+/// The body of a particle. Values of the given body that agree with the particle to 1e-9 are kept,
+/// in the periodic image of the particle. All other values are taken from the particle.
 /// @throws Error  with the `id` of the particle, if its orientation is not a rotation
 BodyRecord body_of_particle(const Kind& kind, const Particle& particle, const BodyRecord* before,
                             std::int64_t id);

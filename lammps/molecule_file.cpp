@@ -16,7 +16,7 @@
 namespace polhode::lammps {
 namespace {
 
-// Sections that do not describe sites.
+// Sections of LAMMPS molecule files that do not describe sites.
 constexpr std::array skipped = {"Molecules", "Fragments", "Diameters", "Dipoles", "Bonds",
                                 "Angles",    "Dihedrals", "Impropers", "Special", "Shake",
                                 "Body",      "Integers",  "Doubles"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What pair_style polhode refuses in an input of LAMMPS.
+// The conditions under which pair_style polhode rejects a LAMMPS input.
 #include <algorithm>
 
 #include "atom.h"
@@ -12,7 +12,7 @@
 namespace polhode::lammps {
 namespace {
 
-// Pairs within molecules are excluded in any case.
+// Pair style polhode excludes pairs within molecules in any case, so these exclusions are allowed.
 bool excludes_other_pairs(const LAMMPS_NS::Neighbor* neighbor) {
   return neighbor->nex_type > 0 || neighbor->nex_group > 0 ||
          std::any_of(neighbor->ex_mol_intra, neighbor->ex_mol_intra + neighbor->nex_mol,

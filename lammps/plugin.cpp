@@ -20,7 +20,7 @@ LAMMPS_NS::Fix* create_fix(LAMMPS* lammps, int count, char** arguments) {
 
 LAMMPS_NS::Pair* create_pair(LAMMPS* lammps) { return new polhode::lammps::PairPolhode(lammps); }
 
-// Classes of LAMMPS differ from version to version. With another version the plugin would crash.
+// LAMMPS classes differ between versions, so a plugin built for another version would crash.
 void check_version(LAMMPS* lammps) {
   if (lammps->num_ver != POLHODE_LAMMPS_VERSION)
     lammps->error->all(FLERR,

@@ -40,7 +40,7 @@ def _text(value):
     return os.fspath(value) if isinstance(value, os.PathLike) else str(value)
 
 
-# Arguments that are not options of a job: arguments of all jobs, and settings.
+# Arguments that are not options of a particular job: settings, and arguments of all jobs.
 _COMMON = ("source", "keywords", "kind", "path", "run", "particles", "resume", "force", "threads", "progress", "messages")
 
 

@@ -11,10 +11,11 @@ from . import _core
 
 __all__ = ["CHOICES_OF", "KEYWORDS", "LISTS", "PATH_OF", "TABLES", "stub", "takes_settings"]
 
-# Tables with keys that are keywords only together with the table: lengths and steps of several runs.
+# Tables whose keywords always contain the table name, such as study_length, because other tables have the same keys.
 OF_TABLES = ("study", "prepare")
 LISTS = ("pair", "shape")  # of tables
-# Keys with another keyword, or with none: thermostat="langevin" is the type of a thermostat.
+# Keys whose keyword differs from the key, or None for keys without a keyword of their own: thermostat="langevin" is the type of
+# a thermostat.
 RENAMED = {("integrator", "lambda"): "lambda_", ("hybrid_monte_carlo", "steps"): "hybrid_steps",
            ("thermostat", "type"): None, ("barostat", "type"): None}
 

@@ -11,7 +11,7 @@ from ._types import Quantity
 
 __all__ = ["text_of", "quantity"]
 
-# (as pint writes it, as run files write it): one unit of each dimension.
+# Units, one for each dimension, as pairs of the names that pint and run files use.
 _UNITS = (
     ("ps", "ps"), ("nm", "nm"), ("K", "K"), ("kJ/mol", "kJ/mol"), ("g/cm**3", "g/cm3"),
     ("bar", "bar"), ("u", "u"), ("elementary_charge", "e"), ("1/ps", "1/ps"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The parts of the module `polhode._core`. Each declares the functions of one subject. The Python
-// files that call these functions document them.
+// The parts of the module `polhode._core`. Each bind function declares the Python functions of one
+// subject. The Python files that call these functions contain their documentation.
 #pragma once
 
 #include <nanobind/nanobind.h>

@@ -10,10 +10,10 @@
 
 namespace polhode::python {
 
-/// Makes external forces from a Python function. It is called with copies of the positions (n, 3)
-/// [nm], orientations (n, 4) and box (3) [nm]. It returns forces (n, 3), torques (n, 3), an energy,
-/// and a virial (3, 3) or None, as checked arrays of doubles. The reference to the function is
-/// weak, so the caller must keep the function alive.
+/// Makes external forces from a Python function. The function is called with copies of the
+/// positions (n, 3) [nm], orientations (n, 4) and box (3) [nm]. The function returns forces (n, 3),
+/// torques (n, 3), an energy, and a virial (3, 3) or None, as checked arrays of doubles. The
+/// reference to the function is weak, so the caller must keep the function alive.
 /// @param name  name as in ExternalForces
 std::shared_ptr<const ExternalForces> external_forces(const nanobind::callable& function,
                                                       const std::string& name, bool has_virial);

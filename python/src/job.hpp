@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A job of the library called from Python: without the interpreter's lock, with progress and
-// messages for Python functions, ended by Ctrl-C.
+// A job of the library called from Python. It runs without the interpreter's lock, reports progress
+// and messages to Python functions, and ends on Ctrl-C.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -17,8 +17,8 @@ struct JobHooks {
   nanobind::object message;   ///< called with a line of text
 };
 
-/// Detects Ctrl-C while this object exists, in the main thread of Python. In other threads it does
-/// nothing. The signal also reaches Python's handler.
+/// Detects Ctrl-C while this object exists, in the main thread of Python. In other threads, this
+/// object does nothing. The signal also reaches Python's handler.
 class InterruptWatch {
  public:
   InterruptWatch();

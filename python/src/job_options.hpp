@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the jobs of the command line have in common, and their options as texts.
+// Functions that all jobs called from Python share, with job options as texts.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The jobs of the command line that compute and write files. Each job calls the same library
-// function as its verb, with the same requests as texts. They return their reports as JSON.
+// function as its verb, with the same requests as texts. The jobs return their reports as JSON.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -93,8 +93,6 @@ std::vector<std::string> export_lammps(const Config& config, const std::string& 
     return export_to_lammps(config, style, options.output, callbacks);
   });
 }
-
-// Functions for schemes and steps follow.
 
 nb::tuple advise(const Config& config, const Options& given, bool schemes_given,
                  const JobOptions& options) {

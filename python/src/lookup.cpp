@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Schemes, molecules, quantities, errors of means.
+// Python functions for schemes, molecules, quantities, and errors of means.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>

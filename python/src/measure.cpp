@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measurements of properties. A Python executor may compute the replicas.
+// Measurements of properties. A Python executor may compute the replicas of a measurement.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A simulation in memory: steps, views of its state, energies, checkpoints.
+// Python functions for a simulation in memory: steps, views of its state, energies, checkpoints.
 #include "polhode/run/simulation/simulation.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -65,7 +65,7 @@ std::vector<double> row_of(const Energies& energies, const DegreesOfFreedom& n) 
 }
 
 /// Advances a simulation.
-/// @return  false if it was interrupted
+/// @return  false if the simulation was interrupted
 bool advance(OwnedSimulation& s, std::size_t steps, bool keep_energies, JobHooks hooks) {
   const InUse use(s.in_use);
   const DegreesOfFreedom n = s.degrees_of_freedom();
@@ -167,7 +167,7 @@ nb::tuple sites(const OwnedSimulation& s, bool massless) {
   return nb::make_tuple(array_of(std::move(r), {n, 3}), array_of(std::move(v), {n, 3}));
 }
 
-/// The molecules of the parts of the topology, as JSON.
+/// The molecules of all parts of the topology, as JSON.
 std::string kinds_json(const OwnedSimulation& s) {
   std::vector<Molecule> molecules;
   for (const auto& part : s.simulation.system().topology.parts) molecules.push_back(part.molecule);

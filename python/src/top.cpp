@@ -50,9 +50,9 @@ void add(std::vector<double>& row, const Quaternion<double>& q, const Vec3<doubl
   row.insert(row.end(), {q.w, q.x, q.y, q.z, L.x, L.y, L.z});
 }
 
-/// Returns the samples of a TopTrajectory. They contain t, and the rotation and L by the closed
-/// form, the series and NO_SQUISH. For the last two, they also contain the relative errors of
-/// energy and momentum, and the angle.
+/// Returns the samples of a TopTrajectory. The samples contain t, and the rotation and L by the
+/// closed form, the series and NO_SQUISH. For the series and NO_SQUISH, the samples also contain
+/// the relative errors of energy and momentum, and the angle.
 nb::object top(const Options& given, const JobOptions& options) {
   const auto request = request_of<TopRequest>(given);
   const auto [J, L, step, length] = request.top();

@@ -13,7 +13,7 @@ namespace polhode {
 ///
 /// @param ends   one number per key; after the call, one past the last place of the key
 /// @param first  place of the first item
-/// @param each   function that calls its argument with (key, item...) for every item; it is called
+/// @param each   function that calls its argument with (key, item...) for every item. It is called
 ///   twice and must give the same items in the same order
 /// @param enter  called once per item, as enter(place, item...)
 template <class Each, class Enter>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// std::from_chars for all numbers: libc++ has it for floating-point numbers from version 20 on.
+// std::from_chars for all numbers; libc++ supports floating-point numbers only from version 20 on.
 #pragma once
 
 #include <locale.h>
@@ -18,8 +18,9 @@
 
 namespace polhode {
 
-/// A replacement for std::from_chars, based on strtod in the locale "C". Unlike std::from_chars, it
-/// also reads blanks, a plus sign and hexadecimal numbers. Numbers that are too small become 0.
+/// A replacement for std::from_chars, based on strtod in the locale "C". Unlike std::from_chars,
+/// this function also reads blanks, a plus sign and hexadecimal numbers. Numbers that are too small
+/// become 0.
 template <std::floating_point T>
 std::from_chars_result from_chars_by_strtod(const char* first, const char* last, T& value) {
   static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);

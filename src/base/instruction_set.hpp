@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Instruction sets. Loops over packs are compiled once for each set, and a set is chosen at
-// start-up.
+// Instruction sets. Loops over packs are compiled once for each instruction set, and a set is
+// chosen at start-up.
 #pragma once
 
 #include <cstddef>
@@ -23,16 +23,16 @@ std::vector<InstructionSet> available_instruction_sets();
 ///   this processor does not support
 InstructionSet current_instruction_set();
 
-/// Selects an instruction set, for tests and benchmarks. It must not be called while other threads
-/// compute.
+/// Selects an instruction set, for tests and benchmarks. This function must not be called while
+/// other threads compute.
 void force_instruction_set(InstructionSet instruction_set);
 
 // A file in a `kernels` folder defines functions in namespace polhode::POLHODE_LOOPS. The build
 // defines POLHODE_LOOPS as loops_scalar, loops_sse4 and so on. POLHODE_DECLARE_LOOPS declares these
 // functions for all instruction sets. POLHODE_CURRENT_LOOPS selects the functions of the current
-// set. POLHODE_CURRENT_OVERLOAD selects an overloaded function, given the type of a function
-// pointer. An instruction set that was not compiled in is an alias of the scalar set and is never
-// available.
+// instruction set. POLHODE_CURRENT_OVERLOAD selects an overloaded function, given the type of a
+// function pointer. An instruction set that was not compiled in is an alias of the scalar set and
+// is never available.
 #if defined(POLHODE_WITHOUT_SSE4)
 #define POLHODE_DECLARE_SSE4(...) namespace loops_sse4 = loops_scalar;
 #else

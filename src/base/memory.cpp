@@ -20,7 +20,7 @@ double memory_limit() {
     if (getrlimit(resource, &own) == 0 && own.rlim_cur != RLIM_INFINITY)
       limit = std::min(limit, static_cast<double>(own.rlim_cur));
   }
-  // The memory limit of a control group. If there is no limit, the file contains a word instead of
+  // The memory limit of a control group. If there is no limit, this file contains a word instead of
   // a number.
   double group = 0;
   if (std::ifstream file("/sys/fs/cgroup/memory.max"); file >> group && group > 0)

@@ -12,7 +12,7 @@ inline namespace HWY_NAMESPACE {
 #if HWY_TARGET == HWY_AVX2  // AVX2 has no compress instruction, so a table lookup and a shuffle
                             // replace it
 
-/// For each mask of eight lanes, the numbers of the selected lanes in order, followed by zeros.
+/// For each mask of eight lanes, the indices of the selected lanes in order, followed by zeros.
 struct SelectedLanes {
   std::uint8_t of[256][8] = {};
   constexpr SelectedLanes() {
@@ -72,7 +72,8 @@ class Selection {
 
   /// The number of selected lanes.
   std::size_t count() const { return compression_.count(); }
-  /// Stores the selected lanes consecutively. The rest of a pack after them is overwritten.
+  /// Stores the selected lanes consecutively. Memory after them is overwritten up to the width of a
+  /// pack.
   void store(Pack<float> from, float* to) const {
     const Pack<float>::Tag tag;
     hn::StoreU(compression_(tag, from.v), tag, to);

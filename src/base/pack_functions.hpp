@@ -10,8 +10,8 @@
 namespace polhode {
 inline namespace HWY_NAMESPACE {
 
-/// The format of a floating-point number, and ln 2 as a sum of two parts. The first part has so few
-/// bits that its products with exponents are exact.
+/// The format of a floating-point number, and ln 2 as a sum of two parts. The first part of ln 2
+/// has so few bits that its products with exponents are exact.
 template <class T>
 struct FloatFormat;
 template <>
@@ -47,8 +47,8 @@ Pack<T> exp(Pack<T> x) {
   using Format = FloatFormat<T>;
   const hn::RebindToSigned<typename Real::Tag> integers;
   x = Real(hn::Clamp(x.v, Real(Format::min_exponent).v, Real(Format::max_exponent).v));
-  // The last place of a number this large is 1. Adding the number therefore rounds to an integer,
-  // which is then in the lowest bits of the sum.
+  // The unit in the last place of this large number is 1. Adding the number therefore rounds x to
+  // an integer, which is then in the lowest bits of the sum.
   const Real large(static_cast<T>(1.5) *
                    static_cast<T>(typename Format::Integer{1} << Format::fraction_bits));
   const Real sum = fma(x, Real(static_cast<T>(1.4426950408889634)), large);  // x/ln 2
@@ -64,9 +64,9 @@ Pack<T> exp(Pack<T> x) {
          Real(hn::BitCast(typename Real::Tag(), hn::ShiftLeft<Format::fraction_bits>(exponent)));
 }
 
-/// The natural logarithm ln x = k ln 2 + ln m with an integer k and m from √½ to √2. The series of
-/// 2 artanh((m − 1)/(m + 1)) gives ln m. Lane types: float, double. Largest error: 2.5 ULP
-/// (tests/unit/pack_functions_test.cpp). Valid range: positive normal numbers.
+/// The natural logarithm ln x = k ln 2 + ln m with an integer k and m from √½ to √2. The value of
+/// ln m is the sum of the series of 2 artanh((m − 1)/(m + 1)). Lane types: float, double. Largest
+/// error: 2.5 ULP (tests/unit/pack_functions_test.cpp). Valid range: positive normal numbers.
 template <class T>
 Pack<T> log(Pack<T> x) {
   using Real = Pack<T>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Packs on a grid. A tile is a rectangle of grid points that a pack holds, `rows` rows of `columns`
-// points; and grid positions for packs of points.
+// Packs on a grid. Tiles of grid points and grid positions, in packs. A tile is a rectangle of grid
+// points in one pack, with `rows` rows of `columns` points.
 #pragma once
 
 #include <algorithm>
@@ -125,16 +125,16 @@ struct Tile {
   using Row = hn::CappedTag<T, columns>;
 };
 
-/// The place of points along a box edge in grid spacings, from 0 to `points` up to round-off. A
-/// point is the sum of a centre and an arm [nm], in any periodic image.
+/// The positions of points along a box edge in units of the grid spacing, from 0 to `points` up to
+/// round-off. A point is the sum of a centre and an arm [nm], in any periodic image.
 inline Pack<double> grid_place(Pack<double> centre, Pack<double> arm, std::int32_t points,
                                double edge) {
   const Pack<double> t = (centre + arm) * Pack<double>(points / edge);
   return t - Pack<double>(points) * Pack<double>(hn::Floor((t * Pack<double>(1.0 / points)).v));
 }
 
-/// The place of points along a box edge in fixed point, with 2³⁰ units to an edge, as the bits of a
-/// pack. The centre is in fixed point as well.
+/// The positions of points along a box edge in fixed point, with 2³⁰ units to an edge, as the bits
+/// of a pack. The centre is in fixed point as well.
 inline Pack<float> grid_place(Pack<float> centre, Pack<float> arm, std::int32_t, double edge) {
   const FixedTag fixed;
   constexpr std::int32_t unit = 1 << 30;
@@ -144,8 +144,8 @@ inline Pack<float> grid_place(Pack<float> centre, Pack<float> arm, std::int32_t,
   return Pack<float>(hn::BitCast(Pack<float>::Tag(), x));
 }
 
-/// Stores the index of the grid point below each place, and returns the distance beyond this point,
-/// from 0 to 1 up to round-off.
+/// Stores the index of the grid point below each position, and returns the distance beyond this
+/// point, from 0 to 1 up to round-off.
 inline Pack<double> beyond_point(Pack<double> place, std::int32_t points, std::int32_t* index) {
   const Pack<double> n(points), before(hn::Floor(place.v));
   const Pack<double> wrapped =  // round-off may have given −1 or n

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts from outside (names of files, sites, molecules): escaped for the terminal, or refused as
-// names.
+// Names of files, sites and molecules from user input: escaped for the terminal, or rejected.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +9,7 @@
 namespace polhode {
 
 /// A text in which every control character (C0, DEL, C1) and every byte that is not UTF-8 is
-/// written as \xNN. A terminal then displays the text without executing anything in it.
+/// written as \xNN. A terminal then displays the text without interpreting control sequences in it.
 std::string printable(std::string_view text);
 
 /// The number of characters in a UTF-8 text.

@@ -9,25 +9,25 @@
 
 namespace polhode {
 
-/// The number of insertions, deletions, replacements and swaps of adjacent letters that turn one
-/// word into the other.
+/// The edit distance: the number of insertions, deletions, replacements and swaps of adjacent
+/// letters that turn one word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The name that is most similar to a word. A name that differs only in case and punctuation has
-/// precedence, such as spce for "SPC/E". Otherwise it is the name with the smallest edit distance.
-/// The result is empty if this distance exceeds about a third of the word (one letter of a short
-/// word).
+/// precedence, such as spce for "SPC/E". Otherwise the result is the name with the smallest edit
+/// distance. The result is empty if this distance exceeds about a third of the word (one letter of
+/// a short word).
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> names);
 
-/// A suggestion to be appended to an error message, such as "; did you mean 'gier4'?". It is empty
-/// if no name is similar.
+/// A suggestion to be appended to an error message, such as "; did you mean 'gier4'?". The
+/// suggestion is empty if no name is similar.
 std::string did_you_mean(std::string_view word, std::span<const std::string> names);
 
 /// Whether two words have the same letters and digits, regardless of case.
 bool same_letters(std::string_view a, std::string_view b);
 
-/// A sentence that begins with a lower-case letter. A first word in capitals stays, as in "SCHEME
-/// is required".
+/// Converts the first letter of a sentence to lower case. A first word in capitals is unchanged, as
+/// in "SCHEME is required".
 std::string uncapitalized(std::string sentence);
 
 /// Joins names with commas: "a, b, c".

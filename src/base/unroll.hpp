@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loops that unroll if their length is known at compile time.
+// Loops that are unrolled if their length is known at compile time.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// A number that is encoded in its type.
+/// An integer that is encoded in its type.
 template <std::size_t n>
 using Count = std::integral_constant<std::size_t, n>;
 

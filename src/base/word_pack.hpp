@@ -7,8 +7,8 @@
 namespace polhode {
 inline namespace HWY_NAMESPACE {
 
-/// Words of 32 bits, one for each lane of a pack of doubles. They are the lower halves of 64-bit
-/// lanes. The upper halves are arbitrary.
+/// Words of 32 bits, one for each lane of a pack of doubles. The words are the lower halves of
+/// 64-bit lanes, and the upper halves are arbitrary.
 class WordPack {
  public:
   static constexpr std::size_t width = Pack<double>::width;
@@ -23,7 +23,7 @@ class WordPack {
     return Pack<double>(hn::BitCast(Pack<double>::Tag(), bits)) - Pack<double>(0x1p52);
   }
   friend WordPack operator^(WordPack a, WordPack b) { return WordPack(hn::Xor(a.v_, b.v_)); }
-  /// The 64-bit product of 32-bit words, in whole lanes.
+  /// The 64-bit products of 32-bit words and b, each of which fills a lane.
   friend WordPack full_product(WordPack a, std::uint32_t b) {
 #if HWY_TARGET == HWY_SCALAR
     return WordPack(hn::Set(Tag(), (hn::GetLane(a.v_) & 0xffffffff) * b));

@@ -31,8 +31,8 @@ void pause() {
 #endif
 }
 
-/// Spins until `done` holds, for at most 30 µs. This is several times the cost of falling asleep
-/// and waking up, and takes little time from other processes on the core.
+/// Spins until `done` holds, for at most 30 µs. This time is several times the cost of putting a
+/// thread to sleep and waking it. Spinning takes little time from other processes on the core.
 template <class Done>
 bool spin(const Done& done) {
   constexpr double max_spin = 30e-6;  // longest time of spinning [s]
@@ -53,8 +53,7 @@ struct Futex {
   std::atomic<std::uint32_t> value{0};
   std::atomic<int> sleepers{0};
 
-  /// Sleeps until the value changes. Returns at once if the value differs from `old`; may return
-  /// early.
+  /// Sleeps while the value is `old`; may return early.
   void sleep_while(std::uint32_t old) {
 #ifdef __linux__
     sleepers.fetch_add(1);
@@ -66,7 +65,7 @@ struct Futex {
   }
 
   /// Wakes sleeping threads. Call this after a sequentially consistent change of the value, so that
-  /// either the sleeper sees the change or the caller sees the sleeper.
+  /// no sleeping thread misses the change.
   void wake(std::size_t max_wake) {
 #ifdef __linux__
     constexpr std::size_t all = std::numeric_limits<int>::max();
@@ -79,11 +78,11 @@ struct Futex {
   }
 };
 
-// The gate is a number with three parts: whether there is work, how many threads of the pool are
-// inside, and the number of the call. A thread joins by a compare-and-exchange of the whole number.
-// This succeeds only while the gate is open. Once the gate is closed and no thread is inside, the
-// work belongs to the caller again. The call counter wraps around, so a thread that slept through
-// exactly 2¹⁶ calls misses the next call.
+// The gate is an atomic integer with three parts: whether there is work, how many pool threads are
+// inside, and the number of the call. A thread joins by a compare-and-exchange of the whole
+// integer. This exchange succeeds only while the gate is open. Once the gate is closed and no
+// thread is inside, the work belongs to the caller again. The call counter wraps around, so a
+// thread that slept through exactly 2¹⁶ calls misses the next call.
 using Gate = std::uint32_t;
 constexpr Gate over = 1, open = 2, one_inside = 4, one_call = Gate{1} << 16;
 constexpr Gate inside(Gate gate) { return gate / one_inside % (one_call / one_inside); }

@@ -61,8 +61,8 @@ void scale_momenta(State& state, double factor) {
   }
 }
 
-/// The factor by which a momentum is reduced if it would move a body by `distance`, with the limit
-/// `max_move`.
+/// The factor that reduces a momentum so that a body moves by at most `max_move` instead of
+/// `distance`.
 double share(double distance, double max_move) {
   return distance > max_move ? max_move / distance : 1;
 }

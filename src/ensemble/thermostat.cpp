@@ -14,8 +14,8 @@ void scale(Vec3Column& v, double factor) {
     for (std::size_t i = 0; i < v.size(); ++i) (*column)[i] *= factor;
 }
 
-/// Kinetic energies of translation and rotation [kJ/mol]. They include the motion of the centre of
-/// mass if it is free.
+/// Kinetic energies of translation and rotation [kJ/mol]. These energies include the motion of the
+/// centre of mass if it is free.
 struct Motions {
   double kinetic, translation, rotation;
 };
@@ -26,21 +26,21 @@ Motions motions(const State& state, const ThermostatBodies& of) {
   return {e.kinetic(), e.translation, e.kinetic() - e.translation};
 }
 
-/// Scales momenta and returns the heat.
+/// Scales the momenta and returns the heat.
 double scale(State& state, const Motions& e, double a, double b) {
   scale(state.p, a);
   scale(state.ell, b);
   return (a * a - 1) * e.translation + (b * b - 1) * e.rotation;
 }
 
-/// The factor of momenta with this kinetic energy and n degrees of freedom, over a time in units of
-/// the time constant.
+/// The factor that rescales momenta with this kinetic energy and n degrees of freedom; time is in
+/// units of the time constant.
 double factor(double kinetic, double n, double time, const ThermostatBodies& of,
               std::uint64_t stream) {
   return rescaling_factor(kinetic, n, of.langevin.kT, time, Random(of.langevin.seed, stream));
 }
 
-// Each type of thermostat: the heat that the bodies receive.
+// Functions for each type of thermostat, which return the heat that the bodies receive.
 
 double act(const Langevin& type, const ThermostatBodies& of, State& state, double t,
            StageNumber at) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bath of a scheme, which keeps a temperature: the flow O of its stages.
+// The bath of a scheme, the flow O of its stages, which maintains a temperature.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +21,9 @@ struct ThermostatBodies {
   Workers& workers;
 };
 
-/// Applies a thermostat over a time t, for which the Maxwell distribution is stationary, and sums
-/// the heat that the bodies receive. The random numbers are functions of the seed and of the stage.
-/// A run that is resumed with the same heat() therefore continues bit for bit.
+/// Applies a thermostat over a time t and sums the heat that the bodies receive. All thermostats
+/// keep the Maxwell distribution stationary. The random numbers are functions of the seed and of
+/// the stage. A run that is resumed with the same heat() therefore continues bit for bit.
 class Thermostat {
  public:
   /// @param topology  copied; @param bodies  kept by reference

@@ -6,7 +6,7 @@
 
 namespace polhode {
 
-/// The factor α by which momenta are scaled over a time t [bussi2007, Eq. A7]. Their kinetic energy
+/// The factor α by which momenta are scaled over a time t [bussi2007, Eq. A7]. The kinetic energy
 /// relaxes to its canonical distribution with the time constant τ, exactly for any t. The factor is
 /// 1 without degrees of freedom or without kinetic energy.
 /// @param kinetic  kinetic energy K [kJ/mol] of n degrees of freedom

@@ -24,7 +24,7 @@ class BlockMeans {
 
   /// The sum over all blocks, as one block.
   Block sum() const;
-  /// The mean of each quantity over all blocks; empty if there are none.
+  /// The mean of each quantity over all blocks; empty without blocks.
   std::vector<double> mean() const;
 
  private:
@@ -39,7 +39,7 @@ struct TimeBlocks {
   double samples_per_block = 1;
 
   /// Adds a sample.
-  /// @param weight  number of samples that are already summed in it, or any other measure of size
+  /// @param weight  number of samples whose sum is added, or any other measure of size
   void add(std::span<const double> sample, double weight = 1);
   /// The blocks as means. If the last block is less than half full, it is merged into the previous
   /// block.

@@ -9,7 +9,7 @@
 
 namespace polhode {
 
-/// Averages over frames of density, temperature and volume, which need only single frames.
+/// Averages over frames of density, temperature and volume, which a single frame determines.
 class Conditions {
  public:
   explicit Conditions(const Topology& topology);

@@ -14,8 +14,8 @@
 
 namespace polhode {
 
-/// One sample for the configurational temperature. For each kind of motion, k_B T is the ratio of
-/// the means of the two quantities.
+/// One sample for the configurational temperature. For each kind of motion, k_B T is the mean of
+/// squared_force divided by the mean of curvature.
 struct ConfigurationalSample {
   ByMotion<double> squared_force{};  ///< contribution of each kind of motion to W [kJ/mol/ps²]
   ByMotion<double> curvature{};  ///< unbiased estimate of tr M⁻¹∇∇V for each kind of motion
@@ -45,8 +45,8 @@ struct ConfigurationalStatistics {
   /// motions on which no forces act, and without samples that have a known time-step error.
   ByMotion<std::optional<SeriesEstimate>> step_bias(double degrees_of_freedom,
                                                     FixedMeans fixed) const;
-  /// The configurational temperatures without standard errors [K]. They are 0 for motions without
-  /// forces, and empty without samples.
+  /// The configurational temperatures without standard errors [K]. These temperatures are 0 for
+  /// motions without forces, and empty without samples.
   std::optional<ByMotion<double>> values() const;
 };
 

@@ -43,10 +43,10 @@ SeriesEstimate scaled(SeriesEstimate estimate, double factor);
 /// sample is a block.
 inline constexpr std::size_t min_samples = 12;
 
-/// The deviation from the true value that a statistic exceeds in 0.27 % of runs. It corresponds to
-/// three standard deviations of a normal distribution. It is computed from Student's t
-/// distribution, because the error is estimated from a few modes. If the number of modes is not
-/// known, it is three standard errors.
+/// The deviation from the true value that a statistic exceeds in 0.27 % of runs. This deviation
+/// corresponds to three standard deviations of a normal distribution. The deviation is computed
+/// from Student's t distribution, because the error is estimated from a few modes. If the number of
+/// modes is not known, the deviation is three standard errors.
 double three_sigma(const SeriesEstimate& estimate);
 
 /// Computes a statistic from the means of all quantities, with its standard error. The jackknife
@@ -66,9 +66,9 @@ SeriesEstimate pooled_estimate(std::span<const BlockMeans> runs,
 /// probability. Student's t distribution with `modes` degrees of freedom is used.
 double interval_factor(const SeriesEstimate& estimate, double probability);
 
-/// The integrated autocorrelation time τ = n ε²/2σ² of a stationary quantity [samples]. It is
-/// computed from the error ε of the mean and the variance σ² of the n samples. n samples have the
-/// information of n/2τ independent samples. The relative standard error of τ is √(2/modes)
+/// The integrated autocorrelation time τ = n ε²/2σ² of a stationary quantity [samples]. τ is
+/// computed from the error ε of the mean and the variance σ² of the n samples. The n samples have
+/// the information of n/2τ independent samples. The relative standard error of τ is √(2/modes)
 /// (docs/statistics.md).
 /// @param mean      mean with its error
 /// @param variance  variance of the samples about their mean

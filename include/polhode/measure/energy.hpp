@@ -34,8 +34,8 @@ struct Energies {
   double potential() const { return van_der_waals + coulomb + external; }
   double kinetic() const { return translation + rotation[0] + rotation[1] + rotation[2]; }
   double total() const { return potential() + kinetic(); }
-  /// The energy that exact flows would conserve [bussi2007]. It is the total energy if there is
-  /// neither a thermostat nor a barostat.
+  /// The conserved energy, which exact flows would conserve [bussi2007]. Without thermostat and
+  /// barostat, the conserved energy is the total energy.
   double conserved() const { return total() - exchanged; }
 };
 

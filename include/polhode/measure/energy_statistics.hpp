@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the energies along a trajectory show, in a memory that does not grow with its length.
+// Statistics of the energies along a trajectory, in memory that does not grow with its length.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ struct EnergyStatistics {
   double total() const;                  ///< mean of the total energy [kJ/mol]
   double potential() const;              ///< mean of the potential energy [kJ/mol]
   double total_fluctuation() const;      ///< rms deviation of the conserved energy [kJ/mol]
-  double potential_fluctuation() const;  ///< rms deviation from the mean [kJ/mol]
+  double potential_fluctuation() const;  ///< rms deviation of the energy from the mean [kJ/mol]
   /// The ratio R: the rms fluctuation of the conserved energy divided by the rms fluctuation of the
   /// potential energy [vanzon2008]. At constant energy, the conserved energy is the total energy. R
   /// is NaN if the potential energy is constant.
@@ -72,8 +72,8 @@ struct EnergyStatistics {
   Drift drift_over_walk(double known) const;
   /// The slope of the potential energy [kJ/mol/ps], tested as a drift.
   Drift potential_drift() const;
-  /// Number of samples before equilibrium: the start of the stationary part of the potential energy
-  /// or of the volume, whichever is later, in whole blocks [clark2024]. 0 with few blocks.
+  /// Number of samples before both the potential energy and the volume are stationary, in whole
+  /// blocks [clark2024]; 0 with few blocks.
   double samples_before_equilibrium() const;
 };
 

@@ -32,7 +32,8 @@ std::vector<std::string> molecules_with(const Topology& topology, const std::str
 double count_pairs(const Topology& topology, const SitePair& pair);
 
 /// All pairs of site names, without trailing digits, for sites that have mass and are in different
-/// molecules. If several kinds of molecules contain the name, it is prefixed with the kind.
+/// molecules. If several kinds of molecules contain a site name, the name is prefixed with the
+/// kind.
 std::vector<SitePair> site_pairs(const Topology& topology);
 
 struct RadialSettings {
@@ -76,14 +77,14 @@ class RadialDistribution {
   struct Peak {
     SeriesEstimate position;     ///< position of the maximum [nm]
     SeriesEstimate height;       ///< value of g at the maximum [1]
-    std::optional<Shell> shell;  ///< empty if g still falls at the end of its range
+    std::optional<Shell> shell;  ///< empty if g still decreases at the end of its range
   };
   /// Finds the first peak of g. The peak begins where g first exceeds 75 % of its largest value,
   /// and ends where g falls to half of the peak height. Position and height are the maximum of a
   /// least-squares cubic through the bins in which g is above 90 % of the peak. The end of the
   /// shell is the smallest g up to 1.6 times the peak position. A cubic through the bins within 10
-  /// % of this minimum locates it. The first shell of liquids ends between 1.2 and 1.5 times the
-  /// peak position. The result is empty if g is 0 everywhere, or largest in the last bin.
+  /// % of this minimum gives its position. The first shell of liquids ends between 1.2 and 1.5
+  /// times the peak position. The result is empty if g is 0 everywhere, or largest in the last bin.
   std::optional<Peak> first_peak(std::size_t pair) const;
   /// Makes an estimate of a number that is a function of the averages means().
   using Estimate = std::function<SeriesEstimate(const StepResponse::Function&)>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shadow energy: what a second-order scheme conserves much better than the energy
+// The shadow energy, which a second-order scheme conserves much better than the energy
 // (docs/theory.md, Eqs. (7) and (42)).
 #pragma once
 

@@ -37,8 +37,8 @@ struct WalkStrength {
 };
 
 /// The posterior probability of the random-walk strength of a series that also has stationary
-/// noise. An example is the shadow energy (docs/statistics.md). Empty with fewer than `min_samples`
-/// blocks.
+/// noise. An example of such a series is the shadow energy (docs/statistics.md). Empty with fewer
+/// than `min_samples` blocks.
 std::vector<WalkStrength> walk_strengths(const BlockMeans& blocks, std::size_t time,
                                          std::size_t quantity);
 

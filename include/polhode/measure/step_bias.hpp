@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bias that the step gives to the averages of a run.
+// The bias that the time step causes in the averages of a run.
 #pragma once
 
 #include <array>

@@ -23,16 +23,16 @@ enum class FixedMeans {
   kinetic_energy,               ///< the mean kinetic energy, with a rescaling thermostat
   kinetic_energy_and_pressure,  ///< the mean kinetic energy and the mean pressure, with stochastic
                                 ///< cell rescaling
-  /// The mean kinetic energy and a mean pressure with N kT/V in place of its kinetic part. Monte
+  /// The mean kinetic energy, and a mean pressure with N kT/V in place of its kinetic part. Monte
   /// Carlo volume moves fix this pressure, because they do not use momenta.
   kinetic_energy_and_pressure_of_positions
 };
 
 /// The means that an ensemble fixes. The result is empty if the shadow energy does not determine
-/// the distribution. This is so with a Langevin thermostat, with separate rescaling of translation
-/// and rotation, or with a bath within the steps. It is also empty if a barostat scales edges
-/// separately, because the barostat then controls several pressures. It is empty with hybrid Monte
-/// Carlo, because hybrid Monte Carlo has no bias.
+/// the distribution. Examples are runs with a Langevin thermostat, with separate rescaling of
+/// translation and rotation, or with a bath within the steps. The result is also empty if a
+/// barostat scales edges separately, because the barostat then controls several pressures. The
+/// result is empty with hybrid Monte Carlo, which has no time-step bias.
 std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings, const Scheme& scheme);
 /// The means that an ensemble fixes for any scheme without a bath within its steps.
 std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings);
@@ -48,8 +48,8 @@ struct StepError {
   double volume = 0;    ///< volume [nm³]
 };
 
-/// The time-step error of a sample. At constant energy, it is a constant minus the energy.
-/// @param ideal  ideal-gas term N kT of N bodies at the temperature of the thermostat [kJ/mol]
+/// The time-step error of a sample. At constant energy, the time-step error is a constant minus the
+/// energy.
 StepError step_error(const Energies& now, FixedMeans fixed, double ideal);
 
 /// Sums over samples, in blocks of time: quantities relative to the first sample, and the products

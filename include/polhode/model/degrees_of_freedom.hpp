@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The number of degrees of freedom with kinetic energy, counted here and nowhere else.
+// The number of degrees of freedom with kinetic energy; all other code uses the numbers of this
+// file.
 #pragma once
 
 #include <array>
@@ -13,9 +14,9 @@ enum class TotalMomentum { held, free };
 
 /// Numbers of degrees of freedom. The mean kinetic energy per degree of freedom is kT/2.
 /// Translation has 3 N degrees of freedom, or 3 N − 3 if the centre of mass of all bodies is at
-/// rest (model/centre_of_mass.hpp). It is at rest in all runs. Rotation has one degree of freedom
-/// for each principal axis with a nonzero moment of inertia. A single body at rest has no
-/// translational degrees of freedom, and a single atom has none at all.
+/// rest (model/centre_of_mass.hpp). The centre of mass is at rest in all runs. Rotation has one
+/// degree of freedom for each principal axis with a nonzero moment of inertia. A single body at
+/// rest has no translational degrees of freedom, and a single atom has none at all.
 struct DegreesOfFreedom {
   double translation = 0;
   std::array<double, 3> rotation{};

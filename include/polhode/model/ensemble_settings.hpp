@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Settings of temperature and pressure control, for run files and for the thermostats and barostats
-// of polhode/ensemble. Each type has a name, as in run files, and a title.
+// of polhode/ensemble. Each type of thermostat and barostat has a name, as in run files, and a
+// title.
 #pragma once
 
 #include <array>

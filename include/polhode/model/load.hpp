@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The result of a force evaluation: forces, torques, the potential by term, and the virial, however
-// they were computed.
+// The result of any force evaluation: forces, torques, the potential by term, and the virial.
 #pragma once
 
 #include "polhode/base/column.hpp"
@@ -14,10 +13,10 @@ struct Load {
   double coulomb = 0;        ///< electrostatic energy [kJ/mol]
   double mesh = 0;           ///< reciprocal-space (mesh) part of `coulomb` [kJ/mol]
   double external = 0;       ///< energy of ExternalForces [kJ/mol]
-  /// The molecular virial [kJ/mol]. It is −dU/dε for a strain ε that moves the centres and keeps
-  /// the orientations. For pair forces it is Σ R ⊗ f over pairs of bodies, where R is the vector
-  /// between the centres and f is the force on the second body. The pressure tensor is (Σ p ⊗ p/m +
-  /// virial)/V.
+  /// The molecular virial [kJ/mol]. The virial is −dU/dε for a strain ε that moves the centres and
+  /// keeps the orientations. For pair forces the virial is Σ R ⊗ f over pairs of bodies, where R is
+  /// the vector between the centres and f is the force on the second body. The pressure tensor is
+  /// (Σ p ⊗ p/m + virial)/V.
   Mat3<double> virial{};
 
   Load() = default;

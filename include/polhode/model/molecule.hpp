@@ -44,8 +44,8 @@ struct Molecule {
   double extent() const;  ///< Largest distance of an interacting site from the centre of mass [nm].
 };
 
-/// Builds a molecule from sites that are given in any frame. It computes mass, centre, principal
-/// moments and axes, and transforms the sites into the right-handed principal frame.
+/// Builds a molecule from sites that are given in any frame. The function computes mass, centre,
+/// principal moments and axes, and transforms the sites into the right-handed principal frame.
 ///
 /// @throws Error  if no site has mass, or if a number of a site is not finite or is out of its
 ///   domain

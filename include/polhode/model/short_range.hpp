@@ -29,9 +29,9 @@ struct BuckinghamLaw {
   bool operator==(const BuckinghamLaw&) const = default;
 };
 
-/// A potential given by energies at equally spaced r, interpolated by a cubic spline. Its first two
-/// derivatives are continuous. The third derivative is bounded, but jumps at each tabulated
-/// distance.
+/// A potential given by energies at equally spaced r, interpolated by a cubic spline. The first two
+/// derivatives of the spline are continuous. The third derivative is bounded, but jumps at each
+/// tabulated distance.
 class PotentialTable {
  public:
   /// @param name   name of the table file

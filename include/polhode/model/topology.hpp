@@ -24,7 +24,7 @@ struct Topology {
 };
 
 /// Mass and principal moments of inertia of each body, with their inverses. The inverse of a
-/// vanishing moment is 0, since the angular momentum along that axis is always zero.
+/// vanishing moment is set to 0, since the angular momentum along that axis is always zero.
 struct Bodies {
   Column<double> m;               ///< mass [u]
   Column<double> inverse_m;       ///< inverse mass [1/u]

@@ -7,19 +7,19 @@
 
 namespace polhode {
 
-/// Ways to compute the elliptic integral of the third kind; the two are independent.
+/// Two independent methods for the elliptic integral of the third kind.
 enum class ThirdKind {
-  carlson,  ///< R_J by duplication, plus a multiple of its value for a half period
+  carlson,  ///< Carlson's R_J by duplication, plus a multiple of the integral over a half period
   theta,    ///< a linear term and theta functions; R_J if ThetaIntegral does not apply
 };
 
 /// The angle φ by which the body precesses about L, measured in frames that follow a body axis.
 ///
-/// The usual angle [vanzon2007a] follows the axis z that L circles. Its integrand contains 1 + N
-/// sn² with N = (J_y−J_x)J_z/((J_z−J_y)J_x). N diverges as J_y → J_z, when L passes close to the
-/// axis. Following the axis x instead gives the same integral with n = m/N. The smaller of n and N
-/// is used. It is at most 1, so near-symmetric tops are not a special case. In both cases, with the
-/// moment J_f of the axis to which L is closest (u = 0),
+/// The usual angle [vanzon2007a] follows the axis z that L circles. The integrand for z contains 1
+/// + N sn² with N = (J_y−J_x)J_z/((J_z−J_y)J_x). N diverges as J_y → J_z, when L passes close to
+/// the axis. Following the axis x instead gives the same integral with n = m/N. The smaller of n
+/// and N is used. This number is at most 1, so near-symmetric tops are not a special case. In both
+/// cases, with the moment J_f of the axis to which L is closest (u = 0),
 ///
 ///     φ = |L| t/J_f ± κ ∫ sn²/(1 + n sn²) du from u₀ to u₀ + p t,   κ² = n(1+n)(n+m).
 class PrecessionAngle {
@@ -41,9 +41,9 @@ class PrecessionAngle {
   /// @param v  result of Orbit::elapsed(t)
   /// @param u  result of Orbit::at(v)
   double operator()(double t, const Orbit::Elapsed& v, const JacobiFunctions& u) const {
-    // This is the addition theorem of the third kind [byrd1971, 116.03]. The remainder between u₀
-    // and u₀ + v depends on u₀ only through an angle. This angle never crosses ±π, because the
-    // cosine is positive wherever the sine vanishes.
+    // The integral follows from the addition theorem of the third kind [byrd1971, 116.03]. The
+    // remaining part from u₀ to u₀ + v depends on u₀ only through an angle. This angle never
+    // crosses ±π, because the cosine is positive wherever the sine vanishes.
     const double sign = std::fmod(v.half_periods, 2.0) == 0 ? 1 : -1;
     const double s0 = orbit_.start().sn, sv = sign * v.reduced.sn;
     const double addition = std::atan2(std::abs(kappa_) * s0 * sv * u.sn,

@@ -59,8 +59,8 @@ class Orbit {
     start_ = {L[y] / Ay, L[x] / Ax, L[z] / Az};
   }
 
-  /// Whether L is constant, L × J⁻¹L = 0. This is so for spherical tops, for rotation about a
-  /// principal axis, and for L = 0.
+  /// Whether the body-frame L is constant, L × J⁻¹L = 0. L is constant for spherical tops, for
+  /// rotation about a principal axis, and for L = 0.
   static bool is_stationary(const ScaledTop& top) {
     const auto parallel = [&](std::size_t i, std::size_t j) {
       return top.L[i] * top.L[j] * (top.J[i] - top.J[j]) == 0;
@@ -87,14 +87,14 @@ class Orbit {
     const auto [s0, c0, d0] = start_;
     const auto [s, c, d] = v.reduced;
     // The denominator is 1 − m s0² s² = c0² + s0² d². Both terms may be as small as 1e-340, so
-    // divide by the larger root.
+    // their square roots are first divided by the larger root.
     const double scale = 1 / std::max(std::abs(c0), std::abs(s0) * d);
     const double C0 = c0 * scale, D0 = d0 * scale, C = c * scale, D = d * scale;
     const double denominator = C0 * C0 + s0 * s0 * D * D;
     const double sn = (s0 * C * D + s * C0 * D0) / denominator;
     const double cn = (C0 * C - s0 * s * D0 * D) / denominator;
     const double sign = std::fmod(v.half_periods, 2.0) == 0 ? 1 : -1;
-    // dn by the addition theorem would cancel near its minimum k'.
+    // The addition theorem for dn would lose digits near the minimum k' of dn.
     return {sign * sn, sign * cn, std::hypot(modulus.complement, modulus.k * cn)};
   }
 
@@ -122,7 +122,7 @@ class Orbit {
   JacobiFunctions start_;
 };
 
-/// The frame (c₁, c₂, c₃), stored by columns, with c₃ = L/|L| and c₁ along L × e for a body axis e.
+/// A frame (c₁, c₂, c₃), stored by columns, with c₃ = L/|L| and c₁ along L × e for a body axis e.
 struct PrecessionFrame {
   Vec3<double> c1, c2, c3;
 

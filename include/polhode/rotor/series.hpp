@@ -150,9 +150,9 @@ POLHODE_INLINE inline Real angle_sum(const AngleEquation<Real>& of) {
 /// S/tau after term n is below 2 (2b/pi)^(2n+2), which is 9e-19 for the short and 1e-17 for the
 /// long series. The terms d_n of the angle are polynomials in the body's shape and the direction of
 /// L. Shapes and directions form a compact set. The truncation errors of the series, 1.7e-17 and
-/// 2.8e-17, are from a scan over 10^6 bodies down to J_min/J_max = 1e-6. The scan compared them
-/// with a Taylor series in extended precision. Flat needles that rotate about the middle axis have
-/// the largest error. tests/unit/rotor_series_test.cpp repeats part of the scan.
+/// 2.8e-17, are from a scan over 10^6 bodies down to J_min/J_max = 1e-6. The scan compared the
+/// series with a Taylor series in extended precision. Flat needles that rotate about the middle
+/// axis have the largest error. tests/unit/rotor_series_test.cpp repeats part of the scan.
 struct SeriesOrder {
   std::size_t sine, angle;  ///< index of the highest term of S, and number of terms of the angle
   double radius;            ///< largest |omega t| [1]
@@ -241,8 +241,8 @@ Quaternion<Real> unnormalized_rotation(const Vec3<Real>& inverse_J, const Vec3<R
 
 /// Computes L in the body frame after the rotation r as L - 2 w n x L + 2 n x (n x L). Unlike a
 /// product with the matrix of r, this formula conserves |L| up to the round-off of a small change.
-/// In a steady rotation the round-off error of |r| is the same in every step. With the matrix it
-/// would accumulate.
+/// In a steady rotation the round-off error of |r| is the same in every step. With the matrix
+/// product, this error would accumulate.
 template <class Real>
 Vec3<Real> momentum_after(const Quaternion<Real>& r, const Vec3<Real>& L) {
   const Vec3<Real> n = r.vector(), c = cross(n, L);
@@ -250,8 +250,8 @@ Vec3<Real> momentum_after(const Quaternion<Real>& r, const Vec3<Real>& L) {
 }
 
 /// Computes the free rotation over a step of any size, for numbers and packs. Within its range, a
-/// single series is used. Beyond this range, all lanes take as many equal sub-steps as the fastest
-/// lane needs.
+/// single series is used. Beyond this range, all lanes take as many equal sub-steps as the lane
+/// with the fastest rotation needs.
 ///
 /// @param inverse_J, L, t  as for the single series, with |omega t| up to about 20 (beyond that,
 ///   the closed form is cheaper)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the caller of a simulation, study, adviser or analysis may see and decide along the way. A
-// front end shows it: on a terminal, in a notebook, in a log.
+// Callbacks by which the caller of a simulation, study, adviser or analysis follows the job and may
+// end it. A front end shows the progress on a terminal, in a notebook or in a log.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,8 @@ struct Progress {
 struct Callbacks {
   /// Called often and from any thread, but never by two threads at once.
   std::function<void(const Progress&)> progress{};
-  /// Called often, from any thread, and possibly by several threads at once. If it returns true,
-  /// the job ends soon with the results so far.
+  /// Called often, from any thread, and possibly by several threads at once. If this callback
+  /// returns true, the job ends soon with the results so far.
   std::function<bool()> stop{};
   /// Receives a line of text without a line end: a note on the input, or a description of the job's
   /// next stage.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The output files of a job: whether existing files are rejected, replaced or resumed, and the lock
-// against other processes.
+// The output files of a job. This file decides whether existing outputs are rejected, replaced or
+// resumed, and locks them against other processes.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// What a job does if its output files exist already.
+/// What a job does if its output files already exist.
 enum class ExistingFiles {
   refuse,   ///< existing files are an error
   replace,  ///< existing files are overwritten
@@ -24,7 +24,7 @@ struct OutputOptions {
   std::string command = "polhode";  ///< command that writes the files, recorded in their headers
 };
 
-/// Locks the outputs of a job. If the file system has no locks, it gives a note instead.
+/// Locks the outputs of a job. If the file system has no locks, the job prints a note instead.
 class OutputLock {
  public:
   /// @throws Error  under the same conditions as FileLock()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The results of a job as a list of quantities. Loops over this list produce the text, the JSON,
-// the CSV file and the table in the manual (src/run/quantity_lists.hpp).
+// The results of a job as a list of quantities. Loops over this list produce the printed text, the
+// JSON, the CSV file and the table in the manual (src/run/quantity_lists.hpp).
 #pragma once
 
 #include <array>
@@ -47,7 +47,8 @@ struct Value : AnyValue {
       : Value(std::vector<std::int64_t>(counts.begin(), counts.end())) {}
   Value(std::vector<std::vector<double>> matrix);
   Value(std::vector<std::string> texts);
-  Value(const Estimate& estimate);  ///< an estimate, in JSON two numbers: "R" and "R_error"
+  Value(const Estimate&
+            estimate);  ///< an estimate, written in JSON as two numbers: "R" and "R_error"
   Value(const SeriesEstimate& estimate);
   Value(const AxisEstimates& estimates);
   Value(std::vector<std::optional<SeriesEstimate>> estimates);
@@ -62,34 +63,35 @@ struct Value : AnyValue {
   ~Value();
 };
 
-/// A result, with everything that its output in text and JSON needs.
+/// A result, with all data that its output in text and JSON needs.
 struct Quantity {
-  std::string key;  ///< key in JSON, before the unit: "potential"; empty: only a row of the text
-  /// "kJ/mol"; "" without one; "[kJ/mol]": not part of the key; "%": a fraction, in percent in the
-  /// text.
+  std::string key;  ///< key in JSON without its unit, such as "potential"; empty: only in the text
+  /// Unit such as "kJ/mol"; empty if dimensionless; "[kJ/mol]" if the key omits the unit; "%" for a
+  /// fraction that the text gives in percent.
   std::string unit;
-  /// The value in that unit; not finite, or null, if it is not known. A group is an object of JSON,
-  /// and its rows are indented below its label.
+  /// The value in this unit; null or not finite if it is not known. A group is a JSON object, and
+  /// its rows in the text are indented below its label.
   Value value;
   std::string doc = {};    ///< meaning of the key, for the manual
   std::string label = {};  ///< label of a row of the text; empty: no row, but the rows of a group
-  std::string note = {};   ///< follows the value in the text
-  /// Column in a CSV file; empty: the key, or none in a group; "-": none.
+  std::string note = {};   ///< note after the value in the text
+  /// Column name in a CSV file. If empty, the name is the key, but members of a group have no
+  /// column; "-" means no column.
   std::string column = {};
   int digits = 4;  ///< digits of a number in the text
-  /// A detail is shown before other rows, so that a text ends with what was asked for.
+  /// Details are shown before other rows, so that a text ends with the requested results.
   bool detail = false;
 };
 
-/// A value with its error, "1.20 ± 0.03 ps"; with four digits if that is not known.
+/// A value with its error, such as "1.20 ± 0.03 ps", or with four digits if its error is not known.
 std::string text_of(const SeriesEstimate& estimate, std::string_view unit = "");
 
-/// Rows of a list as lines of text, with a blank line after the details.
-/// @param details  whether to include them
+/// Rows of a list as lines of text, with a blank line after the details. @param details whether to
+/// include the details
 std::string text_of(const Quantities& list, bool details = true);
 
-/// Keys with units, as in "length_ps"; an estimate is an object with "value", "error", and
-/// "error_not_known" where it is not.
+/// A JSON object with units in its keys, as in "length_ps". An estimate is an object with "value"
+/// and "error", or with "error_not_known".
 std::string json_text(const Quantities& list);
 /// Several lists as a JSON array.
 std::string json_text(const std::vector<Quantities>& lists);

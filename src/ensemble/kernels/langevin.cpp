@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The Ornstein-Uhlenbeck flow over packs of bodies. A range is made of whole packs, except that it
-// may end at the last body.
+// The Ornstein-Uhlenbeck flow over packs of bodies. Each range of bodies consists of whole packs,
+// except that the range may end at the last body.
 #include <algorithm>
 #include <array>
 
@@ -46,8 +46,8 @@ struct TwoNormals {
   Real first, second;
 };
 
-/// Two independent normal deviates, from two uniform deviates [box1958]. The largest possible value
-/// is 6.8; ideally, one in 10¹¹ deviates would be larger.
+/// Two independent normal deviates, from two uniform deviates [box1958]. The largest possible
+/// normal deviate is 6.8; ideally, one in 10¹¹ deviates would be larger.
 TwoNormals normals(Real radius, Real angle) {
   const Real r = sqrt(Real(-2) * log(radius));
   const Real a = Real(2 * units::pi) * angle;

@@ -11,8 +11,9 @@
 namespace polhode {
 
 /// The Buckingham potential u = A exp(−B r) − c6/r⁶ [buckingham1938]. The potential has a maximum
-/// at a short distance, the inner limit. Below this distance it falls to −∞. Sites closer than the
-/// inner limit would fall into each other. There u and s are NaN, so that the run stops.
+/// at a short distance, the inner limit. Below the inner limit, the potential falls to −∞. Sites
+/// closer than the inner limit would collapse onto each other. At such distances u and s are NaN,
+/// so that the run stops.
 template <class T = double>
 struct Buckingham {
   T A = 0;             ///< [kJ/mol]
@@ -37,8 +38,8 @@ struct Buckingham {
             static_cast<float>(inner_limit2)};
   }
 
-  /// The distance at which u has its maximum [nm], or 0 if C is 0. It is the smaller solution of (B
-  /// r)⁷ exp(−B r) = 6 C B⁶/A, found by bisection.
+  /// The distance at which u has its maximum [nm], or 0 if C is 0. This distance is the smaller
+  /// solution of (B r)⁷ exp(−B r) = 6 C B⁶/A, found by bisection.
   static double inner_limit(const BuckinghamLaw& law) {
     const double target = 6 * law.C * std::pow(law.B, 6) / law.A;
     double low = 0, high = 7;  // bounds of B r; the left side of the equation rises up to B r = 7

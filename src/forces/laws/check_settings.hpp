@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The domains of force field settings.
+// The allowed ranges of force field settings.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// A force setting outside its domain.
+/// A force setting outside its allowed range.
 struct SettingFault {
   std::string_view key;   ///< name of the setting in run files, such as "switch"
   std::string value;      ///< value with its unit, such as "0.9 nm"
@@ -20,7 +20,7 @@ struct SettingFault {
                                 ///< ...".
 };
 
-/// The first setting outside its domain; empty if all are valid.
+/// The first setting outside its allowed range; empty if all are valid.
 std::optional<SettingFault> find_fault(const ForceSettings& settings);
 
 /// Returns the settings after checking them.

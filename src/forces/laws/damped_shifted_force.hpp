@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The damped shifted force: a Coulomb potential damped by erfc and truncated at the cutoff a, pair
-// by pair [wolf1999; fennell2006]. Originally, the value and slope of erfc(α r)/r at a are
-// subtracted as a line in r; here its Taylor polynomial in y = 1 − r²/a² up to y^n is subtracted.
-// The energy then goes to zero with n continuous derivatives, and schemes keep their order.
+// by pair [wolf1999; fennell2006]. The original method subtracts the value and slope of erfc(α r)/r
+// at a as a line in r. This class subtracts the Taylor polynomial of erfc(α r)/r in y = 1 − r²/a²
+// up to y^n. The energy then goes to zero with n continuous derivatives, and schemes keep their
+// order.
 #pragma once
 
 #include <cmath>
@@ -13,14 +14,15 @@
 
 namespace polhode {
 
-/// The largest value of α a. The omitted powers of y in erf(α r)/r are then below 3e-7/a, and below
-/// 1e-10/a for α a ≤ 2.4.
+/// The largest allowed value of α a. Up to this limit, the omitted powers of y in erf(α r)/r are
+/// below 3e-7/a; for α a ≤ 2.4 they are below 1e-10/a.
 inline constexpr double max_damping = 3;
 
-/// The polynomial that the damped shifted force subtracts from 1/r = erf(α r)/r + erfc(α r)/r. It
-/// consists of the full Taylor series of the first term in y, and the series of the second term up
-/// to y^n. Its terms up to y^n are therefore the terms of 1/r, and its higher terms are the terms
-/// of erf(α r)/r. Without damping it gives the force shifted in r².
+/// The polynomial that the damped shifted force subtracts from 1/r = erf(α r)/r + erfc(α r)/r. The
+/// polynomial consists of the full Taylor series of the first term in y, and the series of the
+/// second term up to y^n. Up to y^n, the polynomial therefore has the terms of 1/r, and at higher
+/// powers it has the terms of erf(α r)/r. Without damping, the polynomial gives the force shifted
+/// in r².
 /// @param cutoff      cutoff a [nm]
 /// @param damping     α [1/nm] with 0 ≤ α a ≤ max_damping
 /// @param smoothness  n, at least 1, so that the force also vanishes at a

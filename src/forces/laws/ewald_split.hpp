@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Splits of 1/r into two parts, 1/r = u(r) + smooth(r). The short-range part u is summed over
 // pairs, and the smooth part over wave vectors. The smooth part is the potential of a unit charge
-// spread over the density that names the split; transform(k) is the density's Fourier transform, 1
-// at k = 0.
+// that is spread over a density, after which the split is named. transform(k) is the Fourier
+// transform of this density, with value 1 at k = 0.
 #pragma once
 
 #include <cmath>
@@ -46,7 +46,7 @@ struct GaussianSplit {
 
 /// Split of 1/r with a density C (1 − r²/a²)^m, which is zero beyond a. The smooth part is the
 /// Taylor polynomial of 1/r in y = 1 − r²/a² up to y^(m+1) [skeel2002; hardy2009]. The short-range
-/// part u(r) is also zero beyond a. It is of class C^(m+1) at a, so nothing is truncated.
+/// part u(r) is also zero beyond a. At a, u is of class C^(m+1), so nothing is truncated.
 class CompactSplit {
  public:
   static constexpr int max_exponent =
@@ -66,7 +66,7 @@ class CompactSplit {
   double smooth_at_zero() const { return polynomial_.smooth_at_zero(); }
 
   /// The Fourier transform of the density: (2n+1)!! j_n(x)/xⁿ with n = m + 1, x = k a, and the
-  /// spherical Bessel function j_n. Its derivative is −(2n+1)!! j_(n+1)(x)/xⁿ.
+  /// spherical Bessel function j_n. The derivative of this transform is −(2n+1)!! j_(n+1)(x)/xⁿ.
   TransformValue transform(double k) const {
     const double x = k * cutoff();
     const auto [now, next] = reduced_bessel(degree(), x);

@@ -14,7 +14,7 @@ namespace polhode {
 namespace {
 
 // In Chebyshev polynomials of a high degree, the coefficients of powers of y are large and nearly
-// cancel. With long double, the error of the sum is 1e-15.
+// cancel. With long double, the error of the sum of these terms is 1e-15.
 using Real = long double;
 constexpr std::size_t degree = SmoothPolynomial::max_degree, nodes = 3 * degree;
 
@@ -38,8 +38,8 @@ std::array<Real, degree + 1> chebyshev_series(Real x) {
   return c;
 }
 
-// The number of terms that the value and its derivative need. The terms of the derivative are up to
-// n² times as large.
+// The number of Chebyshev terms that the value and its derivative need. The terms of the derivative
+// are up to n² times as large.
 std::size_t terms_needed(const std::array<Real, degree + 1>& c) {
   constexpr Real negligible = 1e-11L;
   std::size_t last = degree;

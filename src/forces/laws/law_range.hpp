@@ -10,11 +10,11 @@
 namespace polhode {
 
 /// The distance below which a law is not defined [nm]: the maximum of the Buckingham potential, or
-/// the start of a table. It is 0 for other laws.
+/// the start of a table. For all other laws, this distance is 0.
 double inner_limit(const ShortRangeLaw& law);
 
-/// A note on a possible cause of an energy that is not finite, such as "; a pair of argon.Ar may
-/// have come closer than 0.0775 nm, the inner limit of its law". It is empty if all laws are
+/// A note for the message about an energy that is not finite, such as "; a pair of argon.Ar may
+/// have come closer than 0.0775 nm, the inner limit of its law". The note is empty if all laws are
 /// defined at all distances.
 std::string inner_limit_note(const Topology& topology);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The potentials of charges, and code shared by all pair potentials, written once for every Real:
-// numbers, packs, dual numbers. A law is a function of the distance r between two sites and returns
-// u and s = −u'(r)/r; the force of the first site on the second is s (r₂ − r₁).
+// numbers, packs, dual numbers. A law returns the potential u and s = −u'(r)/r as functions of the
+// distance r between two sites. The force of the first site on the second is s (r₂ − r₁).
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ namespace polhode {
 
 /// The Coulomb potential with the reaction field of a dielectric continuum beyond the cutoff: u = K
 /// q₁ q₂ (1/r + k r² − c). The constants are k = (ε − 1)/((2 ε + 1) r_c³) and c = 1/r_c + k r_c²
-/// [tironi1995]. The plain Coulomb potential has k = c = 0. The caller multiplies by the factor K
-/// q₁ q₂.
+/// [tironi1995]. The plain Coulomb potential has k = c = 0. The caller multiplies the result by the
+/// factor K q₁ q₂.
 template <class T = double>
 struct ReactionField {
   T k = 0;  ///< [1/nm³]
@@ -40,11 +40,11 @@ struct ReactionField {
 };
 
 /// The switching function w, which is 1 up to `from` and 0 beyond `to`. In between, it is a
-/// polynomial in x = (r − from)/(to − from). It has the lowest degree for which the first
-/// `smoothness` derivatives vanish at both ends. With y = x − ½ and b = ¼ − y² = x (1 − x), w = ½ −
-/// y Σ B_k bᵏ for k from 0 to n, and dw/dx = −(2n + 1) B_n bⁿ. Here B_k = (2k)!/k!² is 1, 2, 6, 20.
-/// This form needs the same operations for all n and no branches. It is exact at both ends, where b
-/// = 0.
+/// polynomial in x = (r − from)/(to − from). This polynomial has the lowest degree for which the
+/// first `smoothness` derivatives vanish at both ends. With y = x − ½ and b = ¼ − y² = x (1 − x), w
+/// = ½ − y Σ B_k bᵏ for k from 0 to n, and dw/dx = −(2n + 1) B_n bⁿ. Here B_k = (2k)!/k!² is 1, 2,
+/// 6, 20. This form needs the same operations for all n and no branches. The form is exact at both
+/// ends, where b = 0.
 template <class T = double>
 class Switch {
  public:
@@ -83,7 +83,7 @@ class Switch {
 
 /// The polynomial subtracted from 1/r inside the cutoff a, as powers of y = 1 − r²/a², which is the
 /// form that the kernels use. The difference u of 1/r and the polynomial goes smoothly to zero at
-/// a. The caller multiplies by the factor K q₁ q₂.
+/// a. The caller multiplies the result by the factor K q₁ q₂.
 template <class T = double>
 struct SmoothPart {
   std::size_t degree = 0;  ///< degree of −u'/r; the degree of u is larger by one
@@ -114,7 +114,7 @@ inline std::optional<SmoothPolynomial> smooth_polynomial(const ForceSettings& se
   return std::nullopt;
 }
 
-/// Settings on which the interaction of two sites depends, besides the parameters of the sites.
+/// The settings that determine the interaction of two sites, besides the parameters of the sites.
 template <class T = double>
 struct PairLaws {
   ReactionField<T> reaction_field;

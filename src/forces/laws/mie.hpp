@@ -10,9 +10,9 @@
 namespace polhode {
 
 /// The Mie potential u = C ε ((σ/r)ⁿ − (σ/r)ᵐ) with C = n/(n − m) (n/m)^(m/(n − m)), so that the
-/// well has the depth ε [mie1903]. Powers are computed as exp(n/2 ln(σ²/r²)). Their error is |n
-/// ln(σ/r)| times the error of the logarithm. This is small at distances where the potential is
-/// strong.
+/// well has the depth ε [mie1903]. Powers are computed as exp(n/2 ln(σ²/r²)). The relative error of
+/// a power is |n ln(σ/r)| times the error of the logarithm. This error is small at distances where
+/// the potential is strong.
 template <class T = double>
 struct Mie {
   T strength = 0;  ///< strength C ε [kJ/mol]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The short-range potential of a pair of sites, chosen from the list below for each pair. Systems
-// with only Lennard-Jones potentials use other loops, which know the potential at compile time.
+// with only Lennard-Jones potentials use separate loops, in which the potential is known at compile
+// time.
 #pragma once
 
 #include <variant>

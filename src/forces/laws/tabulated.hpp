@@ -22,7 +22,8 @@ struct Tabulated {
   T intervals = 0;        ///< number of intervals, as a floating-point number
 
   using Parameters = TabulatedLaw;
-  /// Mixes the tables of two sites: if both have the same table, it is the result.
+  /// Mixes the tables of two sites. The result is their common table, and is empty if the tables
+  /// differ.
   template <class Mean>
   static std::optional<Parameters> mixed(const Parameters& x, const Parameters& y, const Mean&) {
     return x == y ? std::optional(x) : std::nullopt;
@@ -42,7 +43,7 @@ struct Tabulated {
     const Real one_over_r = inverse_r.first(), last = constant<Real>(intervals);
     const Real place =
         (r2 * one_over_r - C(first)) * C(inverse_spacing);  // distance in units of intervals
-    // Comparisons in this order keep the index inside the table even if r is NaN.
+    // This order of comparisons keeps the index inside the table even if r is NaN.
     Real t = select(place < last, place, last);
     t = select(t > Real(0), t, Real(0));
     Real k = floor(t);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The expected time of a force evaluation with PME. It determines the choice of charge cutoff and
-// mesh. It does not depend on the processor, and neither do results.
+// The expected time of a force evaluation with PME. The expected time determines the choice of
+// charge cutoff and mesh. The expected time is a formula that does not depend on the processor, and
+// neither do the results.
 #pragma once
 
 #include "polhode/forces/laws/settings.hpp"
@@ -8,8 +9,8 @@
 
 namespace polhode {
 
-/// Expected time of the mesh [s]. If there are no grid points, it is the time to spread and gather
-/// charges.
+/// Expected time of the mesh [s]. If there are no grid points, the result is the time to spread and
+/// gather charges.
 double expected_mesh_seconds(const Topology& topology, const MeshSettings& mesh);
 
 /// Expected time of the pairs [s], for a given cutoff of the charges [nm].

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Fourier transforms of a grid in tiles, by pocketfft with packs as numbers. A pack holds many
-// series, one in each lane. Between the edges, only tiles are transposed.
+// Fourier transforms of a grid in tiles, by pocketfft with packs as numbers. Each pack holds one
+// number of many series, which are in separate lanes. Between the transforms along different edges,
+// only tiles are transposed.
 #pragma once
 
 #include <cstddef>
@@ -34,8 +35,8 @@ struct MeshModes {
   std::size_t columns() const { return columns_x() * columns_z(); }
   /// Index of the column for group x of k_x and group z of k_z.
   std::size_t index(std::size_t x, std::size_t z) const { return z * columns_x() + x; }
-  /// Indices of k_x and k_z of a lane of a column. The index of k_z may be beyond half of the
-  /// points.
+  /// Indices of k_x and k_z of a lane of a column. The index of k_z may be above half the number of
+  /// grid points.
   std::array<std::size_t, 2> wave(std::size_t column, std::size_t lane) const {
     return {column % columns_x() * tile.rows + lane / tile.columns,
             column / columns_x() * tile.columns + lane % tile.columns};
@@ -70,8 +71,8 @@ struct ModeSums {
 };
 
 POLHODE_DECLARE_LOOPS(
-    /// Transforms rows of stacks along z and x by Σ exp(−2πi (k_x x/n_x + k_z z/n_z)). The overhang
-    /// is added first.
+    /// Transforms rows of stacks along z and x by Σ exp(−2πi (k_x x/n_x + k_z z/n_z)). The grid's
+    /// overhang is added first.
     void rows_to_modes(const FourierRowJob<double>& job);
     void rows_to_modes(const FourierRowJob<float>& job);
     /// Transforms coefficients back to rows of stacks: the inverse transform times n_x n_z,

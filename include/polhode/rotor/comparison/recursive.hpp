@@ -16,8 +16,9 @@ inline constexpr std::size_t max_terms = 14;
 using Series = std::array<double, max_terms>;
 
 /// Computes the Taylor coefficients of φ'(s) h about the point at which the angular momentum is L.
-/// The time is s h. Euler's equations determine the derivatives. φ' = |L| (L_i²/J_i +
-/// L_j²/J_j)/(L_i² + L_j²) is a quotient of two series, with i and j perpendicular to `axis`.
+/// Here s is the time in units of the step h. Euler's equations determine the derivatives. φ' = |L|
+/// (L_i²/J_i + L_j²/J_j)/(L_i² + L_j²) is a quotient of two series, with i and j perpendicular to
+/// `axis`.
 inline Series angle_rate(const Vec3<double>& J, const Vec3<double>& L, double norm_L,
                          std::size_t axis, double h) {
   std::array<Vec3<double>, max_terms> l;

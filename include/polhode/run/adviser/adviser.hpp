@@ -53,7 +53,7 @@ struct Advice {
 };
 
 /// Chooses a scheme and a step for a run file by test runs. The test runs start from the
-/// equilibrated initial configuration of the run file. They have the length of the run file's
+/// equilibrated initial configuration of the run file. Test runs have the length of the run file's
 /// trajectory if the time allows, and are otherwise shorter. Each worker performs one test run at a
 /// time. Results depend on wall-clock time, which limits the lengths of test runs and measures the
 /// cost of schemes.

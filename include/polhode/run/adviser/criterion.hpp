@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The requirement of a user on a run, as a number with a bound: the energy fluctuation ratio R, the
+// The user's requirement for a run, as a number with a bound: the energy fluctuation ratio R, the
 // energy drift, or the bias of an average.
 #pragma once
 
@@ -33,8 +33,8 @@ struct Outcome {
   double energy_bias = 0;             ///< time-step bias of the potential energy per molecule
                                       ///< [kJ/mol]
   double pressure_bias = 0;           ///< time-step bias of the pressure [kJ/mol/nm³]
-  /// Standard errors common to all runs. They arise when the biases of energy and pressure are
-  /// converted to the ensemble of the run file.
+  /// Standard errors common to all runs. These errors arise when the biases of energy and pressure
+  /// are converted to the ensemble of the run file.
   double energy_bias_error = 0, pressure_bias_error = 0;
   double rounding = 0;  ///< R due to round-off only, estimated; 0 in double precision
 };
@@ -65,28 +65,30 @@ struct Criterion {
 Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& ensemble);
 
 /// Probability with which the adviser's answer is to meet the requirement: 95 of 100 new runs must
-/// meet it. With a probability of 0.975 for each, fewer than 95 of 100 do so once in 20 times.
+/// meet it. If each run meets it with a probability of 0.975, fewer than 95 of 100 runs do so in
+/// only 5 % of cases.
 inline constexpr double guarantee_probability = 0.975;
 
-/// The bound below which the quality stays with guarantee_probability. For R it is a bound for a
-/// new run. A single run is too noisy to show energy drift or bias, so their bound is for the mean
-/// over infinitely many runs. A bias is the largest of several, and each has its share of the error
-/// probability. Errors that all runs have in common are added in quadrature, twice the standard
-/// error. Infinite if a run blew up.
+/// The bound that the bounded number (R, drift or bias) does not exceed with guarantee_probability.
+/// For R, the result is a bound for a new run. A single run is too noisy to show energy drift or
+/// bias, so these are bounded in the mean over infinitely many runs. The bias is the largest of
+/// several biases, and each of them has its share of the error probability. Twice the standard
+/// error that all runs have in common is added in quadrature. The bound is infinite if a run blew
+/// up.
 double upper_bound(Quality quality, const std::vector<Outcome>& runs);
 
-/// The smallest upper_bound() of R that runs can still have at full length, from the part already
-/// run. R grows with the length. Its scatter decreases at most as the square root of the length, as
-/// for independent parts.
+/// The smallest upper_bound() of R that runs can still reach at full length, given the part already
+/// run. R grows with the length of a run. The scatter of R decreases at most as the square root of
+/// the length, as for independent parts.
 /// @param part  of the length, above 0 and at most 1
 double optimistic_bound(const std::vector<Outcome>& runs, double part);
 
-/// Whether runs can still meet the bound at full length, from the part already run. True for an
-/// energy drift or a bias, which parts of runs do not determine.
+/// Whether runs can still meet the bound at full length, given the part already run. The result is
+/// true for an energy drift or a bias, which a part of a run does not determine.
 bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, double part);
 
-/// Whether a run blew up, or the energies drift: as in a study, with a p-value below
-/// `significance_level`.
+/// Whether a run blew up or its energies drift, with a p-value below `significance_level` as in a
+/// study.
 bool drifts(const std::vector<Outcome>& runs, double significance_level = significance);
 bool blew_up(const std::vector<Outcome>& runs);
 

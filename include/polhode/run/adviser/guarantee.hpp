@@ -45,8 +45,8 @@ struct GuaranteeCheck {
   bool met() const { return std::abs(value.value) <= guarantee.accuracy.bound; }
 };
 
-/// Checks a run against its guarantee. The result is empty if R or the bias is not known, as R with
-/// a thermostat.
+/// Checks a run against its guarantee. The result is empty if R or the bias is not known, such as R
+/// with a thermostat.
 std::optional<GuaranteeCheck> check_guarantee(const Guarantee& guarantee,
                                               const TrajectoryStatistics& statistics,
                                               const RunSummary& summary);

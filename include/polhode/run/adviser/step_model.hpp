@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The R of a scheme as a function of the step, from runs at a few steps. All steps use the same
-// initial configurations.
+// A model of R as a function of the time step, from runs at a few time steps. All steps use the
+// same initial configurations.
 #pragma once
 
 #include <vector>
@@ -35,8 +35,8 @@ class StepModel {
   Estimate log_ratio(double step) const;
 
   /// The prediction bound: the value below which R of a new run at the step lies with a given
-  /// probability. It is computed from Student's t distribution with n − 1 degrees of freedom, for n
-  /// initial configurations.
+  /// probability. The bound is computed from Student's t distribution with n − 1 degrees of
+  /// freedom, for n initial configurations.
   double bound(double step, double probability) const;
 
   /// The local exponent d log R/d log h = p + 2 c h².

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Observables that an analysis measures along a trajectory. A new observable is a source file and
-// an entry in the list of src/run/analysis/observables.cpp.
+// Observables that an analysis measures along a trajectory. A new observable needs a source file
+// and an entry in the list of src/run/analysis/observables.cpp.
 #pragma once
 
 #include <cstddef>

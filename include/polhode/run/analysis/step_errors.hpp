@@ -36,7 +36,7 @@ class StepErrors {
   /// @param has_velocities  whether the frame has a kinetic energy that can be compared with the
   ///   row
   /// @throws Error  unless exactly one row has the time of the frame, within the round-off of times
-  ///   in files. Also if volume, kinetic energy or ensemble of frame and row differ
+  ///   in files. Also throws if the volume, kinetic energy or ensemble of frame and row differ
   std::optional<StepError> at(const State& frame, bool has_velocities);
 
  private:

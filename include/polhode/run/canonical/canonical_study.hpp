@@ -20,8 +20,9 @@
 namespace polhode {
 
 /// Levels of the bounds on biases. Strict bounds are about 0.1 % of the energy of liquid water, 1
-/// K, and 1 % of the first peak of g(r). They were chosen before any data existed. Loose bounds are
-/// 0.5 %, 1 % and 2 %. They were chosen when only the errors of the first data were known.
+/// K, and 1 % of the first peak of g(r). Strict bounds were chosen before any data existed. Loose
+/// bounds are 0.5 %, 1 % and 2 %. Loose bounds were chosen when only the errors of the first data
+/// were known.
 enum class BiasCriterion { strict, loose };
 
 /// A quantity whose bias is measured in a canonical study.
@@ -74,11 +75,12 @@ struct CanonicalRun {
 };
 
 /// The comparison of a bias with a bound. The bias is below the bound if its 95 % interval lies
-/// within ± the bound, and above if the interval lies outside. Otherwise the data do not decide.
+/// within ± the bound, and above if the interval lies outside. Otherwise the comparison is
+/// undecided.
 enum class Accuracy { below, above, undecided };
 
 /// Compares a bias with a bound.
-/// @param runs  number of runs from which the error was computed; it determines the degrees of
+/// @param runs  number of runs from which the error was computed, which determines the degrees of
 ///   freedom of Student's t distribution
 Accuracy accuracy_of(const Estimate& bias, double bound, int runs);
 
@@ -110,8 +112,8 @@ std::vector<NamedScheme> canonical_schemes();
 /// @throws Error  under the same conditions as check_hybrid(), or if a method occurs twice
 std::vector<CanonicalMethod> canonical_methods(const StudySettings& settings);
 
-/// Time at the beginning of a run of a given length that is excluded from averages, so that they
-/// forget the initial configuration [ps].
+/// Time at the beginning of a run of a given length [ps] that averages exclude, because the initial
+/// configuration still affects it.
 constexpr double relaxation(double length) { return 0.2 * length; }
 
 /// Performs the runs that are not in `known` yet, and reports each run when it ends. Hybrid Monte

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a composition, a temperature and a pressure or density to an equilibrated start.
+// Prepares an equilibrated initial configuration from a composition, a temperature, and a pressure
+// or density.
 #pragma once
 
 #include <optional>
@@ -21,8 +22,8 @@ struct PreparedProperties {
   RunSummary summary;
   SeriesEstimate density;          ///< mean density [u/nm³]
   std::optional<double> pressure;  ///< pressure that the barostat controls [kJ/mol/nm³]
-  /// Compressibility from the volume fluctuations, if there is a barostat [nm³ mol/kJ]. It is known
-  /// if the volume has fluctuated long enough and does not drift.
+  /// Compressibility from the volume fluctuations, if there is a barostat [nm³ mol/kJ]. This
+  /// compressibility is known if the volume has fluctuated long enough and does not drift.
   SeriesEstimate compressibility{};
   double moves_compressibility = 0;  ///< compressibility that sets the size of barostat moves
                                      ///< [nm³ mol/kJ]
@@ -31,16 +32,17 @@ struct PreparedProperties {
 
 struct PreparationReport {
   std::size_t molecules = 0;
-  double lattice_density = 0;  ///< density of the lattice [u/nm³]; 0 if there is an initial
-                               ///< configuration
-  bool estimated = false;      ///< whether estimated_density() gave the density of the lattice
+  double lattice_density =
+      0;  ///< density of the start lattice [u/nm³]; 0 if there is an initial configuration
+  bool estimated = false;  ///< whether estimated_density() gave the density of the lattice
   Minimisation minimisation;
   /// Compressibility in the new run file [nm³ mol/kJ]; 0 if it was not estimated.
   double compressibility = 0;
-  std::optional<PreparedProperties> properties;  ///< empty if the preparation was interrupted
-  std::vector<std::string> files;                ///< paths of the files that were written
-  std::string run_file, checkpoint;              ///< paths of the new run file and checkpoint;
-                                                 ///< empty if not written
+  std::optional<PreparedProperties>
+      properties;                    ///< path of the file; empty if the preparation was interrupted
+  std::vector<std::string> files;    ///< paths of the files that were written
+  std::string run_file, checkpoint;  ///< paths of the new run file and checkpoint;
+                                     ///< empty if not written
 };
 
 /// A rough estimate of the liquid density of these molecules [u/nm³]. The estimate assumes that
@@ -58,11 +60,12 @@ double estimated_density(const Topology& topology);
 /// 3. The NVT stage is Langevin dynamics by BAOAB [leimkuhler2013] at a 1 fs time step, with a
 ///   friction of 5/ps.
 /// 4. If there is a barostat, the NPT stage is Langevin dynamics with barostat moves, at a time
-///   step of at most 2 fs. If the run file gives no compressibility, the value is adapted after
-///   1/8, 1/4 and 1/2 of the stage. Once the volume fluctuations are known, they determine the
-///   value. While the volume drifts, the value is multiplied by 4, up to 16 times the default. For
-///   a run at constant energy, momenta are then scaled so that the total energy is the mean of the
-///   last half stage. The run therefore has the requested temperature.
+///   step of at most 2 fs. If the run file gives no compressibility, the barostat's value is
+///   adapted after 1/8, 1/4 and 1/2 of the stage. Once the volume fluctuations are known, they
+///   determine the compressibility. While the volume drifts, the compressibility is multiplied by
+///   4, up to 16 times the default. For a run at constant energy, momenta are then scaled so that
+///   the total energy is the mean of the last half stage. The run therefore has the requested
+///   temperature.
 ///
 /// The function writes PREFIX-prepared.gro with velocities, and PREFIX-prepared.bin, a checkpoint
 /// with the same state to the last bit. It also writes PREFIX-prepared.toml, a run file that starts

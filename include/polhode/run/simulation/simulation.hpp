@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A simulation of a run file: in memory, step by step, or as a whole with its files.
+// A simulation that a run file describes: in memory, step by step, or as a whole with output files.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ struct FoundCheckpoint;
 class RunFiles;
 
 /// The ways in which Simulation::run() can end. An interrupted equilibration or trajectory can be
-/// resumed from a checkpoint. If the choice of the step is interrupted, no file is written and the
-/// choice starts over.
+/// resumed from a checkpoint. If an interrupt stops the search for the time step, no file is
+/// written, and the next run starts a new search.
 enum class RunEnd {
   complete,
   interrupted,                ///< interrupted during the trajectory
@@ -39,11 +39,11 @@ struct RunResult {
 };
 
 /// The simulation that a run file describes: a system, an optional equilibration, and a trajectory.
-/// The trajectory has the same bits whether it is computed by step(), by run(), or resumed, and for
-/// any number of threads.
+/// The trajectory is bitwise the same whether it is computed by step(), by run(), or resumed, and
+/// for any number of threads.
 class Simulation {
  public:
-  /// Builds the system. Nothing is computed, and no file is written.
+  /// Builds the system. Construction neither computes anything nor writes a file.
   /// @param workers  threads, kept by reference
   /// @throws Error  with its place, if a setting or the initial configuration is invalid
   explicit Simulation(const Config& config, Workers& workers = Workers::serial());
@@ -62,9 +62,7 @@ class Simulation {
   /// @throws Error  if the state does not fit the molecules; only the orientations are then changed
   void state_changed();
   /// Begins a new segment of the trajectory with another scheme, step or ensemble. Momenta are not
-  /// changed. If an accuracy is required, a new step is chosen.
-  /// @throws Error  if the settings do not suit each other or the forces, or if they add, remove or
-  ///   change hybrid Monte Carlo; nothing is changed then
+  /// changed. If the run file requires an accuracy, a new step is chosen.
   void change(const IntegratorSettings& integrator, const EnsembleSettings& ensemble);
   /// Number of steps of the trajectory done so far.
   std::size_t steps() const;
@@ -75,21 +73,20 @@ class Simulation {
   std::size_t steps_left() const;
   std::size_t steps_in(double time) const;
   /// The energies of the current state, with the heat and work received so far. A separate force
-  /// evaluation computes these values, without an effect on the trajectory.
+  /// evaluation computes these energies, and does not affect the trajectory.
   Energies energies() const;
   /// Statistics of the present segment of the trajectory.
   RunSummary summary();
   /// The report of a trajectory in memory, with warnings, as run() returns it.
   RunReport report();
 
-  /// Lets the adviser choose the step if the run file requires an accuracy. The adviser also
+  /// Lets the adviser choose the time step if the run file requires an accuracy. The adviser also
   /// chooses the scheme if the run file has none. run() calls this function.
   /// @return  false if the search was interrupted
   /// @throws RunError  if no scheme meets the accuracy
   bool choose_step(const Callbacks& callbacks = {});
   /// Minimises and equilibrates once, as the run file requires. step() and run() call this
-  /// function.
-  /// @return  false if it was interrupted; another call resumes the equilibration
+  /// function. @return false if the equilibration was interrupted; another call resumes it
   /// @throws RunError  if the trajectory blows up
   bool equilibrate(const Callbacks& callbacks = {});
   /// Advances the trajectory in memory.
@@ -108,9 +105,9 @@ class Simulation {
   ///   set
   void resume(const std::string& path);
 
-  /// Continues to the length that the run file requires. Energies, trajectories, checkpoints, the
-  /// final state and a figure are written. [output] selects files and names. A lock keeps other
-  /// processes from using the files.
+  /// Continues the trajectory to the length that the run file requires. The function writes
+  /// energies, trajectories, checkpoints, the final state and a figure. [output] selects files and
+  /// names. A lock keeps other processes from using the files.
   /// @throws Error     before anything is computed, if outputs exist or cannot be resumed
   /// @throws RunError  if the trajectory blows up, or a file cannot be written
   RunResult run(const OutputOptions& options = {}, const Callbacks& callbacks = {});

@@ -15,12 +15,12 @@
 namespace polhode {
 
 /// A family of schemes with one or two free parameters, such as "free x = 0.2; B(x) A(1/2) B(1 -
-/// 2*x) A(1/2) B(x)". The O(h²) error of a scheme has only two terms, α and β, so they could not
+/// 2*x) A(1/2) B(x)". The O(h²) error of a scheme has only two terms, α and β, which cannot
 /// determine a third parameter.
 class SchemeFamily {
  public:
   /// @throws Error  unless the text is a palindrome with one or two free parameters that determine
-  ///                α and β. Its drifts and kicks must sum to 1 for any values
+  ///                α and β. The drifts and the kicks must sum to 1 for any parameter values
   /// @param label  label of the reference; if empty, it is the name of the scheme, or its stages
   explicit SchemeFamily(const NamedScheme& scheme, const std::string& label = {});
 
@@ -50,8 +50,8 @@ struct ErrorCovariance {
   double VV = 0;  ///< variance of the potential energy, the denominator of R²
 
   ErrorCovariance& operator+=(const ErrorCovariance& other);
-  /// The variance of the energy after the error terms of the scheme change by `change`. It is the
-  /// variance of E − Δα a − Δβ b, because H̃ of both schemes is constant.
+  /// The variance of the energy if the error terms of the scheme changed by `change`. The result is
+  /// the variance of E − Δα a − Δβ b, because H̃ of both schemes is constant.
   double variance(const ErrorTerms& change) const;
 };
 ErrorCovariance error_covariance(std::span<const BracketSample> samples, double h);

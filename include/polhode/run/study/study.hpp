@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The study of the paper: accuracy against cost for each scheme over a range of steps, from
-// independent runs [vanzon2008, Fig. 1].
+// The study of the paper, which compares the accuracy and cost of schemes over a range of time
+// steps, from independent runs [vanzon2008, Fig. 1].
 #pragma once
 
 #include <array>
@@ -24,18 +24,19 @@ namespace polhode {
 /// because fast librations would otherwise be aliased.
 inline constexpr double max_sample_interval = 0.0025;
 
-/// One run of a study: a scheme and a step, started from one of the initial configurations.
+/// One run of a study, with one scheme and time step, starting from one of the initial
+/// configurations.
 struct StudyRun {
-  std::string scheme;      ///< name of the scheme as in StudyPoint::record_name()
-  double step = 0;         ///< time step [ps]
-  int start = 0;           ///< index of the initial configuration; every scheme uses the same
-                           ///< configurations
-  bool stable = true;      ///< whether the run was stable; if false it blew up, and the numbers
-                           ///< below are meaningless
-  double ratio = 0;        ///< energy fluctuation ratio R
-  double drift = 0;        ///< drift of the total energy [kJ/mol/ps]
-  double total = 0;        ///< rms fluctuation of the total energy [kJ/mol]
-  double potential = 0;    ///< rms fluctuation of the potential energy [kJ/mol]
+  std::string scheme;    ///< name of the scheme as in StudyPoint::record_name()
+  double step = 0;       ///< time step [ps]
+  int start = 0;         ///< index of the initial configuration; every scheme uses the same
+                         ///< configurations
+  bool stable = true;    ///< whether the run was stable; if false, the run blew up, and the numbers
+                         ///< below are meaningless
+  double ratio = 0;      ///< energy fluctuation ratio R
+  double drift = 0;      ///< drift of the total energy [kJ/mol/ps]
+  double total = 0;      ///< rms fluctuation of the total energy [kJ/mol]
+  double potential = 0;  ///< rms fluctuation of the potential energy [kJ/mol]
   double temperature = 0;  ///< mean temperature over the run [K]
   double rounding = 0;     ///< R due to round-off only, estimated; 0 in double precision
   /// Mean temperatures of each kind of motion; empty for old records without these temperatures.
@@ -47,9 +48,9 @@ struct StudyRun {
   std::optional<ByMotion<double>> configurational{};
 };
 
-/// The bound above which an energy drift matters, in rms fluctuations of the energy. The change of
-/// the energy by the drift during a run is compared with this bound. In units of the rms
-/// fluctuation of the potential energy, the bound is R.
+/// The bound above which an energy drift matters, in units of the rms fluctuation of the total
+/// energy. The energy change that the drift causes during a run is compared with this bound. In
+/// units of the rms fluctuation of the potential energy, this bound equals R.
 inline constexpr double drift_bound = 1;
 
 /// A point of the efficiency figure: all runs with the same scheme and step.
@@ -70,11 +71,13 @@ struct EfficiencyPoint {
   double temperature = 0;  ///< mean temperature [K]
   double rounding = 0;     ///< mean R due to round-off only; 0 in double precision
   /// Temperature of rotation about each principal axis minus temperature of translation, over the
-  /// runs with both [K]; empty without such degrees of freedom.
+  /// runs with both temperatures [K]; empty without such degrees of freedom.
   std::array<std::optional<Estimate>, 3> excess;
-  /// Configurational minus kinetic temperature of each kind of motion, over the runs with both [K].
+  /// Configurational minus kinetic temperature of each kind of motion, over the runs with both
+  /// temperatures [K].
   ByMotion<std::optional<Estimate>> configurational_excess;
-  /// The change of the energy by its drift during a run, in rms fluctuations of the energy.
+  /// The energy change that the drift causes during a run, in units of the rms fluctuation of the
+  /// total energy.
   double relative_drift() const;
   /// The upper end of the 95 % interval of relative_drift(); infinite with fewer than two runs.
   double relative_drift_bound() const;
@@ -92,21 +95,21 @@ struct StudyPoint {
   std::string name;  ///< name of the scheme in tables and figures; see label_of()
   NestedScheme scheme;
   double step;  ///< time step [ps]
-  /// The name of the scheme in records of runs. A user-given name is followed by the stages. Runs
-  /// of another scheme with the same name are then not mistaken for runs of this scheme.
+  /// The name of the scheme in records of runs. In records, the stages follow a user-given name.
+  /// Records then distinguish different schemes that have the same name.
   std::string record_name() const;
   /// Force evaluations per ps.
-  /// @param near_weight  cost of a near-force evaluation relative to a full one
+  /// @param near_weight  cost of a near-force evaluation relative to a full force evaluation
   double cost(double near_weight) const;
 };
 std::vector<StudyPoint> study_points(const StudySettings& settings);
 
-/// The random seed of an initial configuration in a series, and of the runs that start from it. It
-/// is the seed of the run file + 1 + index.
+/// The random seed of an initial configuration in a series, and of the runs that start from it. The
+/// seed is the seed of the run file + 1 + index.
 std::uint64_t start_seed(const Config& config, std::size_t index);
 
 /// Prepares an initial configuration of a series: draws momenta with start_seed() and equilibrates
-/// for `length` [ps]. The result is not usable if `stop` interrupted the equilibration.
+/// for `length` [ps]. The configuration is not usable if `stop` interrupted the equilibration.
 System prepare_start(const System& base, const Config& config, std::size_t index, double length,
                      const std::function<bool()>& stop);
 

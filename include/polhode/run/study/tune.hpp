@@ -17,8 +17,8 @@ namespace polhode {
 
 struct TuneSettings {
   /// Text of a scheme with free parameters. If the text is empty, the scheme of the run file is
-  /// tuned, provided that this scheme has free parameters. Otherwise the families of hoa2 and gier4
-  /// are tuned.
+  /// tuned, provided that this scheme has free parameters. If the scheme has no free parameters,
+  /// the families of hoa2 and gier4 are tuned.
   std::string scheme{};
   double step = 0;         ///< time step [ps]; 0: the step of the run file
   int runs = 4;            ///< number of runs to measure, and of confirming runs from other initial
@@ -34,16 +34,17 @@ struct TunedParameter {
                                 ///< runs
 };
 
-/// The result of tuning a family, compared with the reference of the family.
+/// Result of tuning a family of schemes, compared with the reference scheme of the family.
 struct Tuned {
   std::string reference;
   Scheme scheme;
   std::vector<TunedParameter> parameters;
-  double predicted_gain = 1;            ///< R of the reference divided by R, from the covariances
+  double predicted_gain =
+      1;  ///< R of the reference divided by R of the tuned scheme, from the covariances
   Estimate reference_ratio{}, ratio{};  ///< R of the reference and of the tuned scheme in the
                                         ///< confirming runs
-  Estimate gain{};  ///< R of the reference divided by R, in runs from the same initial
-                    ///< configurations
+  Estimate gain{};  ///< R of the reference divided by R of the tuned scheme, in runs from the same
+                    ///< initial configurations
 };
 
 struct TuneResult {
@@ -53,7 +54,8 @@ struct TuneResult {
                                       ///< the first family
   std::optional<double> short_steps;  ///< optimal η of the hoa2 family in the limit of short steps
   std::vector<Tuned> families;
-  bool interrupted = false;  ///< true if interrupted; the numbers are meaningless then
+  bool interrupted =
+      false;  ///< true if the tuning was interrupted, which makes the results meaningless
 };
 
 /// Tunes the free parameters of schemes. The step is the step of the run file unless the settings

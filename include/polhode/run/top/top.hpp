@@ -11,8 +11,8 @@
 
 namespace polhode {
 
-/// Checks that principal moments belong to a rigid body, and that the angular momentum is possible
-/// for it.
+/// Checks that principal moments belong to a rigid body, and that this body can have the angular
+/// momentum.
 /// @param name_J  name of the moments in the input, such as "I" for I1, I2, I3
 /// @param where   place of the input, for errors
 /// @throws Error  with the name and the value
@@ -34,16 +34,17 @@ struct TopSample {
 };
 
 struct TopTrajectory {
-  double step = 0;                 ///< time step in the units of J and L
-  double angle = 0;                ///< angle by which the top initially turns in a step [rad]
-  std::vector<TopSample> samples;  ///< samples: the start, and about 20 more
-  bool interrupted = false;        ///< true if interrupted before the end; the samples end there
+  double step = 0;   ///< time step in the units of J and L
+  double angle = 0;  ///< angle by which the top initially turns in a step [rad]
+  std::vector<TopSample>
+      samples;               ///< samples of the trajectory: the start, and about 20 later times
+  bool interrupted = false;  ///< true if interrupted before the end; the samples end there
 };
 
 /// Integrates a free top by the series and by NO_SQUISH.
 /// @param step    time step; 0 for a step in which the top initially turns by 0.2 rad
 /// @param length  length of the trajectory; 0 for 200 steps
-/// @param stop    called now and then; the integration ends if it returns true
+/// @param stop    called at intervals; the integration ends when `stop` returns true
 /// @throws Error  under the same conditions as check_top(), or if there are not 1 to 10⁸ steps
 TopTrajectory integrate_top(const Vec3<double>& J, const Vec3<double>& L, double step = 0,
                             double length = 0, const std::function<bool()>& stop = {});

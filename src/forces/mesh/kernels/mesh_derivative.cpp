@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-// The directional derivative of the forces from the grid along a displacement of the charges. It
-// needs an additional derivative of the splines.
+// The directional derivative of the forces from the grid along a displacement of the charges. This
+// derivative needs the second derivative of the splines.
 #include "mesh_sums.hpp"
 #include "polhode/base/always_inline.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// The force on a charge is −q ∇φ. Its derivative is −q (∇φ' + (v·∇) ∇φ), where φ' is the derivative
-// of the potential on the grid.
+// The force on a charge is −q ∇φ. The derivative of this force is −q (∇φ' + (v·∇) ∇φ), where φ' is
+// the derivative of the potential on the grid.
 template <class Real>
 struct Gradient {
   Vec3<Real> value, change;
 };
 
-// Both brackets, summed over the tiles around a charge, element by element. With w, s and c for a
-// spline, its slope and its second derivative, and A, B, C for the sums over z of φ times w_z, s_z
-// and c_z, A' and B' for those of φ', the components of the second are sums over x and y of
+// The gradients ∇φ and ∇φ' + (v·∇) ∇φ, summed over the tiles around a charge, element by element.
+// With w, s and c for a spline, its slope and its second derivative, and A, B, C for the sums over
+// z of φ times w_z, s_z and c_z, A' and B' for those of φ', the components of the second are sums
+// over x and y of
 //   s_x w_y (A' + v_z B) + (v_x c_x w_y + v_y s_x s_y) A
 //   w_x s_y (A' + v_z B) + (v_x s_x s_y + v_y w_x c_y) A
 //   w_x w_y (B' + v_z C) + (v_x s_x w_y + v_y w_x s_y) B

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What thermostat, barostat and hybrid Monte Carlo did in a run, for its report.
+// Results of the thermostat, barostat and hybrid Monte Carlo of a run, for its report.
 #pragma once
 
 #include <cstdint>

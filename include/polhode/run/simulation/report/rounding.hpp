@@ -20,8 +20,9 @@ struct ForceNoise {
 
 /// The largest number of bodies for which the noise is measured. The measurement takes about 30
 /// force evaluations and a second force field, too much for a short run of a large system. For a
-/// larger system, measure the round-off limit of R in a smaller system of the same liquid. It is
-/// the same, because the fluctuations of both energies grow as the square root of the size.
+/// larger system, measure the round-off limit of R in a smaller system of the same liquid. The
+/// limit is the same, because the fluctuations of both energies grow as the square root of the
+/// size.
 inline constexpr std::size_t max_bodies_estimated = 20000;
 
 /// Measures the round-off noise by comparing forces, torques and energy in the precision of the
@@ -33,18 +34,18 @@ inline constexpr std::size_t max_bodies_estimated = 20000;
 /// T of the system.
 ForceNoise force_noise(const System& system, Workers& workers = Workers::serial());
 
-/// The sum Σ w² over the force evaluations of a step. The noise δf of an evaluation changes the
-/// momenta by w h δf, which defines the weight w of the evaluation. Kicks at the same positions
-/// share an evaluation, and their weights are added. This includes kicks on both sides of a step
-/// boundary. A gradient kick b {f + [f(q̃) − f]/λ} of weight b has the weight b (1 − 1/λ) for the
-/// evaluation at q and b/λ for the evaluation at q̃. The sum is 1 for velocity Verlet, (2η)² + (1 −
-/// 2η)² for HOA2, and 5/9 for GIER4 with λ = 1.
+/// The sum Σ w² over the force evaluations of a step. The force noise δf of an evaluation changes
+/// the momenta by w h δf, which defines the weight w of the evaluation. Kicks at the same positions
+/// share an evaluation, and their weights are added. Kicks on both sides of a step boundary also
+/// share an evaluation. A gradient kick b {f + [f(q̃) − f]/λ} of weight b has the weight b (1 − 1/λ)
+/// for the evaluation at q and b/λ for the evaluation at q̃. The sum is 1 for velocity Verlet, (2η)²
+/// + (1 − 2η)² for HOA2, and 5/9 for GIER4 with λ = 1.
 double kick_weights(const Scheme& scheme, double lambda);
 
 /// The sum of squared kick weights of a nested scheme. The n inner steps in a drift of length a h
 /// have weights a/n. The result is therefore the outer sum plus Σ a²/n times the inner sum. Near
-/// and slow forces are both assumed to be as noisy as the total forces. This overestimates the
-/// total noise, because both kinds of forces share the noise of near pairs.
+/// and slow forces are both assumed to be as noisy as the total forces. This assumption
+/// overestimates the total noise, because near and slow forces share the noise of near pairs.
 double kick_weights(const NestedScheme& scheme, double lambda);
 
 /// Variance per time of the random walk of the total energy that the force noise causes
@@ -62,13 +63,13 @@ double double_walk(const Energies& energies, double step);
 /// all round-off errors have the same sign.
 double double_drift(const Energies& energies, double step);
 
-/// The slope of the total energy [kJ/mol/ps]. The result is set to 0 unless it exceeds
+/// The drift of the total energy [kJ/mol/ps]. The drift is set to 0 unless it exceeds
 /// double_drift(), for example for molecules without interactions.
 double drift_rate(const EnergyStatistics& energies, double step);
 
 /// The rms deviation of a random walk from its mean over a run, from the variance per time of the
-/// walk. The mean square about the first value is rate t/2, and the variance of the mean is rate
-/// t/3. The difference gives √(rate t/6).
+/// walk. The mean square deviation from the first value is rate t/2, and the variance of the mean
+/// is rate t/3. The difference gives √(rate t/6).
 double walk_fluctuation(double rate, double length);
 
 /// The rms deviation of the total energy from its mean that round-off causes in a run [kJ/mol].
@@ -76,8 +77,8 @@ double walk_fluctuation(double rate, double length);
 double rounding_fluctuation(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                             double step, double length);
 
-/// Round-off dominates R if R is less than this multiple of its round-off limit. The two errors add
-/// in quadrature, so R is then at least 15 % larger than in double precision.
+/// Round-off dominates R if R is less than this multiple of its round-off limit. The round-off and
+/// time-step errors add in quadrature, so R is then at least 15 % larger than in double precision.
 inline constexpr double rounding_margin = 2;
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run reports at its end.
+// The summary of results that a run reports at its end.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ struct RunSummary {
                            ///< be estimated
   Drift drift;             ///< drift of the conserved energy [kJ/mol/ps]
   /// Random walk of the conserved energy, as a variance per time [(kJ/mol)²/ps], without
-  /// mixed-precision round-off. It is 0 unless there is clear evidence for a random walk.
+  /// mixed-precision round-off. The random walk is 0 unless there is clear evidence for it.
   double walk = 0;
   std::optional<ShadowSummary> shadow;  ///< results from the shadow energy, if
                                         ///< requested
@@ -59,7 +59,7 @@ struct RunSummary {
   /// bath.
   std::optional<TemperatureEstimates> temperatures_at_bath;
   Drift potential_drift;  ///< drift of the potential energy [kJ/mol/ps]
-  /// Time from which on the potential energy and the volume are stationary [ps].
+  /// Time [ps] after which the potential energy and the volume are stationary.
   double equilibrium_start = 0;
   DegreesOfFreedom degrees_of_freedom;
   EnsembleSummary ensemble;
@@ -72,8 +72,9 @@ struct RunSummary {
   Timings timings;
   double ns_per_day = 0;
 
-  /// The absolute change of the conserved energy by its drift over the run, divided by the rms
-  /// fluctuation of the potential energy. It is 0 if the potential energy is constant.
+  /// The change of the conserved energy by its drift over the run, relative to the rms fluctuation
+  /// of the potential energy; its absolute value. The result is 0 if the potential energy is
+  /// constant.
   double relative_drift() const;
   /// The ratio R that the random walk causes in a run of this length.
   double ratio_of_walk() const;

@@ -25,7 +25,7 @@ struct System {
   double fit_deviation = 0;  ///< deviation of the initial configuration from the rigid models
                              ///< [nm]
   double massless_deviation =
-      0;  ///< deviation of massless sites [nm]; their positions are recomputed
+      0;  ///< deviation of massless sites, whose positions are recomputed [nm]
   /// Whether momenta were drawn, because the initial configuration has no velocities or the run
   /// file requests new velocities.
   bool new_velocities = true;
@@ -39,8 +39,8 @@ struct System {
   std::map<std::string, Shape> shapes{};
 };
 
-/// The molecules of a run file. A count that the initial configuration determines is 0.
-/// @throws Error  if a model does not exist
+/// The molecules of a run file. A molecule count that the initial configuration determines is set
+/// to 0.
 Topology build_topology(const SystemSettings& settings);
 
 /// Builds the system of a run file: molecules, initial configuration and momenta.

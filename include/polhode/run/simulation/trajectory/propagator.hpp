@@ -8,8 +8,8 @@
 
 namespace polhode {
 
-/// Advances a system step by step. Results do not depend on how the steps are divided among calls,
-/// to the last bit, and samples are taken at the same steps.
+/// Advances a system step by step. To the last bit, results do not depend on how the steps are
+/// divided among calls, and samples are taken at the same steps.
 class Propagator {
  public:
   /// @param system, forces, workers  kept by reference
@@ -22,16 +22,17 @@ class Propagator {
 
   /// Resumes from a stored state, bit for bit as if the run had never been suspended.
   void resume_from(const RunState& state);
-  /// The state on which the rest of the trajectory depends. The last sample of run() is not part of
-  /// it, because a longer trajectory would not have this sample.
+  /// The state that determines the remaining trajectory. This state does not include the last
+  /// sample of run(), because a longer trajectory would not have this sample.
   RunState run_state();
 
   /// Takes steps, and takes samples at the sampling intervals. The first sample is taken at the
-  /// start. It calls only `sample` and `stop` of the watch.
+  /// start. The function calls only `sample` and `stop` of the watch.
   /// @throws RunError  if the trajectory blows up
   void advance(std::size_t steps, const Watch& watch = {});
-  /// Continues to the length of the settings, or until the watch stops it, and takes a last sample
-  /// at the end. If the trajectory blows up, it ends, and `failure` reports the cause.
+  /// Continues the trajectory to the length of the settings, or until the watch stops it. A last
+  /// sample is taken at the end. If the trajectory blows up, the function returns, and `failure`
+  /// reports the cause.
   Trajectory run(const Watch& watch = {});
 
   /// Heat and work that the bodies have received so far from thermostat, barostat and hybrid Monte

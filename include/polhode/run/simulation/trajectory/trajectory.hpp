@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A trajectory: steps of a scheme, energies at intervals, a watch on what goes wrong.
+// A trajectory: steps of a scheme, energies at intervals, and checks for a failing simulation.
 #pragma once
 
 #include <functional>
@@ -37,8 +37,8 @@ struct EnsembleMemory {
   }  ///< total heat and work [kJ/mol]
 };
 
-/// A part of a trajectory with constant settings. A change of the settings or of the state from
-/// outside begins a new segment. Each segment has separate statistics, costs, heat and work.
+/// A part of a trajectory with constant settings. A change of the settings or of the state by the
+/// caller begins a new segment. Each segment has separate statistics, costs, heat and work.
 struct Segment {
   std::uint64_t number = 1;
   std::size_t first_step = 0;  ///< number of trajectory steps before the segment
@@ -47,7 +47,8 @@ struct Segment {
                         ///< now 1 fs"
 };
 
-/// The state of a run between two steps. It determines the continuation of the run to the last bit.
+/// The state of a run between two steps. This state determines the continuation of the run to the
+/// last bit.
 struct RunState {
   State state;
   std::optional<double> equilibrated;  ///< equilibration time so far [ps]; empty after the start of
@@ -64,19 +65,19 @@ struct RunState {
 };
 
 /// The time simulated in a number of steps [ps]. Steps before the present segment may have had
-/// another length.
+/// another step length.
 double simulated(const TrajectorySettings& settings, const Segment& segment, std::size_t steps);
-/// The step at which a trajectory with the length of the settings ends.
+/// The step at which a trajectory of the length given in the settings ends.
 std::size_t last_step(const TrajectorySettings& settings, const Segment& segment);
 
 /// Callbacks during a trajectory, all of them optional.
 struct Watch {
   /// Called at every sample, with the number of steps done.
   std::function<void(std::size_t steps, const State&, const Energies&)> sample;
-  /// Called after every step. If it returns true, the trajectory ends with a last sample.
+  /// Called after every step. If `stop` returns true, the trajectory ends with a last sample.
   std::function<bool()> stop;
-  /// Called after every step. If it returns true, `checkpoint` is called. In addition, `checkpoint`
-  /// is called at the start, when `stop` ends the trajectory, and at the end.
+  /// Called after every step. If this function returns true, `checkpoint` is called. In addition,
+  /// `checkpoint` is called at the start, when `stop` ends the trajectory, and at the end.
   std::function<bool()> due;
   std::function<void(RunState)> checkpoint;
   /// Called at each sample that has error brackets.
@@ -106,9 +107,10 @@ struct Trajectory {
 
 /// Advances the state of a system along a trajectory. Total energy is sampled at synchronized
 /// steps. The trajectory is the same for any number of threads. A trajectory that blows up ends
-/// early, and `failure` then reports the step and remedies. It has blown up if an energy is not
-/// finite, or if the total energy has changed by more than the initial kinetic energy. The final
-/// sample may lie between two intervals, in which case a longer trajectory does not contain it.
+/// early, and `failure` then reports the step and remedies. A trajectory has blown up if an energy
+/// is not finite, or if the total energy has changed by more than the initial kinetic energy. The
+/// final sample may lie between two sampling times, in which case a longer trajectory does not
+/// contain this sample.
 /// @param from  state to resume from, bit for bit as if the trajectory had never been suspended
 Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                           const Watch& watch = {}, Workers& workers = Workers::serial(),
@@ -118,7 +120,7 @@ Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySe
 /// (separate_molecules()). Then a trajectory is run in which velocities are rescaled at intervals
 /// and the total momentum is removed. The time step is at most 1 fs, so that rough initial
 /// configurations can relax. Checkpoints are taken between two rescalings.
-/// @return  false if the watch stopped it
+/// @return  false if the watch stopped the equilibration
 /// @throws RunError  if the trajectory blows up
 bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch = {},
                  Workers& workers = Workers::serial(), const RunState* from = nullptr);

@@ -30,7 +30,7 @@ struct TrajectorySettings {
 
   std::size_t steps() const { return steps_in(length); }
   /// The number of steps in a time [ps], rounded to the nearest integer. With hybrid Monte Carlo,
-  /// it is rounded up to whole trajectories.
+  /// the number is rounded up to whole trajectories.
   std::size_t steps_in(double time) const;
   std::size_t steps_per_trajectory() const;  ///< steps per trajectory of hybrid Monte Carlo; 1
                                              ///< without hybrid Monte Carlo
@@ -40,9 +40,9 @@ struct TrajectorySettings {
   /// The number of energy samples per sample of a quantity that is taken every `interval` [ps].
   std::size_t samples_per(double interval) const;
 
-  /// Whether a shadow energy can be measured. The shadow energy differs from the energy by brackets
-  /// of order h². At constant energy the shadow energy is conserved, and in other ensembles it
-  /// gives the time-step bias.
+  /// Whether a shadow energy can be measured. The shadow energy differs from the energy by error
+  /// brackets of order h². At constant energy the shadow energy is conserved, and in other
+  /// ensembles it gives the time-step bias.
   bool has_shadow() const;
   /// The means that the ensemble fixes when the time-step bias is predicted; empty if the bias is
   /// not known.
