@@ -77,7 +77,7 @@ void FixPolhode::setup(int vflag) {
   tally_virial();
 }
 
-// The virial is old here only in a run without setup(), as with the command rerun.
+// The virial is out of date here only in a run without setup(), as with the command rerun.
 void FixPolhode::end_of_step() {
   if (!virial_is_old_) return;
   collect_forces(columns_->load);

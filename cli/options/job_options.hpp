@@ -35,6 +35,8 @@ struct JobOptions : ResultForm {
 
   /// The settings of the run file, or of the default run, combined with the command line. This
   /// function prints notes on defaults that the command line selects.
+  /// @param quick  whether the quick version of the job is requested
+  /// @throws Error  under the same conditions as read_config()
   Config config(bool quick = false) const;
   /// The output options.
   /// @throws Error  if both --resume and --force are given

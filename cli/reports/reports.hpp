@@ -18,6 +18,7 @@ void print_results(const Quantities& results, const ResultForm& form);
 void print_results(const std::string& title, const std::vector<Quantities>& records, bool json);
 
 /// Prints the results of a run. An interrupted run is reported on standard error.
+/// @return  exit code
 int print_run(const RunResult& result, const Simulation& simulation, const ResultForm& form);
 
 /// Prints to standard error the step from which a run that ended with an error can be resumed, if
@@ -26,6 +27,8 @@ void note_resumable(const Simulation& simulation);
 
 /// Prints the results of a study, and how to resume it if it was interrupted. Without a finished
 /// run, no results are printed.
+/// @param record  file with the runs so far
+/// @return  exit code
 template <class Report>
 int finish_study(const Report& report, const std::string& record, const ResultForm& form) {
   if (form.json || !report.points.empty()) print_results(quantities(report), form);

@@ -10,6 +10,7 @@ namespace polhode {
 
 /// The number of cores that this process may use, at least 1. This is the number of cores in the
 /// affinity mask, limited by the CPU bandwidth of the control groups (rounded up).
+/// @source  sched_setaffinity(2); cgroups(7); cpu.max of version 2, cpu.cfs_quota_us of version 1
 int allowed_threads();
 
 /// The CPU bandwidth of control groups in cores, rounded up; empty if there is no limit.

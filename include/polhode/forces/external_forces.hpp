@@ -18,8 +18,8 @@ struct ExternalForces {
                      ///< this name
   /// Adds the external forces, torques, energy (Load::external), and virial if `has_virial` is set.
   std::function<void(const State& state, Load& load)> add{};
-  bool has_virial =
-      false;  ///< whether `add` sets the virial; otherwise, pressures omit the external forces
+  bool has_virial = false;  ///< whether `add` sets the virial; otherwise, pressures do not include
+                            ///< the external forces
 };
 
 /// Adds the derivative of external forces and torques along a displacement of all bodies, as in

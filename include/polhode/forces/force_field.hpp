@@ -81,6 +81,7 @@ class ForceField {
   ListMemory list_memory(const Box& box) const;
   /// Rebuilds the list from the positions in `memory`. The rebuilt list gives bitwise the same
   /// forces as the force field from which `memory` was taken.
+  /// @param box  box of the state from which the run resumes
   void resume_from(const ListMemory& memory, const Box& box);
 
   std::uint64_t evaluations() const { return evaluations_; }

@@ -41,7 +41,9 @@ struct BodyLoad {
 };
 
 /// Drifts and kicks for a few rigid bodies. A kick reuses the forces of the previous kick unless
-///                 the positions have changed.
+/// the positions have changed.
+/// @tparam Forces  callable as forces(std::span<const RigidBody>, std::span<BodyLoad>), which sets
+///                 the force and torque of every body
 template <class Forces>
 class BodyFlows {
  public:

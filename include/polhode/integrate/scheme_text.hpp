@@ -33,6 +33,7 @@ Scheme scheme_of(std::string_view name_or_text, std::span<const FreeParameter> v
 
 /// The free parameters of a scheme text, in the order of their definitions. A scheme given by its
 /// name in the table has no free parameters.
+/// @throws Error  under the same conditions as scheme_of()
 std::vector<FreeParameter> free_parameters(std::string_view name_or_text);
 
 /// All stages of a scheme as text, without its name. scheme_of() reads this text back to bitwise

@@ -32,7 +32,7 @@ inline constexpr double mclachlan[] = {(14 - 4.3588989435406735522) / 108,
 inline constexpr double inverse_root_3 = 0.5773502691896257645;
 
 /// Fraction of the outer kick that minimizes the energy error over all harmonic oscillators with ω
-/// h < 2 [blanes2014, section 6]. [blanes2014] gives five digits of this fraction.
+/// h < 2 [blanes2014, section 6]. The paper gives five digits of this fraction.
 inline constexpr double oscillator_kick = 0.21178097959263092;
 
 /// Fraction of the outer kicks around one gradient kick [omelyan2003].

@@ -37,7 +37,7 @@ struct EnergyStatistics {
   double total() const;                  ///< mean of the total energy [kJ/mol]
   double potential() const;              ///< mean of the potential energy [kJ/mol]
   double total_fluctuation() const;      ///< rms deviation of the conserved energy [kJ/mol]
-  double potential_fluctuation() const;  ///< rms deviation of the energy from the mean [kJ/mol]
+  double potential_fluctuation() const;  ///< rms deviation of the potential [kJ/mol]
   /// The ratio R: the rms fluctuation of the conserved energy divided by the rms fluctuation of the
   /// potential energy [vanzon2008]. At constant energy, the conserved energy is the total energy. R
   /// is NaN if the potential energy is constant.

@@ -50,6 +50,7 @@ struct StepError {
 
 /// The time-step error of a sample. At constant energy, the time-step error is a constant minus the
 /// energy.
+/// @param ideal  ideal-gas term N kT of N bodies at the temperature of the thermostat [kJ/mol]
 StepError step_error(const Energies& now, FixedMeans fixed, double ideal);
 
 /// Sums over samples, in blocks of time: quantities relative to the first sample, and the products

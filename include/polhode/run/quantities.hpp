@@ -47,8 +47,7 @@ struct Value : AnyValue {
       : Value(std::vector<std::int64_t>(counts.begin(), counts.end())) {}
   Value(std::vector<std::vector<double>> matrix);
   Value(std::vector<std::string> texts);
-  Value(const Estimate&
-            estimate);  ///< an estimate, written in JSON as two numbers: "R" and "R_error"
+  Value(const Estimate& estimate);  ///< estimate, two numbers in JSON: "R" and "R_error"
   Value(const SeriesEstimate& estimate);
   Value(const AxisEstimates& estimates);
   Value(std::vector<std::optional<SeriesEstimate>> estimates);
@@ -86,8 +85,8 @@ struct Quantity {
 /// A value with its error, such as "1.20 ± 0.03 ps", or with four digits if its error is not known.
 std::string text_of(const SeriesEstimate& estimate, std::string_view unit = "");
 
-/// Rows of a list as lines of text, with a blank line after the details. @param details whether to
-/// include the details
+/// Rows of a list as lines of text, with a blank line after the details.
+/// @param details  whether to include the details
 std::string text_of(const Quantities& list, bool details = true);
 
 /// A JSON object with units in its keys, as in "length_ps". An estimate is an object with "value"

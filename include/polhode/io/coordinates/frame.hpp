@@ -63,10 +63,9 @@ std::string title_of(const State& state);  ///< title of the frame of a state, w
 
 /// Rigid bodies fitted to a frame.
 struct FittedState {
-  State state;  ///< state at time 0
-  bool has_velocities =
-      false;             ///< whether the frame has velocities; otherwise all momenta are zero
-  double deviation = 0;  ///< largest distance of an atom with mass from its model site [nm]
+  State state;                  ///< state at time 0
+  bool has_velocities = false;  ///< if false, all momenta are zero
+  double deviation = 0;         ///< largest distance of an atom with mass from its model site [nm]
   /// Largest distance of a massless site from its model position [nm]. This distance is not
   /// limited, because file positions of massless sites are ignored.
   double massless_deviation = 0;
@@ -74,8 +73,7 @@ struct FittedState {
 
 /// Fits rigid bodies to atoms. Atoms are assigned to the topology's bodies in order; massless sites
 /// may be missing. Molecules split across the periodic boundary are made whole. Orientations
-/// minimize Σ m
-/// |Δr|² [horn1987]. Momenta are sums over atoms: p = Σ m v, ℓ = Σ m (r − q) × v.
+/// minimize Σ m |Δr|² [horn1987]. Momenta are sums over atoms: p = Σ m v, ℓ = Σ m (r − q) × v.
 /// @throws Error  if atoms do not match sites, are too few or too many, or if an atom with mass is
 ///   farther than `fit_tolerance` from the model
 FittedState fit_state(const Frame& frame, const Topology& topology);

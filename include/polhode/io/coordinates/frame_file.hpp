@@ -24,6 +24,8 @@ class FrameReader {
   virtual ~FrameReader() = default;
   /// Reads the next frame into `frame`. The old contents of `frame` are replaced, and its memory is
   /// reused.
+  /// @return  false at the end of the file
+  /// @throws Error  with file, line or offset, the text found and the text expected
   virtual bool next(Frame& frame) = 0;
   /// Fraction of the file that has been read, from 0 to 1.
   virtual double fraction_read() { return 0; }
@@ -37,6 +39,7 @@ std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* n
 
 /// Opens a LAMMPS dump file in which each particle is a molecule of the topology, in the order of
 /// ids. The frames contain all sites of the molecules.
+/// @throws Error  under the same conditions as open_frames(), or if the file has another format
 std::unique_ptr<FrameReader> open_particle_frames(const std::string& path,
                                                   const Topology& topology);
 
@@ -67,6 +70,7 @@ class FrameWriter {
  public:
   virtual ~FrameWriter() = default;
   /// Appends the frame of a state. Formats that can store rigid bodies also receive the bodies.
+  /// @throws RunError  if the file cannot be written completely
   virtual void write(const State& state) = 0;
   /// Writes a frame with observables. Every frame must have the same observables; formats that
   /// cannot store numbers ignore them.

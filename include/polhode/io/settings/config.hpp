@@ -33,9 +33,9 @@ struct SystemSettings {
                                     ///< configuration contains
   };
   std::vector<Component> molecules;
-  TopologySettings topology;  ///< alternative to `molecules`: a topology file
-  std::optional<double>
-      density;  ///< density of the start lattice, if there is no initial configuration [u/nm³]
+  TopologySettings topology;        ///< alternative to `molecules`: a topology file
+  std::optional<double> density;    ///< density of the start lattice, if there is no initial
+                                    ///< configuration [u/nm³]
   std::optional<Vec3<double>> box;  ///< box edges, if there is no initial configuration [nm]
   double temperature = 297;         ///< temperature of initial velocities, and of a thermostat [K]
   /// Whether velocities are drawn. If false, the initial configuration must have velocities. If not

@@ -65,8 +65,8 @@ struct Criterion {
 Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& ensemble);
 
 /// Probability with which the adviser's answer is to meet the requirement: 95 of 100 new runs must
-/// meet it. If each run meets it with a probability of 0.975, fewer than 95 of 100 runs do so in
-/// only 5 % of cases.
+/// meet it. If each run meets the requirement with a probability of 0.975, fewer than 95 of 100
+/// runs do so in only 5 % of cases.
 inline constexpr double guarantee_probability = 0.975;
 
 /// The bound that the bounded number (R, drift or bias) does not exceed with guarantee_probability.

@@ -32,17 +32,16 @@ struct PreparedProperties {
 
 struct PreparationReport {
   std::size_t molecules = 0;
-  double lattice_density =
-      0;  ///< density of the start lattice [u/nm³]; 0 if there is an initial configuration
-  bool estimated = false;  ///< whether estimated_density() gave the density of the lattice
+  double lattice_density = 0;  ///< density of the start lattice [u/nm³]; 0 if there is an initial
+                               ///< configuration
+  bool estimated = false;      ///< whether estimated_density() gave the density of the lattice
   Minimisation minimisation;
   /// Compressibility in the new run file [nm³ mol/kJ]; 0 if it was not estimated.
   double compressibility = 0;
-  std::optional<PreparedProperties>
-      properties;                    ///< path of the file; empty if the preparation was interrupted
-  std::vector<std::string> files;    ///< paths of the files that were written
-  std::string run_file, checkpoint;  ///< paths of the new run file and checkpoint;
-                                     ///< empty if not written
+  std::optional<PreparedProperties> properties;  ///< empty if the preparation was interrupted
+  std::vector<std::string> files;                ///< paths of the files that were written
+  std::string run_file, checkpoint;              ///< paths of the new run file and checkpoint;
+                                                 ///< empty if not written
 };
 
 /// A rough estimate of the liquid density of these molecules [u/nm³]. The estimate assumes that

@@ -63,6 +63,8 @@ class Simulation {
   void state_changed();
   /// Begins a new segment of the trajectory with another scheme, step or ensemble. Momenta are not
   /// changed. If the run file requires an accuracy, a new step is chosen.
+  /// @throws Error  if the settings do not suit each other or the forces, or if they add, remove or
+  ///   change hybrid Monte Carlo; nothing is changed then
   void change(const IntegratorSettings& integrator, const EnsembleSettings& ensemble);
   /// Number of steps of the trajectory done so far.
   std::size_t steps() const;
@@ -86,7 +88,8 @@ class Simulation {
   /// @throws RunError  if no scheme meets the accuracy
   bool choose_step(const Callbacks& callbacks = {});
   /// Minimises and equilibrates once, as the run file requires. step() and run() call this
-  /// function. @return false if the equilibration was interrupted; another call resumes it
+  /// function.
+  /// @return  false if the equilibration was interrupted; another call resumes it
   /// @throws RunError  if the trajectory blows up
   bool equilibrate(const Callbacks& callbacks = {});
   /// Advances the trajectory in memory.

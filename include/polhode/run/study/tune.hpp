@@ -39,8 +39,7 @@ struct Tuned {
   std::string reference;
   Scheme scheme;
   std::vector<TunedParameter> parameters;
-  double predicted_gain =
-      1;  ///< R of the reference divided by R of the tuned scheme, from the covariances
+  double predicted_gain = 1;  ///< R of the reference / R of the tuned scheme, from the covariances
   Estimate reference_ratio{}, ratio{};  ///< R of the reference and of the tuned scheme in the
                                         ///< confirming runs
   Estimate gain{};  ///< R of the reference divided by R of the tuned scheme, in runs from the same
@@ -54,8 +53,7 @@ struct TuneResult {
                                       ///< the first family
   std::optional<double> short_steps;  ///< optimal η of the hoa2 family in the limit of short steps
   std::vector<Tuned> families;
-  bool interrupted =
-      false;  ///< true if the tuning was interrupted, which makes the results meaningless
+  bool interrupted = false;  ///< whether tuning was interrupted; all results are then meaningless
 };
 
 /// Tunes the free parameters of schemes. The step is the step of the run file unless the settings

@@ -34,11 +34,10 @@ struct TopSample {
 };
 
 struct TopTrajectory {
-  double step = 0;   ///< time step in the units of J and L
-  double angle = 0;  ///< angle by which the top initially turns in a step [rad]
-  std::vector<TopSample>
-      samples;               ///< samples of the trajectory: the start, and about 20 later times
-  bool interrupted = false;  ///< true if interrupted before the end; the samples end there
+  double step = 0;                 ///< time step in the units of J and L
+  double angle = 0;                ///< angle by which the top initially turns in a step [rad]
+  std::vector<TopSample> samples;  ///< samples at the start and at about 20 later times
+  bool interrupted = false;        ///< true if interrupted before the end; the samples end there
 };
 
 /// Integrates a free top by the series and by NO_SQUISH.

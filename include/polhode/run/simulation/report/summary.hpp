@@ -72,9 +72,8 @@ struct RunSummary {
   Timings timings;
   double ns_per_day = 0;
 
-  /// The change of the conserved energy by its drift over the run, relative to the rms fluctuation
-  /// of the potential energy; its absolute value. The result is 0 if the potential energy is
-  /// constant.
+  /// The absolute change of the conserved energy by its drift over the run, relative to the rms
+  /// fluctuation of the potential energy. The result is 0 if the potential energy is constant.
   double relative_drift() const;
   /// The ratio R that the random walk causes in a run of this length.
   double ratio_of_walk() const;

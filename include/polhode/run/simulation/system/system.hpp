@@ -41,6 +41,7 @@ struct System {
 
 /// The molecules of a run file. A molecule count that the initial configuration determines is set
 /// to 0.
+/// @throws Error  if a model does not exist
 Topology build_topology(const SystemSettings& settings);
 
 /// Builds the system of a run file: molecules, initial configuration and momenta.
