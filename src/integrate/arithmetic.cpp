@@ -19,7 +19,7 @@ constexpr std::array<Function, 2> functions{{
 }};
 
 constexpr int max_depth = 32;  // maximum nesting of parentheses, signs and powers, because each is
-                               // a call on the stack
+                               // a recursive call
 
 /// Recursive-descent parser of sums of products of powers.
 class Arithmetic {

@@ -9,7 +9,7 @@
 
 namespace polhode {
 
-/// Names that were defined before, with their values.
+/// Names defined earlier in the text of a scheme, with their values.
 using NamedValues = std::map<std::string, double, std::less<>>;
 
 /// Reads an expression and returns its value in double precision. Operators have the usual

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A position in the text of a scheme: what comes next, and errors that say where.
+// A scanner, which reads words and numbers of a scheme text and reports errors with their position.
 #pragma once
 
 #include <cstddef>
@@ -23,14 +23,14 @@ class Scanner {
   bool next_is(char c);
   /// Whether the next character that is not white space is a letter.
   bool next_is_letter();
-  /// Skips the character `c` if it is the next character, and returns whether it was.
+  /// Skips the character `c` if `c` comes next, and returns whether `c` was skipped.
   bool take(char c);
   /// Skips the character `c`. @throws Error if another character comes next
   void expect(char c);
   /// Reads the next word of letters, digits and underscores; empty if the next character is not a
   /// letter.
   std::string_view word();
-  /// Returns the next word, as word() does, but stays at the current position.
+  /// Returns the next word, as word() does, but does not advance.
   std::string_view next_word();
   /// Reads a decimal number like 0.25 or 1e-3. @throws Error unless a finite number comes next
   double decimal();

@@ -194,12 +194,13 @@ void check_sums(const Scheme& scheme) {
                              : ""));
 }
 
-/// The order of a scheme: 2 for a palindrome of drifts and kicks with an error of order h². It is 0
-/// if the order is higher or remains unknown, as for a scheme of order 4 with rounded coefficients.
+/// The order of a scheme: 2 for a palindrome of drifts and kicks with an error of order h². The
+/// result is 0 if the order is higher or unknown, as for a scheme of order 4 with rounded
+/// coefficients.
 int order_of(const Scheme& scheme) {
   if (!scheme.palindromic() || scheme.has(Flow::bath)) return 0;
   constexpr double rounding = 1e-4;  // largest error term due to coefficients rounded to five
-                                     // digits or more; hoa2 has 7e-3
+                                     // digits or more; an error term of hoa2 is 7e-3
   const ErrorTerms error = error_terms(scheme);
   return std::hypot(error.alpha, error.beta) > rounding ? 2 : 0;
 }

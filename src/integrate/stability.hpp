@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long a step a scheme can take of a harmonic oscillation.
+// The longest stable step of a scheme for a harmonic oscillator.
 #pragma once
 
 #include "polhode/integrate/scheme.hpp"

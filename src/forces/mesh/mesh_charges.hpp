@@ -21,22 +21,22 @@ class MeshCharges {
  public:
   MeshCharges(const Topology& topology, const MeshSettings& settings);
 
-  /// Charges of the sites of a molecule type [e]; empty without charges.
+  /// Charges of the sites of a molecule type [e]; empty if the type has no charges.
   const std::vector<double>& of_part(std::size_t part) const { return parts_[part]; }
 
-  /// Places the charges on the grid and sorts them. If displacements are given, their records are
-  /// also computed for each charge.
+  /// Places the charges on the grid and sorts them. If displacements are given, the displacement
+  /// record of each charge is also computed.
   void place(const Slots& slots, const SiteRecords<T>& records, const SiteRecords<T>* displacements,
              const Box& box, Workers& workers);
 
   std::size_t slabs() const { return slabs_; }
-  /// Numbers of the charges in a slab.
+  /// Indices of the charges in a slab.
   std::span<const std::uint32_t> in_slab(std::size_t slab) const;
   const T* records() const { return records_.data(); }
   const T* moves() const { return moves_.data(); }
 
  private:
-  // The slots that a task places, and the number of their first charge.
+  // The slots that a task places, and the index of their first charge.
   struct Block {
     std::size_t part, first, end, charge;
   };

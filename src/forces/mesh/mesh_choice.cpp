@@ -58,8 +58,8 @@ class ChargeDistribution {
   std::vector<Pair> pairs_;
 };
 
-/// A table of the desired energy 4 π ρ(k)/k² and of the form factor by k². If all k² are multiples
-/// of a square, each value is computed only once.
+/// A table of the required energy 4 π ρ(k)/k² and of the form factor as functions of k². If all k²
+/// are multiples of a square, each entry is computed only once.
 class WaveTable {
  public:
   struct Value {
@@ -89,9 +89,9 @@ class WaveTable {
   std::vector<std::optional<Value>> values_;
 };
 
-/// The mean square error for given grid spacings in a box of 1 nm³. It scales as 1/V and does not
-/// otherwise depend on the box, because the sum over wave vectors approximates an integral. A small
-/// grid therefore suffices.
+/// The mean square error for given grid spacings in a box of 1 nm³. The mean square error scales as
+/// 1/V and does not otherwise depend on the box, because the sum over wave vectors approximates an
+/// integral. A small grid therefore suffices.
 double mean_square_error(const ChargeDistribution& distribution, const Vec3<double>& spacing,
                          int order, const CompactSplit& split) {
   constexpr std::size_t points = 12, half = points / 2, aliases = 3;
@@ -184,22 +184,23 @@ std::array<std::size_t, 3> grid_of(const Box& box, double spacing) {
 }
 
 /// The maximum number of grid points. Liquids have 10 to 100 points per charge. In a sparsely
-/// filled box a finer mesh is wasteful. A longer cutoff allows a coarser mesh, and there are few
-/// pairs even up to this cutoff.
+/// filled box a finer mesh is wasteful. There a longer cutoff is better: it allows a coarser mesh
+/// and adds few pairs.
 double max_points_for(double charges) { return std::max(0x1p21, 4096 * charges); }
 
 }  // namespace
 
 namespace {
 
-/// Grid spacings that are tried. They form a geometric series, so that errors computed for other
-/// boxes can be reused.
+/// Grid spacings that are tried. The spacings form a geometric series, so that errors computed for
+/// other boxes can be reused.
 double spacing_of(int n) { return 0.25 * std::pow(1.03, -n); }
 int index_of(double spacing) {
   return static_cast<int>(std::floor(std::log(0.25 / spacing) / std::log(1.03)));
 }
 
-/// Cutoffs of charges that are tried. They are about 3 % apart, and multiples of 0.01 nm.
+/// Cutoffs of the short-range Coulomb pairs that are tried. The cutoffs are about 3 % apart, and
+/// multiples of 0.01 nm.
 double cutoff_of(int n) { return std::round(40 * std::pow(1.03, n)) / 100; }
 
 /// The longest cutoff that the neighbour list allows in a box.
@@ -244,9 +245,9 @@ int MeshChoice::coarsest(double cutoff, int order, int exponent, double required
 }
 
 void MeshChoice::try_cutoff(double cutoff, Orders orders, const Box& box, Best& best) {
-  // In water the actual error is 0.3 to 1.5 times the expected error. It can be smaller because
-  // molecules screen each other, and larger because the sum over wave vectors is coarse. The margin
-  // covers the larger values.
+  // In water the actual error is 0.3 to 1.5 times the expected error. The error can be smaller
+  // because molecules screen each other. The error can be larger because the sum over wave
+  // vectors is coarse. The safety margin covers an error that is larger than expected.
   constexpr double margin = 1.5;
   const double required = settings_.pme_accuracy * typical_force(topology_, box) / margin;
   const double required_in_unit_box = required * std::sqrt(box.volume());
@@ -254,8 +255,8 @@ void MeshChoice::try_cutoff(double cutoff, Orders orders, const Box& box, Best& 
   for (int order = orders.first; order <= orders.last; ++order) {
     MeshSettings mesh{{}, order, 0, cutoff};
     if (pairs + expected_mesh_seconds(topology_, mesh) > best.seconds) continue;
-    // For each exponent, find the coarsest sufficient spacing. As a function of the exponent it has
-    // a single maximum.
+    // For each exponent, find the coarsest sufficient spacing. As a function of the exponent, the
+    // sufficient spacing has a single maximum.
     int coarse = std::numeric_limits<int>::max();
     for (int m = 3; m <= CompactSplit::max_exponent; ++m) {
       const int spacing = coarsest(cutoff, order, m, required_in_unit_box);
@@ -291,8 +292,8 @@ MeshSettings MeshChoice::cheapest(const Box& box) {
   return best.mesh;
 }
 
-/// The remedy for a mesh that is too fine: a longer cutoff at which the mesh is coarse enough,
-/// found in steps of 25 %.
+/// The remedy for a mesh that is too fine: a longer cutoff with a coarser mesh, found in steps of
+/// 25 %.
 std::string MeshChoice::remedy(const Box& box, const MeshSettings& best) const {
   const double max_points = max_points_for(ChargeDistribution(topology_).charges());
   ForceSettings longer = settings_;

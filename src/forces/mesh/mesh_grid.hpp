@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Grids over the box in tiles, each of them a pack of the instruction set in use.
+// Grids over the box, stored in tiles. A tile is a pack of the instruction set in use.
 #pragma once
 
 #include <array>
@@ -20,18 +20,18 @@ struct MeshTile {
 };
 
 /// Numbers on the points of a grid. Tiles at the same x and y form a stack along z, which is
-/// contiguous in memory. Beyond the last plane, a stack has the periodic continuation of its first
-/// planes, so that a spline can be added at any z. Stacks are ordered by x, then by y.
+/// contiguous in memory. Beyond the last plane, a stack repeats its first planes (periodic
+/// continuation), so that a spline can be added at any z. Stacks are ordered by x, then by y.
 template <class T>
 struct MeshGrid {
   std::array<std::size_t, 3> points{};
   MeshTile tile;
-  std::size_t overhang = 0;  ///< number of planes beyond the last
+  std::size_t overhang = 0;  ///< number of planes beyond the last plane of the box
   std::size_t stack = 0;     ///< distance between stacks along x, in numbers
   std::size_t row = 0;       ///< distance between rows of stacks, in numbers
   Column<T> values;
   /// Offsets in memory: stack_at[x] for the stack at x, and row_at[y] for the row of stacks at y.
-  /// Both tables continue for eleven points beyond the end.
+  /// Both tables of offsets continue for eleven points beyond the end of the grid.
   std::vector<std::ptrdiff_t> stack_at, row_at;
 
   MeshGrid() = default;

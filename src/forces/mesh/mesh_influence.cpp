@@ -18,8 +18,8 @@ double power(double x, int n) {
 
 Influence::Influence(const MeshSettings& settings, const Box& box)
     : split_(settings.cutoff, settings.exponent), volume_(box.volume()) {
-  // Aliases at n + l points decrease as l^(2 − 2 order). The sum of the omitted aliases is below
-  // 1e-9.
+  // The term of the alias n + l points decreases as l^(2 − 2 order). The sum of the omitted aliases
+  // is below 1e-9.
   constexpr int aliases = 30;
   for (std::size_t d = 0; d < 3; ++d) {
     const auto points = static_cast<double>(settings.points[d]);
@@ -50,7 +50,7 @@ InfluenceValue Influence::operator()(const std::array<std::size_t, 3>& n) const 
   const double all = x.all * y.all * z.all;
   const double all_k2 =
       x.all_k2 * y.all * z.all + x.all * y.all_k2 * z.all + x.all * y.all * z.all_k2;
-  // The sum Σ U² ρ and its slope. Aliases with small shares are omitted, because they do not affect
+  // The sum Σ U² ρ and its slope. Aliases with small terms are omitted, because they do not affect
   // the error.
   const double min_share = 1e-3 * x.near[0].share * y.near[0].share * z.near[0].share;
   TransformValue density{0, 0};

@@ -28,8 +28,8 @@ class Influence {
  public:
   Influence(const MeshSettings& settings, const Box& box);
 
-  /// The wave number of index n along edge d [1/nm]. An index above half the number of points is
-  /// the negative index n − points.
+  /// The wave number of index n along edge d [1/nm]. An index n above half the number of points
+  /// stands for the negative index n − points.
   double k(std::size_t d, std::size_t n) const { return axes_[d][n].k; }
   InfluenceValue operator()(const std::array<std::size_t, 3>& n) const;
 
@@ -48,9 +48,9 @@ class Influence {
   std::array<std::vector<Wave>, 3> axes_;
 };
 
-/// The influence function for all waves of a mesh. The factor does not depend on the signs of the
-/// wave numbers and, in a cubic box, not on their order. It is computed once for each set of
-/// magnitudes, because a barostat needs it for every new box.
+/// The influence function for all waves of a mesh. The influence function does not depend on the
+/// signs of the wave numbers and, in a cubic box, not on their order. The function is computed only
+/// once for each set of magnitudes |k|, because a barostat needs it for every new box.
 class InfluenceTable {
  public:
   InfluenceTable(const Influence& influence, const std::array<std::size_t, 3>& points,

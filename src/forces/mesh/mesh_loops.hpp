@@ -40,12 +40,13 @@ struct PlaceChargesJob {
   T* moves = nullptr;
 };
 
-/// A job that spreads charges over the grid. Each grid point receives their contributions in order.
+/// A job that spreads charges over the grid. Each grid point receives the contributions of charges
+/// in a fixed order.
 template <class T>
 struct SpreadJob {
   const T* charges;  ///< records of charges
-  const T* moves;    ///< records of displacements, which make each charge a dipole; null without
-                     ///< displacements
+  const T* moves;    ///< records of displacements, which make each charge a dipole; null for
+                     ///< no displacement
   const std::uint32_t *order, *end;  ///< numbers of the charges
   int spline;                        ///< order of the spline
   MeshGrid<T>& grid;

@@ -33,8 +33,8 @@ void check(const MeshSettings& settings) {
                       "and at least {}, so that a spline does not overlap with itself",
                       points, mesh_multiple, MeshSettings::max_order));
   const auto [nx, ny, nz] = settings.points;
-  // Memory per grid point: a number for charge or potential, a Fourier coefficient, and half a
-  // number each for the influence function and its slope.
+  // Memory per grid point: one number for charge or potential, one for the Fourier coefficient, and
+  // half a number each for the influence function and its slope.
   const double bytes =
       3 * sizeof(T) * static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz);
   require_memory(bytes, fmt::format("{} x {} x {} mesh points", nx, ny, nz),
@@ -218,7 +218,7 @@ void ParticleMesh<T>::convolve_column(Field& field, std::size_t column, bool ene
   for (std::size_t lane = 0; lane < pack; ++lane) {
     const auto [x, z] = modes.wave(column, lane);
     if (z > settings_.points[2] / 2) continue;
-    // This is half of the sum over k, because waves with k_z > 0 also represent −k.
+    // Only half of the sum over k is needed, because waves with k_z > 0 also represent −k.
     const double half = z == 0 || 2 * z == settings_.points[2] ? 0.5 : 1;
     const double energy = half * sums.energy[lane], slope = half * sums.slope[lane],
                  slope_y = half * sums.slope_y[lane];

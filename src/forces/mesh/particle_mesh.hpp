@@ -48,12 +48,12 @@ class ParticleMesh {
   /// Sets another box with the same number of grid points, and discards the potential.
   void set_box(const Box& box);
 
-  /// Adds forces and torques to `sums`, with a record per slot as in ChunkSums. If requested, it
-  /// also computes the energy and the virial. Results are bitwise identical for any number of
-  /// threads. The function does not allocate memory.
+  /// Adds forces and torques to `sums`, with a record per slot as in ChunkSums. If requested, the
+  /// function also computes the energy and the virial. Results are bitwise identical for any number
+  /// of threads. The function does not allocate memory.
   MeshLoad operator()(const Slots& slots, const SiteRecords<T>& records, T* sums, bool energies);
 
-  // The three steps of an evaluation follow in their order.
+  // The three steps of an evaluation follow, in the order of their calls.
   /// Spreads the charges onto the grid.
   void spread(const Slots& slots, const SiteRecords<T>& records);
   /// Replaces the charges on the grid by their potential. Returns the energy, and the virial of a
@@ -78,7 +78,7 @@ class ParticleMesh {
     std::vector<double> k, odd;  // wave numbers; `odd` is the same, but 0 if k and −k are the same
                                  // wave
   };
-  // Factors that depend on the box.
+  // Factors of the mesh that depend on the box.
   struct Factors {
     Box box{};
     std::array<Axis, 3> axes;

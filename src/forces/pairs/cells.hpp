@@ -15,10 +15,10 @@
 namespace polhode {
 
 /// Cells of equal size that fill the box, numbered so that consecutive bodies fill compact blocks.
-/// Columns along z, which are divided into thin cells, are traversed alternately up and down, layer
-/// by layer along y. Mesh points are stored in the same order.
+/// Columns of thin cells along z are traversed alternately up and down, layer by layer along y.
+/// Mesh points are stored in the same order.
 struct CellGrid {
-  static constexpr double block = 16;  ///< number of bodies in a piece of a column that is as long
+  static constexpr double block = 16;  ///< number of bodies in a piece of a column that is as high
                                        ///< as wide
   static constexpr double slices = 8;  ///< number of cells along such a piece
 
@@ -42,7 +42,8 @@ struct CellGrid {
   }
 };
 
-/// The slots of each molecule type begin at a multiple of this number: whole packs of any width.
+/// The slots of each molecule type begin at a multiple of this number, and therefore with a whole
+/// pack of any width.
 inline constexpr std::size_t slot_block = 64;
 
 /// Bodies sorted by molecule type and then by cell, where each type has a separate grid of cells. A
@@ -56,7 +57,7 @@ struct Slots {
   std::vector<Part> parts;
   std::vector<std::uint32_t> body;  ///< index of the body in each slot
 
-  // The following columns have a value for each slot, from the time when the list was built:
+  // Positions of the body in each slot when the neighbour list was built:
   Vec3Column built_at;  ///< unwrapped position q [nm]
   Vec3Column place;     ///< position q wrapped into the box [nm]
 

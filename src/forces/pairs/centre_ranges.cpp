@@ -24,7 +24,7 @@ CentreRanges centre_ranges(const ForceSettings& settings, const Molecule& a, con
   const double switched = treatment == CutoffTreatment::site_shift ? 0 : settings.switch_from;
   CentreRanges ranges;
   ranges.inside = settings.cutoff;
-  // Adds an interaction that is not truncated up to `whole` and is zero beyond `cutoff`.
+  // Adds an interaction that has its full strength up to `whole` and is zero beyond `cutoff`.
   const auto add = [&](const auto& has, double whole, double cutoff, double& range) {
     const auto of_a = extent(a, has), of_b = extent(b, has);
     if (!of_a || !of_b) return;

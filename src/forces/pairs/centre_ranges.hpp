@@ -13,7 +13,7 @@ namespace polhode {
 struct CentreRanges {
   double charges = 0, short_range = 0;  ///< range within which charges and short-range sites
                                         ///< interact; 0 if they never do
-  double inside = 0;                    ///< range within which nothing is truncated
+  double inside = 0;                    ///< range within which no interaction is truncated
 
   double largest() const { return std::max(charges, short_range); }
 };

@@ -7,10 +7,10 @@
 
 namespace polhode {
 
-/// Cutoff treatment of the pairs of a loop. `none` and `smooth_untruncated` are for molecules known
-/// to lie inside the switching distance, where nothing is truncated. With `smooth` (PME, damped
-/// shifted force), a polynomial is subtracted from 1/r, so the Coulomb energy already vanishes at
-/// the cutoff. The short-range potential is switched for each pair of sites.
+/// The cutoff treatment of the pairs in a pair loop. `none` and `smooth_untruncated` are for
+/// molecules known to lie inside the switching distance, where no interaction is truncated. With
+/// `smooth` (PME, damped shifted force), a polynomial is subtracted from 1/r, so the Coulomb energy
+/// already vanishes at the cutoff. The short-range potential is switched for each pair of sites.
 enum class CutoffTreatment {
   none,
   molecule_switch,
@@ -26,8 +26,8 @@ constexpr bool switches_sites(CutoffTreatment treatment) {
 constexpr bool is_smooth(CutoffTreatment treatment) {
   return treatment == CutoffTreatment::smooth || treatment == CutoffTreatment::smooth_untruncated;
 }
-/// The cutoff treatment of pairs inside the switching distance: the same potentials without
-/// truncation.
+/// The cutoff treatment of pairs inside the switching distance: the potentials are the same but not
+/// truncated.
 constexpr CutoffTreatment without_truncation(CutoffTreatment treatment) {
   return is_smooth(treatment) ? CutoffTreatment::smooth_untruncated : CutoffTreatment::none;
 }

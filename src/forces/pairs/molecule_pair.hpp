@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The interaction of two rigid molecules: the sum over all pairs of their sites, truncated smoothly
-// at the cutoff. Written once as a template over the number type: plain numbers, packs, or dual
-// numbers of either. With packs, a molecule interacts with a partner in each lane. Dual numbers
-// also give the derivative of forces and torques along a displacement of the molecules.
+// at the cutoff. The code is a template over the number type: plain numbers, packs, or dual numbers
+// of either kind. With packs, a molecule interacts with a partner in each lane. Dual numbers also
+// give the derivative of forces and torques along a displacement of the molecules.
 //
 // Functions that are called for each pair of molecules are inlined into the loop over pairs.
 // Constants of the loop, such as the number of sites, are then known to the compiler.
@@ -17,7 +17,7 @@
 
 namespace polhode {
 
-/// Force and torque that molecule a exerts on molecule b; the force on a is −f.
+/// Force and torque that molecule a exerts on molecule b; the force on molecule a is −f.
 template <class Real>
 struct PairLoad {
   Vec3<Real> f{};                   ///< force on b [kJ/mol/nm]
@@ -54,10 +54,10 @@ class MoleculeSwitch {
   typename Switch<T>::template Value<Real> at_R_;  // switch w(R) and its derivative w'(R)
 };
 
-/// The site pairs between a group of sites a of the first molecule and a group of sites b of the
-/// second molecule. Each step of the computation is done for all pairs before the next step begins,
-/// so that operations need not wait for each other. The result of each step is a separate variable,
-/// because the compiler keeps fewer members of a class in registers.
+/// All pairs of a site in a group of the first molecule and a site in a group of the second
+/// molecule. Each step of the computation is done for all pairs before the next step, which hides
+/// the latency of the operations. The result of each step is a separate variable, because a
+/// compiler keeps members of a class in registers less often.
 template <class Shape, class Real>
 class SitePairs {
  public:
@@ -125,9 +125,9 @@ class SitePairs {
   std::size_t first_a_, first_b_;
 };
 
-/// The polynomial P that is subtracted from 1/r between charges, and −P'/r, for each pair. It is
-/// computed by Horner's rule in y = 1 − r²/a². Each step is made for all pairs before the next. It
-/// is empty if no polynomial is used.
+/// The polynomial P that is subtracted from 1/r between charges, and −P'/r, for each pair. The
+/// polynomial is computed by Horner's rule in y = 1 − r²/a². Each step of the rule is done for all
+/// pairs before the next step. The result is empty if no polynomial is used.
 template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class T>
 POLHODE_INLINE inline auto smooth_parts(
     const SitePairs<Shape, Real>& pairs,
@@ -157,8 +157,9 @@ POLHODE_INLINE inline auto smooth_parts(
   return parts;
 }
 
-/// The interaction of two charges, with charge = K q q. If a polynomial P is subtracted, it is 1/r
-/// − P(r) up to the cutoff, and otherwise the truncated 1/r + k r² − c.
+/// The interaction of two charges, with charge = K q q. Divided by this factor, the energy is 1/r −
+/// P(r) up to the cutoff if a polynomial P is subtracted, and otherwise the truncated 1/r + k r² −
+/// c.
 template <CutoffTreatment treatment, class Real, class T>
 POLHODE_INLINE inline PairValue<Real> coulomb_pair(
     Constant<Real> charge, const SiteTruncation<treatment, Real, T>& truncated,
@@ -178,7 +179,8 @@ POLHODE_INLINE inline PairValue<Real> coulomb_pair(
   }
 }
 
-/// Evaluates the potentials of a site pair. It returns the sum of −u'/r and adds up the energies.
+/// Evaluates the potentials of a site pair. The function returns the sum of −u'/r of both
+/// potentials, and adds the energies to their sums.
 template <bool need_u, class Shape, class Real, class Coulomb, class ShortRange>
 POLHODE_INLINE inline Real sum_of_laws(const Shape& shape, std::size_t a, std::size_t b,
                                        const Coulomb& coulomb, const ShortRange& short_range,

@@ -2,14 +2,14 @@
 // The neighbour list: all pairs of bodies with a distance of centres below the range of the
 // interaction plus a skin. Each pair is stored with the periodic image. The list is valid until a
 // centre has moved by half the skin since the last build. Until then, no pair of centres has come
-// closer by more than the skin. Rotation does not matter, because it does not move the centre.
+// closer by more than the skin. Rotations do not move centres, so they never invalidate the list.
 //
 // The partners of a body form its row, in whole packs. Each pair is listed once, in the row of the
 // body that precedes the other body in the cyclic order of slots. If the last pack of a row would
 // be partly empty, the surplus pairs are moved to the rows of the partners, provided that these
 // rows come later. Nearly all lanes are then used. Some partners are certain to stay inside the
-// switching distance while the list is valid. They come first in a row, because their pairs need no
-// truncation.
+// switching distance while the list is valid. Such partners come first in a row, because their
+// pairs need no truncation.
 //
 // Bodies of the last parts of a topology may be ghosts: copies of bodies of another list. Ghosts
 // are partners of other bodies and have no rows.
@@ -41,8 +41,8 @@ class Neighbour {
 
   /// The periodic image given to padding lanes, which is too far away to interact. Along x, the
   /// distance between two bodies in the box is less than an edge plus the skin. After a shift by
-  /// two edges, the distance is more than an edge minus the skin, and this exceeds every range. The
-  /// same holds in fixed point, which wraps around after four edges.
+  /// two edges, the distance is more than an edge minus the skin, which exceeds every cutoff range.
+  /// The same is true in fixed point, which wraps around after four edges.
   static constexpr Image nowhere{-2, 0, 0};
 
   /// The bits of a periodic image. The bits of direction d are the two highest bits of word << 2 d.
@@ -92,8 +92,8 @@ class NeighbourList {
   /// @param topology     molecules, whose sites determine the extent of each molecule type
   /// @param ghost_parts  number of parts at the end of the topology that are ghosts
   /// @throws Error       if the box is too small for the cutoff plus the extent of the molecules,
-  ///   or
-  ///                     has more bodies than the list can address
+  /// or
+  ///                     if there are more bodies than the list can address
   NeighbourList(const Topology& topology, const ForceSettings& settings, const Box& box,
                 std::size_t ghost_parts = 0);
 
@@ -127,7 +127,7 @@ class NeighbourList {
   Box box_{};
   std::vector<PairRange> ranges_;  // ranges by [part a, part b]
   double allowed2_ = 0;
-  std::size_t own_parts_;  // number of parts that are not ghosts
+  std::size_t own_parts_;  // number of topology parts that are not ghosts
   Slots slots_;
   SlotTree tree_;
   std::vector<ListChunk> chunks_;
@@ -136,14 +136,14 @@ class NeighbourList {
   double seconds_ = 0;
 };
 
-/// Input of the search for partners.
+/// The input of the partner search.
 struct ListJob {
   const Box& box;
   const Slots& slots;
   const SlotTree& tree;                  ///< tree of the slots
   const std::vector<PairRange>& ranges;  ///< ranges by [part a, part b]
   std::size_t width;                     ///< number of pairs per pack
-  std::size_t own_parts;                 ///< number of parts that are not ghosts
+  std::size_t own_parts;                 ///< number of topology parts that are not ghosts
 };
 
 POLHODE_DECLARE_LOOPS(

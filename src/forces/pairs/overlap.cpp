@@ -32,15 +32,15 @@ struct Overlap {
 
 using Cell = std::array<std::int64_t, 3>;
 
-// Contacts sorted by the bucket of their cell. Cells are at least as wide as the closest contact,
-// so partners are in the same or an adjacent cell. Rows and layers of cells are mapped one after
-// another onto the buckets, and wrap around if there are more cells than buckets. Memory therefore
-// scales with the number of sites rather than the volume of the box. Neighbours in the box are
-// mostly neighbours in memory.
+// Sites that can overlap, sorted by the bucket of their cell. Cells are at least as wide as the
+// smallest allowed distance, so overlapping sites are in the same or adjacent cells. Cells are
+// assigned to buckets row by row and layer by layer; the assignment wraps around if there are more
+// cells than buckets. Memory therefore scales with the number of sites rather than the volume of
+// the box. Sites that are close in the box are mostly close in memory.
 class Buckets {
  public:
   Buckets(const Topology& topology, const State& state);
-  /// The first overlap in the order of the later site, and then of the earlier site.
+  /// The first overlap, ordered by the later of its two sites, and then by the earlier site.
   std::optional<Overlap> first_overlap() const;
 
  private:

@@ -215,8 +215,8 @@ void PairEngine<T>::collect(std::size_t c, Load& load) const {
     std::array<double, block * stride> total{};
     if (mesh_) std::copy_n(&mesh_sums_[first * stride], n * stride, total.begin());
     for (std::size_t k = 0; k < sums_.size(); ++k) {
-      // Windows begin at block boundaries, so a block is either contiguous in a window or outside
-      // it.
+      // Windows begin at block boundaries, so a block lies either entirely in a window or entirely
+      // outside it.
       const SlotWindow& window = list_.chunks()[k].windows[own.part];
       const std::uint32_t at = first - window.first + (first < window.first ? part.count : 0);
       if (at >= window.count) continue;

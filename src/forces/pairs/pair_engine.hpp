@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A force evaluation over the neighbour list in a given precision. It places the sites, sums the
-// pairs of each chunk, adds the mesh contribution, and reduces the sums.
+// A force evaluation over the neighbour list in a given precision. The engine places the sites,
+// sums the pairs of each chunk, adds the mesh contribution, and reduces the sums.
 #pragma once
 
 #include <memory>
@@ -24,19 +24,20 @@ template <class T>
 class PairEngine {
  public:
   /// @param ghost_parts  number of parts at the end of the topology that are ghosts: copies of
-  ///   bodies that another engine computes. Ghosts do not interact with each other, and the forces
-  ///   on them are not computed. Half of the energy and virial of a pair with a ghost is included.
+  ///   bodies whose forces another engine computes. Ghosts do not interact with each other, and the
+  ///   forces on them are not computed. The energy and the virial include half of each pair with a
+  ///   ghost.
   PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
              Workers& workers, std::size_t ghost_parts = 0);
 
-  /// Sets another box, with the topology and settings of the constructor, where only the mesh of
-  /// the settings may differ.
+  /// Sets another box, with the topology and settings of the constructor, except that the mesh may
+  /// differ.
   /// @throws Error  if the box is too small
   void set_box(const Topology& topology, const ForceSettings& settings, const Box& box);
 
   /// Computes forces and torques of a state, whose box must be the box that was set. If `energies`
-  /// is true, it also computes energies and virial; otherwise they are 0. With PME the settings
-  /// must contain a mesh. Terms that do not depend on positions are not included.
+  /// is true, energies and virial are also computed; otherwise both are 0. With PME the settings
+  /// must contain a mesh. Energy terms that do not depend on positions are not included.
   void operator()(const State& state, Load& load, bool energies);
 
   /// Computes the derivative of forces and torques along a displacement of all bodies. Centres move
@@ -93,7 +94,7 @@ struct AnyPairEngine {
   }
 };
 
-/// Makes a pair engine; arguments are as for PairEngine.
+/// Makes a pair engine; the arguments are those of the constructor of PairEngine.
 std::unique_ptr<AnyPairEngine> pair_engine(const Topology& topology, const ForceSettings& settings,
                                            const Box& box, Workers& workers,
                                            std::size_t ghost_parts = 0);

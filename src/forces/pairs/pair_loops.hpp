@@ -13,9 +13,9 @@ namespace polhode {
 
 /// Positions of bodies and sites, with one record per slot. A record has three numbers for the
 /// centre in the box, followed by x, y, z of each site relative to the centre, in the lab frame
-/// [nm]. In double precision centres are in nm. In single precision they are in fixed point with
-/// 2³⁰ units to a box edge, stored as the bits of a float. Differences of centres are therefore
-/// exact before they are rounded.
+/// [nm]. In double precision, centres are stored in nm. In single precision, centres are in fixed
+/// point with 2³⁰ units per box edge, stored as the bits of a float. Differences of centres are
+/// therefore exact before they are rounded.
 template <class T>
 struct SiteRecords {
   std::size_t stride = 0;  ///< stride of records in numbers; records are aligned for packs
@@ -29,19 +29,20 @@ struct SiteRecords {
 };
 
 /// Sums of forces [kJ/mol/nm] and torques [kJ/mol] from one chunk of the list, for the slots in the
-/// windows of the chunk. Windows do not include ghosts. The sums have the precision of the pairs. A
-/// sum has only a few hundred terms, so the round-off of the terms exceeds the round-off of the
-/// summation. Sums over chunks are in double precision.
+/// windows of the chunk. Windows do not include ghosts. The sums over pairs have the precision of
+/// the pair loops. Such a sum has only a few hundred terms, so the round-off errors of its terms
+/// exceed the round-off error of the summation. Sums over chunks are in double precision.
 template <class T>
 struct ChunkSums {
-  static constexpr std::size_t stride = 8;  ///< force, torque, and two numbers that stay 0
+  static constexpr std::size_t stride = 8;  ///< numbers per slot: force, torque, and two zeros
   Column<T> values;
-  std::vector<std::size_t> first;  ///< first record of each part
+  std::vector<std::size_t> first;  ///< index of the first record of each topology part
   double van_der_waals = 0, coulomb = 0;
   Mat3<double> virial{};
 };
 
-/// A job of the pair loops: a chunk of the list, with the partners of one molecule type.
+/// A job of the pair loops: the pairs in one chunk of the list whose partners have one molecule
+/// type.
 template <class T>
 struct PairJob {
   const PairTable& table;

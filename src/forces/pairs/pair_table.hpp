@@ -16,21 +16,21 @@ namespace polhode {
 /// the sites on the stack.
 inline constexpr std::size_t max_sites = 64;
 
-/// The interacting sites of a molecule in the order of the pair loops: first sites with only a
-/// charge, then sites with a charge and a short-range potential, then sites with only a short-range
-/// potential.
+/// The interacting sites of a molecule in the order of the pair loops: sites with only a charge
+/// first, sites with both a charge and a short-range potential next, and sites with only a
+/// short-range potential last.
 struct InteractionSites {
   std::vector<Site> sites;
-  std::size_t charged = 0;     ///< number of sites with a charge, at the front
-  std::size_t dispersive = 0;  ///< number of sites with a short-range potential, at the back
+  std::size_t charged = 0;     ///< number of sites with a charge, at the beginning
+  std::size_t dispersive = 0;  ///< number of sites with a short-range potential, at the end
   std::size_t size() const { return sites.size(); }
 
-  /// @throws Error  if there are more than max_sites
+  /// @throws Error  if more than max_sites sites interact
   explicit InteractionSites(const Molecule& molecule);
 };
 
-/// The interactions of all pairs of sites of two molecule types, as a dense table. The index of the
-/// first molecule's site runs fastest. Entries are 0 for pairs that do not interact.
+/// The interactions of all pairs of sites of two molecule types, as a dense table. The site index
+/// of the first molecule runs fastest. Entries are 0 for pairs that do not interact.
 /// @tparam Law  LennardJones<T> or, for any law, ShortRange<T>
 template <class Law>
 struct PairStrengths;
@@ -40,7 +40,7 @@ struct PairStrengths<Law<T>> {
   std::vector<Law<T>> law;
 };
 
-/// The site pairs of two molecule types.
+/// The interactions of all site pairs of two molecule types.
 class PairTable {
  public:
   /// @throws Error  if the potentials of two sites cannot be mixed

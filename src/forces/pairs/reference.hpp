@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A direct computation of forces, over every pair of molecules and every image within range,
-// without list and packs. The pair loops are tested against this computation. With dual numbers it
-// gives exact derivatives.
+// A direct computation of forces, over every pair of molecules and every periodic image within
+// range, without neighbour list and packs. The pair loops are tested against this computation. With
+// dual numbers this computation gives exact derivatives.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace polhode {
 
-/// Position and orientation of a body. With dual numbers, they also hold the displacement of the
-/// body.
+/// Position and orientation of a body. With dual numbers, position and orientation also contain the
+/// displacement of the body.
 template <class Real>
 struct Pose {
   Vec3<Real> q;

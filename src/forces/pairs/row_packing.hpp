@@ -18,7 +18,7 @@ class RowBuffer {
  public:
   void clear() { first_ = size_ = 0; }
   std::size_t size() const { return size_ - first_; }
-  /// The end of the row, with room for n more entries and a pack.
+  /// The end of the row, after making room for n more entries and a pack.
   std::uint32_t* end_with_room(std::size_t n) {
     if (words_.size() < size_ + n + slot_block) words_.resize(2 * (size_ + n + slot_block));
     return words_.data() + size_;
@@ -36,16 +36,16 @@ class RowBuffer {
   std::size_t first_ = 0, size_ = 0;
 };
 
-/// Surplus pairs that rows have handed over to rows of slots that soon follow.
+/// Surplus pairs that rows have handed over to the rows of slots soon after.
 class HandedPairs {
  public:
   static constexpr std::uint32_t window = 256;  ///< number of slots ahead to which pairs can be
                                                 ///< handed over
-  static constexpr std::uint32_t room = 32;     ///< number of pairs that a slot can receive
+  static constexpr std::uint32_t room = 32;     ///< maximum number of pairs that a slot can receive
 
   HandedPairs() : pairs_(new std::uint32_t[window * room]), counts_(window, 0) {}
 
-  /// Whether the row of a slot that is at most `window` − 1 ahead has room for n more pairs.
+  /// Whether the row of a slot, at most `window` − 1 slots ahead, has room for n more pairs.
   bool has_room(std::uint32_t slot, std::size_t n) const {
     return counts_[slot % window] + n <= room;
   }
@@ -60,14 +60,14 @@ class HandedPairs {
   }
 
  private:
-  // Both are indexed by slot modulo the window.
+  // Both arrays are indexed by the slot modulo `window`.
   std::unique_ptr<std::uint32_t[]> pairs_;
   std::vector<std::uint32_t> counts_;
 };
 
-/// Hands the surplus pairs of a row over to the rows of their partners. Surplus pairs are the first
-/// pairs of the row, as many as exceed whole packs. Surplus pairs are moved only if all their
-/// partners follow soon in the same chunk.
+/// Hands the surplus pairs of a row over to the rows of their partners. The surplus pairs are the
+/// first pairs of the row; they are as many as the row has in excess of whole packs. They are moved
+/// only if all their partners follow soon in the same chunk.
 inline void hand_over(std::uint32_t slot, std::uint32_t chunk_end, std::size_t width,
                       RowBuffer& row, HandedPairs& later) {
   const std::size_t surplus = row.size() % width;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A tree of bounding boxes over the slots of each molecule type, for the search for partners. Slots
-// are in the order of cells, so that consecutive slots are close in space. A leaf bounds a few
-// consecutive slots, and a node bounds the leaves or nodes below it.
+// A tree of bounding boxes over the slots of each molecule type, for the partner search. Slots are
+// in the order of cells, so that consecutive slots are close in space. A leaf bounds a few
+// consecutive slots, and a node bounds the leaves or nodes below the node.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ namespace polhode {
 /// Fixed-point units per box edge, chosen so that images on both sides fit into 32 bits.
 inline constexpr std::int64_t fixed_point_edge = 1 << 30;
 
-/// The boxes of one level of a tree. After the last box, empty boxes fill the level up to a
-/// multiple of SlotTree::fanout. They are never in range.
+/// The boxes of one level of a tree. Empty boxes after the last box fill the level up to a multiple
+/// of SlotTree::fanout. Empty boxes are never in range.
 struct BoxLevel {
   std::size_t size = 0;
   std::array<std::vector<std::int32_t>, 3> centre;  ///< centres of the boxes in fixed point
@@ -37,7 +37,7 @@ class SlotTree {
   /// Updates the boxes to the current positions of the slots.
   void update(const Slots& slots, const Box& box, Workers& workers);
 
-  /// The levels of the tree of a molecule type, leaves first; the last one has at most `fanout`
+  /// The levels of the tree of a molecule type, leaves first; the last level has at most `fanout`
   /// boxes.
   const std::vector<BoxLevel>& levels(std::size_t part) const { return trees_[part]; }
   /// Positions of slots relative to the centres of their leaves [nm]; unused slots are far away.

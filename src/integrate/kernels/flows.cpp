@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The loops of drift, kick and displacement over packs of bodies. A range of bodies is made of
-// whole packs, except that it may end at the last body.
+// The loops of drift, kick and displacement over packs of bodies. A range of bodies consists of
+// whole packs, unless the range ends at the last body.
 #include "polhode/integrate/flows.hpp"
 
 #include "base/pack.hpp"
@@ -15,9 +15,8 @@ using Real = Pack<double>;
 
 namespace {
 
-/// Largest rotation in one step for which sub-steps of the series are used [1]. Bodies that rotate
-/// by more are rare, unless the run has blown up. Such bodies are rotated individually, in closed
-/// form.
+/// Largest rotation in one step [1] that is computed by sub-steps of the series. Larger rotations
+/// are rare, unless the run has blown up. They are computed in closed form, body by body.
 constexpr double max_by_series = 16;
 
 Quaternion<Real> closed_rotations(const Vec3Column& J, const Vec3<Real>& L, double t,
@@ -41,7 +40,8 @@ Quaternion<Real> closed_rotations(const Vec3Column& J, const Vec3<Real>& L, doub
 /// x^14/14! are below 5e-20. Half angles of displacements are about 1e-6.
 constexpr double max_half_angle = 0.25;
 
-/// The rotation R(v), by the series of sin and cos. Larger angles are treated body by body.
+/// The rotation R(v) by the vector v, from the series of sin and cos. Larger angles are treated
+/// body by body.
 Quaternion<Real> rodrigues_pack(const Vec3<Real>& v) {
   const Real y = Real(0.25) * norm2(v);  // half angle squared
   if (any(y > Real(max_half_angle * max_half_angle))) {
@@ -78,8 +78,8 @@ void drift(State& state, const Bodies& bodies, double t, std::size_t first, std:
     const Quaternion<Real> P = any(angle2 > Real(max_by_series * max_by_series))
                                    ? closed_rotations(bodies.J, L, t, i)
                                    : series_rotation(inverse_J, L, Real(t));
-    // Rotates the orientation: S <- P(t) S. The product is normalized in every step, so |q| - 1 is
-    // a single round-off error, whatever the number of steps.
+    // Rotates the orientation: S <- P(t) S. The product is normalized in every step, so the
+    // deviation of |q| from 1 does not grow with the number of steps.
     store_pack(normalized(orientation * P), state.orientation, i);
   }
 }

@@ -27,8 +27,8 @@ bool begins_with(std::string_view word, std::string_view start) {
 // but all contain the element at the beginning, sometimes preceded by digits ("1HW").
 bool matches(std::string_view atom, const Site& site) {
   if (atom == site.name) return true;
-  // "X" in XYZ files, which have only elements, and "X1" in LAMMPS data files, which have only
-  // masses
+  // massless sites: "X" in XYZ files, which have only elements, and "X1" in LAMMPS data files,
+  // which have only masses
   if (site.mass == 0 && atom.substr(0, 1) == "X" &&
       atom.find_first_not_of("0123456789", 1) == atom.npos)
     return true;
@@ -42,7 +42,7 @@ bool matches(std::string_view atom, const Site& site) {
                                          : std::string_view(site.name).substr(0, 1));
 }
 
-// The atom of each site of one molecule; null for missing sites without mass.
+// The atom of each site of one molecule; null for a massless site without an atom.
 using Match = std::vector<const Atom*>;
 
 // Removes the atoms of the next molecule from the front of `atoms`.
@@ -133,7 +133,7 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
   state.ell.set(i, to_lab(orientation, L));
 }
 
-// A molecule can be made whole by minimum images only if it is shorter than half of the shortest
+// Minimum images make a molecule whole only if the molecule is shorter than half of the shortest
 // box edge.
 void check_size(const Molecule& molecule, const Frame& frame) {
   double max_length = 0;

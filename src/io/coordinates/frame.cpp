@@ -13,15 +13,16 @@
 namespace polhode {
 namespace {
 
-// The product J⁻¹ L. If a moment vanishes, the angular momentum along its axis is also zero.
+// The product J⁻¹ L. If a moment of inertia vanishes, the angular momentum along its axis is also
+// zero.
 double over(double L, double J) { return J > 0 ? L / J : 0.0; }
 
 bool visible(const Site& site, MasslessSites massless) {
   return massless == MasslessSites::keep || site.mass != 0;
 }
 
-// The element with which a name begins. Ions are residues with a single atom, named after the
-// element.
+// The element at the beginning of an atom name. Ions are residues with a single atom, named after
+// the element.
 std::string element_of(const AtomKind& kind) {
   static constexpr std::string_view organic = "HBCNOFPSIK";
   static constexpr std::array<std::string_view, 12> ions = {"LI", "NA", "RB", "CS", "MG", "CA",

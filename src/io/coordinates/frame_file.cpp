@@ -76,7 +76,7 @@ const Format& writable_format(const std::string& path) {
       format.extension, join_names(std::vector<std::string>(written.begin(), written.end()))));
 }
 
-// A writer that first checks that the format can store a frame.
+// A writer that checks, before writing a frame, whether the format can store it.
 class FittingWriter : public FrameWriter {
  public:
   FittingWriter(std::unique_ptr<FrameWriter> writer, const Format& format, const Topology& topology,
@@ -110,7 +110,7 @@ std::unique_ptr<FrameWriter> writer(const std::string& path, const Topology& top
                                          topology, choice);
 }
 
-// Kinds and residues of atoms, taken from another file.
+// Atom kinds and residues that are taken from another file.
 class Names {
  public:
   explicit Names(const Frame& frame) : kinds_(frame.kinds), source_(frame.source) {

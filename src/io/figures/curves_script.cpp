@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-// The Okabe-Ito palette, for lines that are not schemes.
+// The Okabe-Ito palette, for lines that do not show a scheme.
 const std::vector<std::string> palette = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                           "#E69F00", "#56B4E9", "#000000"};
 
@@ -19,7 +19,7 @@ std::size_t readable_across(std::size_t panels) {
   return panels == 1 ? 1 : panels <= 4 ? 2 : panels <= 12 ? 3 : 4;
 }
 
-/// Sizes of a panel with its axes [pixels]; a figure has at least this width.
+/// Sizes of a panel with its axes [pixels]; a figure is at least as wide as one panel.
 struct Layout {
   std::size_t across, down, width, height;
 };
@@ -36,7 +36,7 @@ Layout layout_of(const CurvesFigure& figure) {
                         : 230u};
 }
 
-/// The legend of a panel: its curves and lines with names.
+/// The legend entries of a panel: the curves and lines that have names.
 std::vector<std::string> legend_of(const CurvesFigure::Panel& panel) {
   std::vector<std::string> names;
   for (const auto& curve : panel.curves) names.push_back(curve.name);
@@ -45,16 +45,16 @@ std::vector<std::string> legend_of(const CurvesFigure::Panel& panel) {
   return names;
 }
 
-/// The number of legend entries that fit next to each other in a width [pixels], as gnuplot
-/// measures them.
+/// The number of legend entries that fit next to each other in a width [pixels], by gnuplot's
+/// estimate of their widths.
 std::size_t legend_columns(const std::vector<std::string>& names, std::size_t width) {
   std::size_t longest = 1;
   for (const std::string& name : names) longest = std::max(longest, character_count(name));
   return std::max<std::size_t>(1, width / (7 * longest + 47));
 }
 
-/// Ends of consecutive ranges, counted from 1 as in gnuplot. A range is empty if `last` is less
-/// than `first`.
+/// First and last indices of consecutive ranges, counted from 1 as in gnuplot. A range is empty if
+/// `last` is less than `first`.
 struct Ranges {
   std::vector<std::size_t> first, last;
   void add(std::size_t count) {
@@ -83,7 +83,7 @@ void add_curves(FigureScript& script, const CurvesFigure& figure) {
     curves.add(panel.curves.size());
     bands.add(banded.size() - before);
   }
-  banded.push_back(1);  // gnuplot evaluates an element even if it loops over none
+  banded.push_back(1);  // gnuplot evaluates an element even in a loop without iterations
   curves.write(script, "curve");
   bands.write(script, "band");
   script.texts("name", names).texts("colour", colours);
@@ -102,7 +102,7 @@ void add_lines(FigureScript& script, const CurvesFigure& figure) {
     }
     lines.add(panel.lines.size());
   }
-  // gnuplot evaluates an element even if it loops over none
+  // gnuplot evaluates an element even in a loop without iterations
   names.emplace_back();
   for (std::vector<double>* ends : {&x, &y}) ends->insert(ends->end(), {0, 0});
   script.texts("line_name", names).numbers("line_x", x).numbers("line_y", y);

@@ -19,14 +19,14 @@ class FigureScript {
   /// @param width, height  size in pixels; bitmaps have twice as many
   FigureScript(const Image& image, int width, int height);
 
-  /// Defines a number, with a decimal point because gnuplot divides integers to integers.
+  /// Defines a number, with a decimal point because gnuplot truncates the quotient of two integers.
   FigureScript& number(std::string_view name, double value);
   FigureScript& count(std::string_view name, std::size_t value);
   FigureScript& text(std::string_view name, std::string_view value);
-  /// Defines a file next to the script.
+  /// Defines the name of a file in the folder of the script.
   FigureScript& file(std::string_view name, std::string_view path);
-  /// Defines gnuplot arrays, which are indexed from 1. An empty array has one element, 0 or an
-  /// empty text.
+  /// Defines gnuplot arrays, which are indexed from 1. An empty array is written with one element:
+  /// 0 or an empty text.
   FigureScript& counts(std::string_view name, std::span<const std::size_t> values);
   FigureScript& numbers(std::string_view name, std::span<const double> values);
   FigureScript& texts(std::string_view name, std::span<const std::string> values);
@@ -39,8 +39,8 @@ class FigureScript {
 
  private:
   /// Defines an array.
-  /// @param none  element of an empty array, because gnuplot evaluates an element even if it loops
-  ///   over none
+  /// @param none  element of an empty array, because gnuplot evaluates an element even in a loop
+  ///   without iterations
   FigureScript& array(std::string_view name, auto values, std::string_view none,
                       const auto& text_of);
 

@@ -8,7 +8,7 @@
 namespace polhode {
 
 /// Quotes a text with single quotes, in which gnuplot replaces neither `commands` nor backslashes.
-/// Unprintable characters are escaped first, so that the text stays on one line.
+/// Unprintable characters are escaped before quoting, so that the text stays on one line.
 std::string gnuplot_text(std::string_view text);
 
 /// Quotes the name of a file next to the script. The result begins with "./", because gnuplot

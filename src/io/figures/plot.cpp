@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file of a program on the search path; empty if there is none. Relative folders are skipped,
-// so that no program in the data folder is run.
+// The file of a program on the search path; empty if there is none. Relative folders of the search
+// path are skipped, so that no program in the folder of the data is run.
 std::string found_program(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::string_view rest = path == nullptr ? "" : path;
@@ -41,7 +41,7 @@ std::string found_program(const std::string& program) {
 }
 
 // Runs in the process that becomes gnuplot, and makes only calls that are safe between fork and
-// exec. The alarm remains active after exec and ends the process.
+// exec. The alarm remains active after exec and ends gnuplot at its time limit.
 [[noreturn]] void become(const char* program, const char* folder, const char* script,
                          unsigned seconds) {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
@@ -57,7 +57,7 @@ std::string found_program(const std::string& program) {
   ::_exit(127);
 }
 
-// Runs gnuplot silently in the script's folder. Returns a message if this failed.
+// Runs gnuplot silently in the script's folder. Returns an error message if gnuplot fails.
 std::string gnuplot_trouble(const std::string& program, const fs::path& script,
                             std::chrono::seconds limit) {
   const std::string folder = script.has_parent_path() ? script.parent_path().string() : ".";
@@ -76,7 +76,7 @@ std::string gnuplot_trouble(const std::string& program, const fs::path& script,
   return fmt::format("gnuplot exited with code {}", WEXITSTATUS(status));
 }
 
-/// Writes the script of a figure next to its data, under the same name, and draws the image.
+/// Writes the script of a figure next to its data, under the same name, and draws its image.
 bool draw(const auto& figure, const std::string& data, const std::string& format,
           std::ostream& warnings) {
   const fs::path script = fs::path(data).replace_extension("gp");

@@ -29,14 +29,14 @@ bool run_gnuplot(const std::string& script, std::ostream& warnings,
 struct EnergyFigure {
   std::string csv;  ///< file with the columns "time [ps]", "potential [kJ/mol]" and `energy`
   std::string title;
-  std::string energy = "conserved";  ///< the energy of the upper panel: "conserved" or "total"
-  std::string ratio{};               ///< R as printed in the summary, such as "0.056 ± 0.003 %";
-                                     ///< may be empty
+  std::string energy = "conserved";  ///< energy in the upper panel: "conserved" or "total"
+  std::string ratio{};               ///< energy-error ratio as printed in the summary, such as
+                                     ///< "0.056 ± 0.003 %"; may be empty
 };
 
 /// Plots the deviation of the total or conserved energy from its mean and the potential energy, in
-/// two panels with title and R above. Image and script are written next to the CSV file, under its
-/// name with other extensions.
+/// two panels with title and R above. Image and script are written next to the CSV file, under the
+/// name of the CSV file with other extensions.
 /// @param format  "svg" or "png"
 bool energy_plot(const EnergyFigure& figure, const std::string& format, std::ostream& warnings);
 
@@ -45,20 +45,20 @@ bool energy_plot(const EnergyFigure& figure, const std::string& format, std::ost
 /// @param format  "svg" or "png"
 bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings);
 
-/// The rows of one scheme in a CSV file, counted from 0.
+/// The rows of one scheme in a CSV file; the first row is row 0.
 struct SchemeRows {
   std::string scheme;
   std::size_t first, last;
 };
 
 /// The data of a figure of R against the cost of schemes, in the columns "cost [1/ps]", "R [1]" and
-/// "R_error [1]". Two more columns contain flags: "usable [1]" is 1 before the end of a curve, and
-/// "rounded [1]" is 1 where round-off dominates R.
+/// "R_error [1]". Two more columns contain flags: "usable [1]" is 1 for steps below the end of a
+/// curve, and "rounded [1]" is 1 where round-off dominates R.
 struct EfficiencyFigure {
   std::string csv;
   std::vector<SchemeRows> schemes;  ///< schemes, each with at least one usable step
   std::string caption{};            ///< text below the axes: the conditions of the comparison
-  double max_ratio = 0.035;         ///< largest R on the linear axis
+  double max_ratio = 0.035;         ///< upper end of the linear R axis
 };
 
 /// Plots R against cost for each scheme [vanzon2008, Fig. 1] on linear axes, and all points on
@@ -73,13 +73,13 @@ bool efficiency_plot(const EfficiencyFigure& figure, const std::string& format,
 struct AdviceFigure {
   struct Curve {
     SchemeRows rows;
-    double step, seconds;  ///< step [fs], and the computing time per ps with this step [s]
-    /// Values of the fitted model: R at that step [1] (0 without a model), and d log R/d log h at
-    /// that step and for short steps.
+    double step, seconds;  ///< time step [fs], and computing time [s] per ps at this step
+    /// Results of the fitted model: R at the time step `step` [1] (0 without a model), and d log
+    /// R/d log h at `step` and for short steps.
     double ratio = 0, exponent = 0, short_exponent = 0;
   };
   struct Answer {
-    std::size_t curve, row;  ///< curve and row, counted from 0
+    std::size_t curve, row;  ///< indices (from 0) of the curve and of the row
   };
   std::string csv;
   std::vector<Curve> curves;          ///< curves, each with at least one usable step
@@ -97,8 +97,8 @@ struct CanonicalFigure {
   struct Panel {
     std::string title, column, error;  ///< title, and names of the columns with their units, as in
                                        ///< the file
-    double strict = 0, loose = 0;      ///< bounds on the magnitude, drawn as shaded areas; 0 for a
-                                       ///< logarithmic axis without bounds
+    double strict = 0, loose = 0;      ///< bounds on the plotted magnitude, drawn as shaded areas;
+                                       ///< 0 for a logarithmic axis without bounds
   };
   std::string csv;
   std::vector<SchemeRows> schemes;
@@ -111,8 +111,9 @@ struct CanonicalFigure {
 bool canonical_plot(const CanonicalFigure& figure, const std::string& format,
                     std::ostream& warnings);
 
-/// The data of a figure of a free top. The file has blocks of ω in three columns, separated by two
-/// blank lines: inertia ellipsoid, polhodes of the same energy, polhode of the top, current ω.
+/// The data of a figure of a free top. The file has four blocks of angular velocities ω in three
+/// columns, separated by two blank lines: inertia ellipsoid, polhodes of the same energy, polhode
+/// of the top, current ω.
 struct PolhodeFigure {
   std::string data;
   Vec3<double> J, L;  ///< principal moments and body-frame angular momentum, in any consistent

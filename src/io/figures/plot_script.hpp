@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// gnuplot scripts: values, followed by a template from data/plots that reads the data.
+// gnuplot scripts: definitions of values, followed by a template from data/plots that plots the
+// data.
 #pragma once
 
 #include <string>

@@ -100,8 +100,8 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
   if (sum != number_at(rest_, sum_at))
     throw DamagedCheckpoint(
         fmt::format("the checkpoint '{}' is damaged: its checksum is wrong", path_));
-  // All versions of the format have the same checksum. A different version number with a wrong
-  // checksum is therefore a flipped bit.
+  // All versions of the checkpoint format use the same kind of checksum. If the version number
+  // differs and the checksum is wrong, the file is therefore damaged.
   if (const std::uint64_t version = number_at(rest_, magic.size()); version != format_version)
     throw OutputError(
         fmt::format("the checkpoint '{}' has format {}, but this program reads format {}; resume "

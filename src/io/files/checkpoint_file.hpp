@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Checkpoint files: numbers in binary, with a checksum. A file that is truncated, altered or
-// written by another program is recognized before any data are used.
+// written by another program is recognized before its data are used.
 //
-// A file consists of, with 64-bit integers in the byte order of the processor: 16 bytes that
-// identify the format; its version; the length of the file; version and instruction set of the
-// program that wrote it; the contents; and a CRC-64 of everything but the length.
+// A file consists of: 16 bytes that identify the format; the version of the format; the length of
+// the file; the program's version and instruction set; the contents; and a CRC-64 of all these
+// except the length. Integers have 64 bits in the byte order of the processor.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,14 @@
 
 namespace polhode {
 
-/// The version of the program that wrote a file. Only the same version continues bitwise
-/// identically.
+/// The version of the program that wrote a file. Only the same version of the program resumes a run
+/// bitwise identically.
 struct ProgramVersion {
   std::string version;
   std::string instruction_set;
 };
 
-/// Stands for any instruction set, for readers that do not resume bit for bit.
+/// Represents any instruction set, for readers that do not need bitwise identical results.
 inline constexpr auto any_instruction_set = "any";
 
 /// An error for a checkpoint that is missing, truncated or altered; an earlier checkpoint may be
@@ -46,7 +46,7 @@ class CheckpointWriter {
   void operator()(const Vec3<double>& v);
   void operator()(const Vec3Column& vectors) { columns(vectors, 3); }
   void operator()(const QuaternionColumn& orientations) { columns(orientations, 4); }
-  /// Writes the length and the checksum; nothing may follow.
+  /// Writes the length and the checksum; nothing may be written afterwards.
   void end();
 
  private:
@@ -73,8 +73,8 @@ class CheckpointReader {
   void operator()(Vec3<double>& v);
   void operator()(Vec3Column& vectors) { columns(vectors, 3); }
   void operator()(QuaternionColumn& orientations) { columns(orientations, 4); }
-  /// Checks that the reader is at the end.
-  /// @throws DamagedCheckpoint  unless everything has been read
+  /// Checks that the reader is at the end of the file.
+  /// @throws DamagedCheckpoint  if data remain to be read
   void end() const;
 
  private:

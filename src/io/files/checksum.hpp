@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CRC-64, by which checkpoints and the files of a run are recognized.
+// CRC-64 checksums, which show whether checkpoints and the files of a run have changed.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace polhode {
 
-/// The CRC-64 of bytes that follow other bytes with the checksum `before`, which is 0 if there are
-/// none. The polynomial is from ECMA-182, and the other conventions are from the XZ format:
+/// The CRC-64 of bytes that follow other bytes with the checksum `before`, which is 0 for the first
+/// bytes. The polynomial is from ECMA-182, and the other conventions are from the XZ format:
 /// "123456789" gives 0x995dc9bbdf1939fa.
 std::uint64_t crc64(const void* bytes, std::size_t count, std::uint64_t before = 0);
 

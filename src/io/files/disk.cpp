@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Syncs a file. Returns 0, or the errno of the failure.
+/// Syncs a file. Returns 0 on success, and otherwise the errno.
 int sync(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return errno;

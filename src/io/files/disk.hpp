@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that grow and must survive: what is on the disk, and how much of it.
+// Functions that sync files to disk, check or reduce their lengths, and explain disk errors.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace polhode {
 /// The folder of a file; "." for a name without a folder.
 std::filesystem::path folder_of(const std::string& path);
 
-/// A message about a file that cannot be written, with the remedy for this errno.
+/// A message about a file that cannot be written, with the cause and the remedy for an errno.
 std::string cannot_write(const std::string& path, int error);
 
 /// The remedy for an errno from opening a file.
@@ -34,7 +34,7 @@ void sync_file(const std::string& path);
 void sync_folder(const std::string& path);
 
 /// Checks the length of a file.
-/// @throws Error  if the file is missing or shorter than before
+/// @throws Error  if the file is missing or shorter than `bytes`
 void check_length(const std::string& path, std::uint64_t bytes);
 
 /// Truncates a file to a length.

@@ -34,7 +34,8 @@ std::string name_beside(const std::string& path) {
       .string();
 }
 
-/// The final name of the draft with a given name; empty if the name is not the name of a draft.
+/// The final name of the file whose draft has a given name; empty if this is not the name of a
+/// draft.
 std::string_view final_name(std::string_view name) {
   if (!name.starts_with(front) || name.size() <= longer || name[longer - 1] != '-') return {};
   const std::string_view number = name.substr(front.size(), digits);
@@ -90,7 +91,7 @@ void Draft::finish(const std::string& keep) {
   sync_folder(path_);
 }
 
-// The old file is replaced atomically, so that a file exists at all times.
+// The existing file is replaced atomically, so that a complete file exists at all times.
 void Draft::replace() {
   if (!has_name_) {
     std::string name;

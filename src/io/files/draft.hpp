@@ -7,9 +7,10 @@
 
 namespace polhode {
 
-/// A file without its final name until it is complete. Until then it has no name, or a unique name
-/// if the file system supports only named files or if the name must show the format. A draft that
-/// is never completed disappears. No other file is overwritten or removed.
+/// A file that gets its final name only when it is complete. Until its completion the file has no
+/// name. It has a unique temporary name if the file system supports only named files, or if the
+/// extension must show the format. A draft that is never completed disappears. No other file is
+/// overwritten or removed.
 class Draft {
  public:
   enum class Name { none, unique };
@@ -23,8 +24,7 @@ class Draft {
 
   /// The path under which the draft is opened for writing.
   const std::string& path() const { return draft_; }
-  /// A message about the draft in which the name of the draft is replaced by the final name of the
-  /// file.
+  /// A message about the draft with the final name of the file instead of the name of the draft.
   std::string with_final_name(std::string message) const;
   /// Syncs the draft to disk and renames it to the final name.
   /// @param keep  new name for an existing file; if empty, the existing file is replaced
@@ -46,9 +46,9 @@ class Draft {
 /// @throws Error  with the length
 void check_length_of_name(const std::string& path);
 
-/// Removes drafts of files in one folder that killed processes left behind. The name of a draft
-/// does not show whether its process still exists, so call this function only with a lock for the
-/// files.
+/// Removes drafts of files in one folder that killed processes left behind. Lock the files before
+/// this call, because a draft's name does not show whether the process that writes the draft still
+/// exists.
 void remove_drafts(const std::vector<std::string>& files);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Data files built into the program, by their path below data/.
+// Data files that are built into the program; their paths are relative to data/.
 #pragma once
 
 #include <optional>

@@ -22,9 +22,9 @@ class FieldLine {
 
   std::size_t size() const { return fields_.size(); }
   std::string_view operator[](std::size_t k) const { return fields_[k]; }
-  /// The name in field k, checked for its length.
-  /// @throws Error  if the name is longer than `max_name_length`; the limit is needed because
-  ///   macros can expand a short file enormously
+  /// The name in field k.
+  /// @throws Error  if the name is longer than `max_name_length`; the limit exists because macros
+  ///   can expand a short file enormously
   std::string word(std::size_t k) const;
   const TextPlace& place() const { return place_; }
 

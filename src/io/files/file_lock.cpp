@@ -38,7 +38,7 @@ std::string text_of(int file) {
   return {text.data(), length > 0 ? static_cast<std::size_t>(length) : 0};
 }
 
-/// The process that holds a lock, from the text of the lock, which may not be written yet.
+/// The process that holds a lock, from the text of the lock file, which may still be empty.
 std::string holder(const std::string& text) {
   const auto end = text.find('\n');
   if (!text.starts_with(head) || end == text.npos) return "another process";
@@ -60,7 +60,7 @@ FileLock::FileLock(std::string path) : path_(std::move(path)) {
     throw;
   }
   const std::string text = std::string(head) + this_process() + "\n";
-  // On a full disk the lock works, but its file does not contain the name of the owner.
+  // On a full disk the lock still works, but the lock file does not name its owner.
   [[maybe_unused]] const bool written =
       ::ftruncate(file_, 0) == 0 && ::pwrite(file_, text.data(), text.size(), 0) > 0;
 }

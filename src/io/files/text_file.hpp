@@ -13,13 +13,13 @@ namespace polhode {
 std::string file_text(const std::string& path);
 
 /// The contents of a stream.
-/// @param expected  length if it is known; this much memory is reserved initially
+/// @param expected  expected length, for which memory is reserved; 0 if unknown
 std::string stream_text(std::istream& in, const std::string& file, std::size_t expected = 0);
 
 /// Opens a file for reading. Throws an Error with the name of the file.
 std::ifstream open_text_file(const std::string& path);
 
-/// A message about the first byte that cannot occur in a text file, or an empty result.
+/// A message about the first byte that cannot occur in a text file; empty if there is none.
 std::optional<std::string> odd_byte(std::string_view text, const std::string& file);
 
 }  // namespace polhode

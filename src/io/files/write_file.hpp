@@ -18,7 +18,7 @@ namespace polhode {
 std::string text_hash(std::string_view text);
 
 /// Writes a table as CSV. A line of column names such as "time [ps],potential [kJ/mol]" is first,
-/// followed by "# " lines of provenance and by the rows. NaN is written as an empty field. The
+/// followed by "# " lines of provenance and by the rows. NaN is written as an empty field. Column
 /// names are on the first line, because numpy reads column names only from the first line.
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance);
 
@@ -30,10 +30,10 @@ void each_row(const std::string& path, std::uint64_t bytes,
               const std::function<void(std::span<const double>)>& visit);
 
 /// Throws an Error if a file exists and `force` is false, or if the path is a folder or a device.
-/// Also throws if the folder cannot be written to, or if the name is too long, has control
-/// characters or is not UTF-8. Call this function before anything is computed. A symbolic link is
-/// treated as an existing file, even if its target does not exist. With `force` the link is
-/// replaced, and its target is left unchanged.
+/// An Error is also thrown if the folder cannot be written to, or if the name is too long, has
+/// control characters or is not UTF-8. Call this function before anything is computed. A symbolic
+/// link is treated as an existing file, even if its target does not exist. With `force` a symbolic
+/// link is replaced, and its target is left unchanged.
 void refuse_existing(const std::string& path, bool force);
 
 /// Writes a file completely or not at all (io/draft.hpp).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kinds of atoms that a file names, each kept once.
+// The kinds of atoms that a file names, each stored once.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,8 @@ class AtomKinds {
   /// Begins a frame.
   explicit AtomKinds(std::vector<AtomKind>& kinds) : kinds_(kinds) { kinds_.clear(); }
 
-  /// The index of the kind with this text; make() creates it at the first occurrence.
+  /// The index of the kind with this text; make() creates the kind at the first occurrence of the
+  /// text.
   template <class Make>
   std::uint32_t of(std::string_view text, const Make& make) {
     if (const auto known = known_.find(text); known != known_.end()) return known->second;

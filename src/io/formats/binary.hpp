@@ -21,7 +21,7 @@
 
 namespace polhode {
 
-/// A number stored in a given byte order.
+/// A number read from bytes in a given byte order.
 template <class T>
 T decode(const std::uint8_t* from, std::endian order) {
   std::array<std::uint8_t, sizeof(T)> bytes;
@@ -30,8 +30,8 @@ T decode(const std::uint8_t* from, std::endian order) {
   return std::bit_cast<T>(bytes);
 }
 
-/// Reads a file sequentially and keeps the position for errors. The memory is allocated while
-/// reading, so a wrong length in an untrusted header does not cost memory.
+/// Reads a file sequentially and keeps its position for error messages. The memory is allocated
+/// while reading, so a wrong length in an untrusted header does not waste memory.
 class BinaryInput {
  public:
   BinaryInput(std::istream& in, std::string file, std::endian order)
@@ -44,7 +44,7 @@ class BinaryInput {
   T take(const char* what) {
     return decode<T>(block(sizeof(T), what).data(), order);
   }
-  /// The next bytes, which are valid until the next call.
+  /// The next bytes of the file, which are valid until the next call.
   std::span<const std::uint8_t> block(std::uint64_t bytes, const char* what) {
     constexpr std::uint64_t piece = 1 << 20;
     held_.clear();

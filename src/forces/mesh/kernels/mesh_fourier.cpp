@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// pocketfft's algorithm on packs. It is a template on the number type, so with packs it transforms
-// one series per lane at once.
+// pocketfft's algorithm on packs. The algorithm is a template on the number type, so with packs it
+// transforms one series per lane at once.
 #include "base/pack_grid.hpp"
 #include "forces/mesh/fourier_loops.hpp"
 #include "pack_series.hpp"
@@ -12,9 +12,9 @@ using pocketfft::detail::arr;
 using pocketfft::detail::cmplx;
 
 // Real and imaginary parts of the coefficients of a stack, one pack each, for k_z from 0 up to
-// whole tiles. pocketfft stores the coefficients of a real series as r0, r1, i1, r2, i2, ... From
-// r1 on, this is the order used here. The first imaginary part is missing, and for an even length
-// also the last.
+// whole tiles. pocketfft stores the coefficients of a real series as r0, r1, i1, r2, i2, ... The
+// order here is the same, except for a first imaginary part i0 = 0, which pocketfft omits. For an
+// even length, pocketfft also omits the last imaginary part.
 template <class T>
 class StackSeries {
  public:
@@ -170,7 +170,7 @@ void store_turned(const ConvolveJob<T>& job, cmplx<Pack<T>>* series) {
   });
 }
 
-// Sums over the modes of a column in double precision, lane by lane.
+// Sums over all k_y at one k_x and k_z per lane, in double precision.
 template <class T>
 class LaneSums {
  public:

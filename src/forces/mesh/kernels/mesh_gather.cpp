@@ -6,8 +6,8 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// The sum Σ φ ∇ w_x w_y w_z over the tiles around a charge, element by element. w is a spline, and
-// s is the slope of w.
+// The sum Σ φ ∇ w_x w_y w_z over the tiles around a charge, element by element. φ is the potential,
+// w is a spline, and s is the slope of w.
 template <class T, std::size_t order>
 POLHODE_INLINE inline Vec3<Pack<T>> sum_over_tiles(const MeshGrid<T>& grid,
                                                    const GridIndex<T>& index, std::size_t lane,

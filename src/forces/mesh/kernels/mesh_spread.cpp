@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Spreads charges onto the grid. Weights are computed for a pack of charges. Then the charges and
-// tiles are processed in sequence.
+// Spreads charges onto the grid. Weights are computed for a pack of charges, and then the charges
+// and tiles are processed in sequence.
 #include "mesh_tiles.hpp"
 #include "polhode/base/always_inline.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Loads charges by their numbers, as packs.
+// Loads charges, given by their indices, as packs.
 template <class T>
 class ListedCharges {
  public:
@@ -24,7 +24,7 @@ class ListedCharges {
       u[d] = beyond_point(number[d], static_cast<std::int32_t>(job.grid.points[d]), index[d]);
     q = number[3];
   }
-  // Prefetches records that are loaded later.
+  // Prefetches the records of charges that are loaded later.
   static void prefetch(const SpreadJob<T>& job, const std::uint32_t* from) {
     const auto record = record_of(job, job.charges, from);
     for (std::size_t lane = 0; lane < Real::width; ++lane) __builtin_prefetch(record(lane));
@@ -85,7 +85,7 @@ void spread(const SpreadJob<T>& job) {
   }
 }
 
-// Per unit of a displacement along v, in grid spacings, a charge q adds to a grid point at u q
+// A charge q that moves along v, in grid spacings, changes the charge on a grid point at the rate q
 // (v·∇) w_x w_y w_z = q [(v_x s_x w_y + w_x v_y s_y) w_z + w_x w_y v_z s_z], where s are the slopes
 // of w.
 template <class T, std::size_t order>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sums over the tiles around each charge of a pack, and the forces that they give.
+// Sums over the tiles around each charge of a pack, and the forces on the charges.
 #pragma once
 
 #include "mesh_tiles.hpp"
@@ -8,7 +8,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Vectors of packs whose elements are to be summed. Each charge of a pack has a vector.
+// Vectors of packs whose elements are to be summed. Each charge of a pack has its own vector.
 template <class T, std::size_t vectors>
 class TileSums {
  public:
@@ -17,7 +17,7 @@ class TileSums {
   void set(std::size_t vector, std::size_t lane, const Vec3<Real>& tile) {
     for (std::size_t d = 0; d < 3; ++d) tile[d].store(values_[vector][d] + lane * Real::width);
   }
-  // The sums, with the sum of each charge in its lane.
+  // The sums of the vectors; lane i contains the sum for charge i.
   Vec3<Real> operator()(std::size_t vector) const {
     Vec3<Real> sum;
     for (std::size_t d = 0; d < 3; ++d) {
@@ -36,8 +36,8 @@ class TileSums {
   alignas(pack_bytes) T values_[vectors][3][Real::width * Real::width];
 };
 
-// The force on a charge from the gradient of the potential, per grid spacing. It is 0 for slots
-// without a body.
+// The force on a charge from the gradient of the potential, per grid spacing. The force is 0 for
+// slots without a body.
 template <class T>
 POLHODE_INLINE inline Vec3<Pack<T>> force_of(const Vec3<Pack<T>>& gradient, const GatherJob<T>& job,
                                              std::size_t site, const Mask<Pack<T>>& present) {

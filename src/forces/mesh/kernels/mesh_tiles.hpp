@@ -60,8 +60,8 @@ class ChargeWeights {
 };
 
 // The number of tiles along an edge that overlap with `order` points. A tile has `length` points,
-// and the first tile begins `offset` points before the first weighted point. If the number varies
-// little, the largest value is used for all charges, so that the number is a constant.
+// and the first tile begins `offset` points before the first weighted point. If the number of tiles
+// varies little, its largest value is used for all charges, as a constant.
 template <std::size_t order, std::size_t length>
 struct TileCount {
   static constexpr std::size_t max = (order + 2 * length - 2) / length;
@@ -104,7 +104,7 @@ struct TilesAround {
   Pack<T> along_y(const T* weights, std::size_t j) const {
     return Tile<T>::each_row(weights + j * Tile<T>::rows - offset_y);
   }
-  // Loops over tiles. They are unrolled if the number of tiles is constant.
+  // Loops over tiles. The loops are unrolled if the number of tiles is constant.
   template <class Body>
   POLHODE_INLINE void each_column(const Body& body) const {
     if constexpr (Columns::varies)

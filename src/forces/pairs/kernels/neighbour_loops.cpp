@@ -25,8 +25,8 @@ SlotWindow window_of(const Slots::Part& part, const std::vector<std::uint8_t>& m
   return {part.first + after * block, kept * block - (holds_last ? missing : 0)};
 }
 
-// The square of the distance within which pairs are certain to stay inside the switching distance
-// in spite of round-off.
+// The squared distance [nm²] below which pairs stay inside the switching distance, whatever the
+// round-off.
 float inside_of(const PairRange& range) {
   const double inside = std::max(0.0, std::sqrt(range.inside2) - rounding);
   return static_cast<float>(inside * inside);
@@ -40,8 +40,8 @@ class RowWriter {
         end_(std::min(chunk.end, job.slots.parts[chunk.part].end())),
         chunk_(chunk) {}
 
-  // Makes the row of a slot. If partners have the same molecule type, surplus pairs can be handed
-  // over to later rows.
+  // Makes the row of a slot. If the partners have the molecule type of the slot, surplus pairs can
+  // be handed over to later rows.
   void operator()(std::uint32_t slot, const Found& found, float inside2, bool own_type) {
     sort(found, inside2);
     if (own_type) share(slot, inside_, handed_inside_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The pair loops: a molecule interacts with several partners at once, one partner per lane. The
-// records of the partners are transposed into packs; the forces on them are transposed back and
-// added one by one.
+// The pair loops: a molecule interacts with several partners at once, one per lane. The partners'
+// records are transposed into packs. The forces on the partners are transposed back and added one
+// by one.
 #pragma once
 
 #include <algorithm>
@@ -41,10 +41,10 @@ inline Pack<float> in_image(Pack<float> c, PackIndex<float> words, std::size_t d
 
 // Processes the rows of a chunk pack by pack, as a software pipeline. While the pairs of a pack are
 // computed, the processor also transposes the partner records of the next pack, and adds up the
-// results of the previous pack. These two stages mostly move data, whereas the pairs mostly
-// multiply, so they overlap well. Each stage is a separate function. If this function were inlined
-// into the pair loop, it would be compiled again for each potential and kind of result. This would
-// increase the compile time a lot without making the loops faster.
+// results of the previous pack. Transposing and adding mostly move data, whereas pairs need mostly
+// arithmetic, so the stages overlap well. Each stage is a separate function. If such a function
+// were inlined into the pair loop, it would be compiled again for each potential and kind of
+// result. The compile time would be much longer, and the loops would not be faster.
 //
 // If Number is a dual number, the records of displacements are read as well, and the derivatives of
 // forces and torques are added up.
@@ -181,8 +181,8 @@ class PairRows {
       turn(*job_.displacements, entry, to.displacements, [](Real number, auto) { return number; });
   }
 
-  // Transposes the records of partners into packs, one for each number k of a record, and stores
-  // as(pack, k).
+  // Transposes the records of partners into packs, and stores as(pack, k) for each number k of a
+  // record.
   template <class As>
   POLHODE_INLINE void turn(const SiteRecords<T>& records, const std::uint32_t* entry, T* to,
                            const As& as) const {
@@ -247,8 +247,8 @@ class PairRows {
   static Vec3<Real> value_or_slope(const Vec3<Real>& v) { return v; }
   static Vec3<Real> value_or_slope(const Vec3<Dual<Real>>& v) { return slope(v); }
 
-  // Adds the forces and torques on the partners of a pack to their sums. Before the first pack
-  // these forces are zero, so any partner may receive them. Ghosts have no sums.
+  // Adds the forces and torques on the partners of a pack to their sums. Before the first pack the
+  // forces to add are zero, so any partner may receive them. Ghosts have no sums.
   [[gnu::noinline]] void add_up(std::size_t pack) {
     if (with_ghosts_) return;
     const Stage& from = stage(pack);
@@ -312,8 +312,8 @@ void run(const PairJob<T>& job, const PairStrengths<Law>& strengths) {
   }
 }
 
-// Runs the loop for the first shape that fits. If no shape fits, the general loop is used. It also
-// serves all potentials other than Lennard-Jones.
+// Runs the loop unrolled for the first shape that fits the molecules. If no shape fits, or if a
+// potential is not Lennard-Jones, the general loop is used.
 template <class Number, class... Shapes, class T>
 void run_fitting(const PairJob<T>& job) {
   if (!job.table.has_lennard_jones_alone())
@@ -340,8 +340,8 @@ void pair_forces_of(const PairJob<T>& job) {
               FixedShape<1, 1, 1, 4, 3, 1>>(job);
 }
 
-// Derivatives have fewer shapes, because they are needed less often and for fewer kinds of
-// molecules.
+// The loops for derivatives have fewer shapes, because derivatives are needed less often and for
+// fewer kinds of molecules.
 template <class T>
 void pair_derivative_of(const PairJob<T>& job) {
   run_fitting<Dual<Pack<T>>, FourSiteWater, ThreeSiteWater, FiveSiteWater>(job);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which shapes of molecules the pair loops of an instruction set are unrolled for. If a better set
-// is also compiled, an instruction set that serves only old processors has only the general shape.
-// This saves most of the compile time of its loops.
+// The shapes (numbers of sites) of molecules for which the pair loops of an instruction set are
+// unrolled. An instruction set for old processors has only the general shape if a better set is
+// also compiled. The compile time of its loops is then much shorter.
 #pragma once
 
 #include "pair_rows.hpp"

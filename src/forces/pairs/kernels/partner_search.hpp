@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The search for the partners of bodies in the tree of boxes, in packs. It finds the leaves in
-// range of a leaf, then the leaves in range of each body of this leaf, and finally the bodies in
+// The search for the partners of bodies in the tree of boxes, in packs. The search finds the leaves
+// in range of a leaf, then the leaves in range of each body of this leaf, and finally the bodies in
 // these leaves.
 #pragma once
 
@@ -58,8 +58,8 @@ using Found = Table<1>;   // partners, with their squared distance [nm²]
 using Leaves = Table<6>;  // first slots of leaves, with centre and half edges of the box [nm]
 using Shifts = Table<3>;  // first slots of leaves, with their centre relative to a body [nm]
 
-// The square of the distance between two boxes, from the difference of their centres and the sums
-// of their half edges; 0 if they overlap.
+// The square of the distance between two boxes, given the difference of their centres and the sums
+// of their half edges; 0 if the boxes overlap.
 inline Real distance2(const Vec3<Real>& centres, const Vec3<Real>& halves) {
   Real sum;
   for (std::size_t d = 0; d < 3; ++d) {
@@ -72,9 +72,9 @@ inline Real distance2(const Vec3<Real>& centres, const Vec3<Real>& halves) {
 // Finds the partners of bodies one after the other. The bodies of a leaf share the list of leaves
 // in range.
 //
-// Leaves of one molecule type have a cyclic order. Leaf b is ahead of leaf a if b follows a by at
-// most half of all leaves. Each pair of bodies is found only once, from the body in leaf a. Within
-// a leaf, the pair is found from the body in the lower slot.
+// Leaves of one molecule type have a cyclic order. Leaf b is ahead of leaf a if it follows a by at
+// most half the number of leaves. Each pair of bodies is found only once, from the body in leaf a.
+// Within a leaf, the pair is found from the body in the lower slot.
 class Search {
  public:
   Search(const ListJob& job, const ListChunk& chunk, std::size_t partner_part)
@@ -106,8 +106,7 @@ class Search {
     scan_near(found);
   }
 
-  // Calls visit(first slot) for each leaf that may have partners of the leaf that was searched
-  // last.
+  // Calls visit(first slot) for each leaf that may contain partners of the last leaf searched.
   template <class Visit>
   void each_leaf(const Visit& visit) const {
     for (std::size_t k = 0; k < leaves_.size; ++k) visit(Neighbour(leaves_.words[k]).slot());
@@ -133,8 +132,8 @@ class Search {
     if (same_) bring_takers_to_front();
   }
 
-  // Moves leaves that soon follow the body's leaf in the chunk to the front. The rows of their
-  // slots can then take over surplus pairs.
+  // Moves leaves to the front of the list if they soon follow the body's leaf in the chunk. The
+  // rows of slots in these leaves can then take over surplus pairs.
   void bring_takers_to_front() {
     const auto own = own_first_ + static_cast<std::uint32_t>(leaf_ * SlotTree::leaf);
     const std::uint32_t end = std::min(chunk_end_, own + HandedPairs::window);
@@ -144,7 +143,7 @@ class Search {
         leaves_.swap(k, front++);
   }
 
-  // The images of the root and of a leaf that are in range of this leaf.
+  // The periodic images of the root box, and of a leaf, that are in range of this leaf.
   void start(std::size_t leaf) {
     nodes_.size = 0;
     own_images_.clear();
@@ -227,10 +226,10 @@ class Search {
     });
   }
 
-  // Which lanes of the pack of leaves that begins with leaf k are ahead of the body's leaf.
+  // A mask of the leaves that are ahead of the body's leaf, in the pack that begins with leaf k.
   POLHODE_INLINE Mask<Real> ahead(std::size_t k) const {
     const std::size_t all = partners_[0].size;
-    // The body's leaf may be the later of two leaves that are all/2 apart.
+    // Two leaves that are all/2 apart follow each other; only the earlier leaf finds their pairs.
     const bool even_and_late = all % 2 == 0 && leaf_ >= all / 2;
     const auto number = [](std::size_t n) { return Real(static_cast<float>(n)); };
     const Real by = lane_numbers() + (number(k) - number(leaf_));

@@ -9,7 +9,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Converts packs of doubles to one pack of T.
+// Converts one or two packs of doubles to one pack of T.
 template <class T, std::size_t parts>
 Pack<T> to_pack(const std::array<Pack<double>, parts>& a) {
   if constexpr (parts == 1 && sizeof(T) == 8)
@@ -30,7 +30,7 @@ void store_records(const Pack<T>* column, std::size_t numbers, std::size_t slot,
   }
 }
 
-// The matrix S for each body of a pack.
+// The rotation matrix S (lab to body frame) of each body of a pack.
 inline Mat3<Pack<double>> orientations(const QuaternionColumn& a, const std::uint32_t* body) {
   return matrix_S(
       Quaternion<Pack<double>>{gather_lanes(a.w.data(), body), gather_lanes(a.x.data(), body),
