@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Cardinal B-splines: how a point charge is spread over the grid points around it.
+// Cardinal B-splines, which spread a point charge over nearby grid points.
 #pragma once
 
 #include "polhode/base/real.hpp"
 
 namespace polhode {
 
-/// Computes the B-spline M of order p and its derivatives at u + p − 1 − j for 0 ≤ j < p. These are
-/// the weights of p consecutive grid points for a charge at a distance u, from 0 to 1, beyond a
-/// grid point. The recursion is M_k(x) = (x M_(k−1)(x) + (k − x) M_(k−1)(x − 1))/(k − 1), and the
-/// derivative is M_k'(x) = M_(k−1)(x) − M_(k−1)(x − 1) [essmann1995, Eqs. 4.1 and 4.2].
+/// Computes the B-spline M of order p and its derivatives at u + p − 1 − j for 0 ≤ j < p. The
+/// spline values are the weights of p consecutive grid points for a charge at a distance u, from 0
+/// to 1, beyond a grid point. The recursion is M_k(x) = (x M_(k−1)(x) + (k − x) M_(k−1)(x − 1))/(k
+/// − 1), and the derivative is M_k'(x) = M_(k−1)(x) − M_(k−1)(x − 1) [essmann1995, Eqs. 4.1 and
+/// 4.2].
 /// @param curvature  second derivatives, by applying the derivative formula twice; null if not
 ///   needed
 template <int order, class Real>

@@ -38,9 +38,10 @@ struct Frame {
   }
 };
 
-// Because distances d are rounded, a point may appear to be outside the span of the others. Its
-// height h above the span then has h² of about 2 d times the round-off. A point that violates the
-// triangle inequality has h² < 0, and is detected by its distance.
+// Because distances d are rounded, a point may appear to be outside the span of the other points.
+// The height h of this point above the span then satisfies h² ≈ 2 d times the round-off error. A
+// point that violates the triangle inequality has h² < 0, and is detected because its distances do
+// not fit.
 bool is_flat(double height2, double length) {
   return height2 < 2 * std::max(length, distance_rounding) * distance_rounding;
 }
@@ -105,8 +106,8 @@ class Placing {
   bool place(std::size_t i) {
     const Support s = support(i);
     if (s.spanning.empty()) return false;
-    // The difference |r − b|² − |r|² is linear in r. There is an equation for each axis, and the
-    // equations are triangular by construction.
+    // The difference |r − b|² − |r|² of squared distances is linear in the position r. Each axis
+    // gives one equation, and the system of equations is triangular by construction.
     const double d2 = s.spanning[0].length * s.spanning[0].length;
     std::array<double, 3> c{};
     for (int k = 0; k < s.frame.dimension; ++k) {
@@ -124,7 +125,8 @@ class Placing {
       if (s.frame.dimension < space_.dimension) return false;
       static constexpr std::array<Vec3<double>, 3> unit = {
           Vec3<double>{1, 0, 0}, Vec3<double>{0, 1, 0}, Vec3<double>{0, 0, 1}};
-      // The point is outside the span of all points so far, so it adds an axis to the space.
+      // The new point is outside the span of all points placed so far, so it adds an axis to the
+      // space.
       const Vec3<double> up = unit[static_cast<std::size_t>(space_.dimension)];
       space_.add(up);
       r += std::sqrt(height2) * up;

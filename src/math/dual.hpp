@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Dual numbers a + b ε with ε² = 0. A formula evaluated with dual numbers yields the value and the
 // derivative along a direction, both exact to rounding. Dual numbers of packs differentiate the
-// pair loops. Constants multiply as plain numbers, sums of products and powers of distances have
-// separate short formulas, and unused values are not computed. The cost is close to the cost of a
-// hand-written derivative.
+// pair loops. Constants are multiplied as plain numbers, and unused values are not computed. Sums
+// of products and powers of distances have their own short formulas. The computing time is close to
+// the cost of a hand-written derivative.
 #pragma once
 
 #include <type_traits>
@@ -59,7 +59,7 @@ struct Dual {
     return {power, power * a.slope};
   }
   friend Dual log(Dual a) { return {log(a.value), a.slope / a.value}; }
-  /// A step function. Its slope is 0 wherever the slope exists.
+  /// A step function. The derivative of this step function is 0 wherever it exists.
   friend Dual floor(Dual a) { return floor(a.value); }
 };
 
@@ -86,7 +86,7 @@ requires(!std::is_same_v<Mask<Real>, bool>)  // plain numbers use the general ov
   return {select(mask, if_true.value, if_false.value), select(mask, if_true.slope, if_false.slope)};
 }
 
-// With a constant bound, the slope is 0 where the bound applies.
+// With a constant bound, the derivative is 0 where the bound applies.
 template <class Real>
 constexpr Dual<Real> min(const Dual<Real>& a, const Real& bound) {
   return {min(a.value, bound), select(a.value < bound, a.slope, Real(0))};
@@ -96,7 +96,7 @@ constexpr Dual<Real> max(const Dual<Real>& a, const Real& bound) {
   return {max(a.value, bound), select(a.value > bound, a.slope, Real(0))};
 }
 
-// These are written as sums of single products, each of which is a multiply-add.
+// These formulas are sums of single products, each of which compiles to a multiply-add.
 template <class Real>
 constexpr void add_product(Dual<Real>& sum, const Dual<Real>& a, const Dual<Real>& b) {
   sum.value += a.value * b.value;

@@ -29,8 +29,8 @@ struct SymmetricEigen {
 SymmetricEigen symmetric_eigen(std::span<const double> matrix);
 
 /// The rotation A (body → lab) that minimizes Σ w |A body − lab|² [horn1987, quaternion form]. Both
-/// sets of points are relative to their weighted centres. For collinear sets the result is one of
-/// several equivalent rotations.
+/// sets of points are relative to their weighted centres. For collinear points the result is one of
+/// infinitely many equivalent rotations.
 Quaternion<double> best_rotation(std::span<const Vec3<double>> body,
                                  std::span<const Vec3<double>> lab, std::span<const double> weight);
 

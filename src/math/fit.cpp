@@ -78,7 +78,7 @@ double p_value(const Estimate& estimate, double degrees_of_freedom) {
 
 double three_sigma_quantile(double degrees_of_freedom) {
   constexpr double beyond = 0.0013498980316300946;  // probability beyond three standard deviations
-                                                    // of a normal distribution, on one side
+                                                    // one-sided, of a normal distribution
   return degrees_of_freedom == 0 ? 3
                                  : boost::math::quantile(boost::math::complement(
                                        boost::math::students_t(degrees_of_freedom), beyond));

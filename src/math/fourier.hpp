@@ -12,8 +12,9 @@
 
 namespace polhode {
 
-/// Forward and backward Fourier transforms of real series of one length. They are not normalized,
-/// so both in sequence multiply a series by the length. Results are the same in every run.
+/// Forward and backward Fourier transforms of real series of one length. The transforms are not
+/// normalized: a forward and a backward transform multiply a series by its length. Results are
+/// bitwise identical in every run.
 class RealTransform {
  public:
   /// @param min_length  minimum length; the actual length is the next product of small primes
@@ -24,8 +25,8 @@ class RealTransform {
   std::size_t size() const { return size_; }
   std::size_t modes() const { return size_ / 2 + 1; }
 
-  /// The forward transform, modes[k] = Σ series[j] exp(−2πi jk/size). Threads may call this at the
-  /// same time on different columns.
+  /// The forward transform, modes[k] = Σ series[j] exp(−2πi jk/size). Several threads may call
+  /// forward() at the same time with different columns.
   void forward(Column<double>& series, Column<std::complex<double>>& modes) const;
   /// The backward transform, which overwrites `modes`.
   void backward(Column<std::complex<double>>& modes, Column<double>& series) const;
@@ -36,8 +37,8 @@ class RealTransform {
   std::unique_ptr<Plans> plans_;
 };
 
-/// The cosine transform ∫₀^T C(t) cos(2πνt) dt by the trapezoidal rule, for ν = k/(2T). The values
-/// of C are at times that are multiples of `interval`.
+/// The cosine transform ∫₀^T C(t) cos(2πνt) dt by the trapezoidal rule, for ν = k/(2T). C is given
+/// at times 0, `interval`, 2 `interval` and so on.
 std::vector<double> cosine_transform(std::span<const double> values, double interval);
 
 }  // namespace polhode

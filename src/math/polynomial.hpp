@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Polynomials by Horner's rule, one coefficient at a time, so that a loop can evaluate several
-// polynomials simultaneously.
+// Evaluates polynomials by Horner's rule, one coefficient per call, so that a loop can evaluate
+// several polynomials at once.
 #pragma once
 
 #include "math/dual.hpp"
@@ -22,7 +22,7 @@ class Polynomial {
 };
 
 /// Evaluates a polynomial of a dual number. The derivative is accumulated together with the sum by
-/// the same rule, and finally multiplied by the slope of y.
+/// Horner's rule, and finally multiplied by the slope of y.
 template <class Real>
 class Polynomial<Dual<Real>> {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bounds that hold with a given probability, from a few values of a normal distribution.
+// Confidence and prediction bounds from a few samples of a normal distribution.
 #pragma once
 
 #include <initializer_list>
@@ -7,7 +7,8 @@
 
 namespace polhode {
 
-/// Quantile of Student's t distribution: a deviate is below it with the given probability.
+/// Quantile of Student's t distribution: a deviate is below the quantile with the given
+/// probability.
 double t_quantile(double probability, double degrees_of_freedom);
 
 /// A standard error with its degrees of freedom.
@@ -15,7 +16,7 @@ struct ErrorPart {
   double error = 0, degrees_of_freedom = 0;
 };
 
-/// The error of a sum of independent estimates, with effective degrees of freedom by Welch and
+/// The error of a sum of independent estimates, with the effective degrees of freedom of Welch and
 /// Satterthwaite: (Σ e²)² / Σ e⁴/ν.
 ErrorPart summed(std::initializer_list<ErrorPart> parts);
 
@@ -23,8 +24,9 @@ ErrorPart summed(std::initializer_list<ErrorPart> parts);
 double confidence_half_width(const ErrorPart& part);
 
 /// One-sided prediction bound: a further value of the same normal distribution is below mean + t s
-/// √(1 + 1/n) with the given probability. The bound accounts for the scatter of this value, and for
-/// the uncertainty of the mean and scatter of n values. It is infinite for fewer than two values.
+/// √(1 + 1/n) with the given probability. The bound accounts for the scatter of the further value,
+/// and for the uncertainty of the mean and scatter of n values. It is infinite for fewer than two
+/// values.
 double prediction_bound(std::span<const double> values, double probability);
 
 /// Confidence bound on the magnitude of the mean of a distribution: |mean| + t s/√n. It is infinite

@@ -17,7 +17,7 @@ Shape centre_at_origin(Shape shape) {
   return shape;
 }
 
-// A shape after rotation onto the shape `onto`; both are centred.
+// A shape after rotation onto the shape `onto`; both shapes have their centre at the origin.
 Shape rotate_onto(Shape shape, const Shape& onto) {
   const std::vector<double> weight(shape.size(), 1.0);
   const Quaternion<double> turn = best_rotation(shape, onto, weight);
@@ -78,7 +78,7 @@ Shape principal_shape(Shape shape, std::span<const double> mass) {
     double extent = 0;
     for (const Vec3<double>& r : shape) extent = std::max(extent, std::abs(along(r)));
     constexpr double far = 0.6;  // no point of a symmetric shape is near this value, because its
-                                 // points are at 1/2 and √(3/4)
+                                 // sample points are at 1/2 and √(3/4)
     const auto first = std::find_if(shape.begin(), shape.end(), [&](const Vec3<double>& r) {
       return std::abs(along(r)) > far * extent;
     });

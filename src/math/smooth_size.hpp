@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Series lengths with a fast Fourier transform.
+// Series lengths for which Fourier transforms are fast.
 #pragma once
 
 #include <cstddef>

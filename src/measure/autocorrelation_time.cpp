@@ -41,8 +41,8 @@ double autocovariance(Runs runs, double mean, std::size_t lag) {
   return sum / static_cast<double>(all_samples(runs) - runs.size() * lag);
 }
 
-/// Whether a longer window adds more noise than signal. An exponential decay of ρ(t) with the time
-/// that corresponds to τ is assumed [wolff2004, Eqs. 51 and 52].
+/// Whether a longer summation window would add more noise than signal. An exponential decay of ρ(t)
+/// with the time that corresponds to τ is assumed [wolff2004, Eqs. 51 and 52].
 bool window_ends(double tau, std::size_t lag, double samples) {
   constexpr double S = 1.5;
   const double t = static_cast<double>(lag);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far apart samples of a series must be to be independent.
+// The distance between samples of a series from which on they are practically independent.
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,15 @@ struct AutocorrelationTime {
 };
 
 /// Estimates the autocorrelation time of a series from the autocovariance about its mean. The sum
-/// is over a window that balances the statistical error against the truncation error. It is
-/// corrected for the variance of the mean [wolff2004, Eqs. 49, 51 and 52 with S = 1.5].
+/// over lags ends at a window that balances the statistical error against the truncation error. The
+/// result is corrected for the variance of the mean [wolff2004, Eqs. 49, 51 and 52 with S = 1.5].
 /// @return  the autocorrelation time; empty with fewer than 10 samples, for a constant series, or
 ///   if the series is shorter than four windows or 10 τ
 std::optional<AutocorrelationTime> autocorrelation_time(std::span<const double> series);
 
 /// Estimates the autocorrelation time from independent runs of the same process, about their common
-/// mean [wolff2004, Eq. 31]. Short runs require this method, because slower processes are not
-/// visible in deviations from the mean of a single run.
+/// mean [wolff2004, Eq. 31]. Short runs require this method, because deviations from the mean of a
+/// single run do not show processes slower than the run.
 /// @return  the autocorrelation time; empty with fewer than 10 samples or two windows in the
 ///   shortest run, for constant series, or if all runs together are shorter than four windows or 10
 ///   τ

@@ -31,7 +31,8 @@ ConfigurationalSample configurational_sample(const State& state, const Bodies& b
   forces.directional_derivative(state, dq, dtheta, slope);
   ConfigurationalSample sample{squared_force(state, bodies, load), {}};
   for (std::size_t i = 0; i < state.size(); ++i) {
-    // A rotation about an axis leaves this axis unchanged, so there is no frame term.
+    // A rotation about an axis leaves this axis unchanged, so the curvature has no term from the
+    // rotation of the frame.
     const Vec3<double> tau = to_body(state.orientation[i], slope.tau[i]);
     sample.curvature[0] -= dot(dq[i], slope.f[i]);
     for (std::size_t k = 0; k < 3; ++k) sample.curvature[1 + k] -= dtheta[i][k] * tau[k];
@@ -42,7 +43,8 @@ ConfigurationalSample configurational_sample(const State& state, const Bodies& b
 namespace {
 constexpr std::size_t motions = std::tuple_size_v<ByMotion<double>>;
 
-/// The temperature of a motion [K], from the mean squared force and the mean curvature.
+/// The temperature of one motion (translation, or rotation about an axis) [K], from the mean
+/// squared force and the mean curvature.
 StepResponse::Function temperature_of(std::size_t motion) {
   return [motion](std::span<const double> mean) {
     return mean[motion] / (units::boltzmann * mean[motions + motion]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Decides whether a run is long enough for a result, so that undetermined numbers are not reported
+// Decides whether a run is long enough for a result, so that unconverged numbers are not reported
 // as results.
 #pragma once
 
@@ -10,17 +10,17 @@ namespace polhode {
 /// The reasons why a number is not converged.
 enum class Obstacle {
   none,
-  length,            ///< the run is shorter than needed
+  length,            ///< the run is too short
   no_error,          ///< the error is not known
   still_moving,      ///< the quantity still changes along the run
-  slope_changes,     ///< the underlying slope differs between the halves of the line
-  integral_changes,  ///< the integral differs between half of the largest lag and all of it
+  slope_changes,     ///< the slope of the fitted line differs between its halves
+  integral_changes,  ///< the integral up to half of the largest lag differs from the whole integral
   interval           ///< the integrand is sampled too rarely
 };
 
 /// The length of a run, the length that a result needs, and the obstacle if it is not converged.
 struct Convergence {
-  double length = 0;  ///< length of the run [ps]
+  double length = 0;  ///< actual length of the run [ps]
   double relaxation =
       0;  ///< relaxation time of the quantity, or the largest lag that contributes to it [ps]
   double needed = 0;  ///< needed length, a multiple of the relaxation time; twice the length if
@@ -39,34 +39,37 @@ struct Convergence {
 Convergence convergence(double length, double relaxation, double multiple,
                         Obstacle other = Obstacle::none);
 
-/// The needed length for the dielectric constant, in relaxation times. Its relative error is then
-/// √(2/3 · 1/30) = 15 %. The mean of M, which should vanish, reduces ε by 2/30.
+/// The needed length for the dielectric constant, in relaxation times. The relative error of the
+/// dielectric constant is then √(2/3 · 1/30) = 15 %. Subtracting the mean of the dipole moment M,
+/// which should vanish, reduces ε by 2/30.
 inline constexpr double relaxations_of_dipole = 30;
-/// The needed length for functions of a lag: the minimum number of windows for calibrated errors.
+/// The needed length for functions of the time lag: the minimum number of windows for reliable
+/// errors.
 inline constexpr double windows_of_lags = 8;
 
 /// The relaxation time ∫₀^∞ ⟨M(0)·M(t)⟩ dt/⟨M²⟩ of a vector whose true mean is zero, in units of
-/// the run length. For a part of the run with the mean M̄, it is half of |M̄|²/⟨M²⟩ times the
-/// fraction of the run. This is averaged over the whole run, its halves and its quarters. The
-/// result is 0.29 for a vector that hardly changes during the run. For long runs it is τ/T, with a
-/// scatter of about half of this value.
+/// the run length. The estimate from a part of the run with the mean M̄ is |M̄|²/⟨M²⟩ times half of
+/// the part's fraction of the run. This estimate is averaged over the whole run, its halves and its
+/// quarters. The result is 0.29 for a vector that hardly changes during the run. For long runs the
+/// result is τ/T, with a scatter of about half of this value.
 /// @param x       column of the first of three vector components in the block sums
 /// @param square  index of M²
 double relaxation_share(const BlockMeans& blocks, std::size_t x, std::size_t square);
 
-/// Whether a statistic still changes along the run. The criterion is that its values over the first
-/// half and over the whole run differ by more than three_sigma(). The standard error of the
-/// statistic is also the standard deviation of this difference. The result is false if the error is
-/// not known.
+/// Whether a statistic still changes along the run. It changes if its values for the first half and
+/// for the whole run differ by more than three_sigma(). The standard error of the statistic is also
+/// the standard deviation of this difference. The result is false if the standard error is not
+/// known.
 bool still_moving(const BlockMeans& blocks, const SeriesEstimate& whole,
                   const std::function<double(std::span<const double>)>& statistic);
 
 /// Whether a difference that should vanish, such as the difference of two values of D from
-/// different lags, does not vanish. It must exceed both three_sigma() and 10 % of the value.
+/// different lags, does not vanish. A significant difference must exceed both three_sigma() and 10
+/// % of the value.
 bool differs(const SeriesEstimate& difference, double value);
 
-/// Whether a systematic error of a result matters. It must exceed both three_sigma() and the
-/// standard error of the result.
+/// Whether a systematic error of a result matters. A systematic error matters if it exceeds both
+/// three_sigma() and the standard error of the result.
 bool matters(const SeriesEstimate& systematic, const SeriesEstimate& result);
 
 }  // namespace polhode

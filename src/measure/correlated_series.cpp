@@ -41,12 +41,12 @@ class Modes {
     return c;
   }
 
-  /// The degree of the next polynomial.
+  /// The degree of the next polynomial to subtract.
   std::size_t degree() const { return degree_; }
 
   /// The number of coefficients of degree() and higher.
   double left() const { return static_cast<double>(rest_.size() - degree_); }
-  /// The sum of the squares of these coefficients.
+  /// The sum of the squares of all coefficients of degree() and higher.
   double squares_above() const { return product(rest_, rest_); }
 
  private:
@@ -64,8 +64,8 @@ class Modes {
   std::size_t degree_ = 0;
 };
 
-/// The number of slowest modes that determine the noise of a mean. It is doubled if the noise is
-/// white.
+/// The number of slowest modes that determine the noise of a mean. The number of modes is doubled
+/// if the noise is white.
 constexpr std::size_t slowest = 4;
 /// Limits of the ratio between the mean squares of the slowest modes and all faster modes. They
 /// also determine the growth of the noise towards the next slower mode (docs/statistics.md).

@@ -92,8 +92,7 @@ class NeighbourList {
   /// @param topology     molecules, whose sites determine the extent of each molecule type
   /// @param ghost_parts  number of parts at the end of the topology that are ghosts
   /// @throws Error       if the box is too small for the cutoff plus the extent of the molecules,
-  /// or
-  ///                     if there are more bodies than the list can address
+  ///                     or if there are more bodies than the list can address
   NeighbourList(const Topology& topology, const ForceSettings& settings, const Box& box,
                 std::size_t ghost_parts = 0);
 

@@ -30,8 +30,8 @@ struct EnergyFigure {
   std::string csv;  ///< file with the columns "time [ps]", "potential [kJ/mol]" and `energy`
   std::string title;
   std::string energy = "conserved";  ///< energy in the upper panel: "conserved" or "total"
-  std::string ratio{};               ///< energy-error ratio as printed in the summary, such as
-                                     ///< "0.056 ± 0.003 %"; may be empty
+  std::string ratio{};               ///< R (relative energy fluctuation) as in the summary, such
+                                     ///< as "0.056 ± 0.003 %"; may be empty
 };
 
 /// Plots the deviation of the total or conserved energy from its mean and the potential energy, in

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// DCD, the trajectory format of CHARMM and NAMD. It consists of records enclosed by their lengths,
-// with positions as float in Å, a unit cell, and a common time interval for all frames.
+// DCD, the trajectory format of CHARMM and NAMD. A DCD file consists of records, each between two
+// copies of its length. It contains positions as float in Å, a unit cell, and a common time
+// interval for all frames.
 #include <cmath>
 #include <limits>
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::int32_t head_length = 84;
 constexpr std::int32_t head_length_swapped = head_length << 24;
-// The following constants are positions in the file.
+// The following constants are positions in a DCD file, in bytes.
 constexpr std::size_t count_at = 8;     // position of the number of frames
 constexpr std::size_t delta_at = 44;    // position of the interval
 constexpr std::size_t title_at = 100;   // position of the title, which begins with the time of the
@@ -117,7 +118,8 @@ class DcdReader : public FrameReader {
                              length, again));
   }
 
-  // Edges and angles in the order A γ B β α C; angles are in degrees or are cosines.
+  // Reads edges A, B, C and angles α, β, γ in the order A γ B β α C; the file contains the angles
+  // in degrees or their cosines.
   Box take_cell() {
     const auto record = take_record("the unit cell");
     if (record.size() != 6 * sizeof(double))
@@ -169,7 +171,8 @@ void put_head(BinaryOutput& out, const FrameView& frame) {
   out.put(std::int32_t{4});
 }
 
-// The header contains the number of frames and, from the second frame on, the interval.
+// The header contains the number of frames and, from the second frame on, the time interval between
+// frames.
 void fix_head(std::iostream& file, const FrameView& frame, std::uint64_t before) {
   const auto end = file.tellp();
   BinaryOutput count(std::endian::little);

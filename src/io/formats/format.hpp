@@ -23,25 +23,28 @@ struct Format {
   /// messages.
   std::unique_ptr<FrameReader> (*read)(std::istream& in, const std::string& file);
 
-  /// Creates a file, or appends after a mark; null if the format is read-only.
+  /// Creates the writer of a file, which begins anew or appends at a mark; null if the format is
+  /// read-only.
   std::unique_ptr<FrameWriter> (*write)(const std::string& path, const Topology& topology,
                                         const FrameChoice& choice, const FileMark* mark);
 
-  /// Throws an Error if a file has changed since a mark was taken; null if the format is read-only.
+  /// Throws an Error if a file has changed since its mark was stored; null if the format is
+  /// read-only.
   void (*check)(const std::string& path, const FileMark& mark);
 
   /// Creates a reader of a file, for formats that are not read sequentially.
   std::unique_ptr<FrameReader> (*open)(const std::string& path) = nullptr;
 
   FormatLimits limits = {};
-  bool may_lack_names = false;  ///< true if files of the format can, but need not, have names
+  bool may_lack_names = false;  ///< true if atom names are optional in files of the format
 };
 
 // A coordinate has eight columns and an edge has nine, in Å with three decimals. Serials have five
 // characters.
 inline constexpr FormatLimits pdb_limits{
     .atoms = 87'440'031, .min = -99.9999, .max = 999.9999, .edge = 9999.9999};
-// Coordinates are whole numbers of 0.001 nm; their differences must also fit in 32 bits.
+// Coordinates are whole numbers of 0.001 nm; the differences of coordinates must also fit in 32
+// bits.
 inline constexpr FormatLimits xtc_limits{
     .atoms = 2'147'483'647, .min = -1'073'741.8, .max = 1'073'741.8};
 // Lengths of records are signed 32-bit numbers. A record has 12 bytes per atom in TRR and 4 in DCD.
@@ -74,7 +77,7 @@ std::unique_ptr<FrameReader> open_h5md(const std::string& path);
 /// is none.
 double title_time(std::string_view title);
 
-/// A function that appends a frame to a file with `before` frames.
+/// A function that appends a frame to a file that already has `before` frames.
 using AppendFrame = void (*)(std::iostream& file, const FrameView& frame, std::uint64_t before);
 void append_gro(std::iostream& file, const FrameView& frame, std::uint64_t before);
 void append_pdb(std::iostream& file, const FrameView& frame, std::uint64_t before);
@@ -83,8 +86,7 @@ void append_xtc(std::iostream& file, const FrameView& frame, std::uint64_t befor
 void append_trr(std::iostream& file, const FrameView& frame, std::uint64_t before);
 void append_dcd(std::iostream& file, const FrameView& frame, std::uint64_t before);
 
-/// How frames are appended to a file, and the end of the part of its header that changes with each
-/// frame.
+/// How frames are appended to a file, and where the variable part of the file header ends.
 struct Appending {
   AppendFrame append;
   std::uint64_t head;

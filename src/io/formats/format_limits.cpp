@@ -78,8 +78,9 @@ void FrameFit::check_alone(const FrameExtent& frame) const {
                     frame.edge, format_, limits_.edge));
 }
 
-// In the worst case, files store times as floats with a relative round-off error of 2⁻²⁴. This
-// error applies to the time and, multiplied by the number of frames, to the interval.
+// In the format with the lowest precision, times are floats with a relative round-off error of
+// 2⁻²⁴. The round-off error of the time enters the expected time twice: directly and, multiplied by
+// the number of frames, through the interval.
 void FrameFit::check_time(const FrameExtent& frame) const {
   if (before_ < 2) return;
   const auto n = static_cast<double>(before_);

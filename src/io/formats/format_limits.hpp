@@ -18,9 +18,9 @@ struct FormatLimits {
   double min = -std::numeric_limits<double>::infinity();  ///< smallest coordinate [nm]
   double max = std::numeric_limits<double>::infinity();   ///< largest coordinate [nm]
   double edge = std::numeric_limits<double>::infinity();  ///< longest edge of the box [nm]
-  bool same_atoms = false;       ///< whether all frames must have as many atoms as the first
+  bool same_atoms = false;       ///< whether all frames must have the same number of atoms
   bool same_velocities = false;  ///< whether all frames must have velocities if the first frame has
-                                 ///< them
+                                 ///< velocities them
   bool even_times = false;       ///< whether the interval between frames must be constant
 };
 
@@ -31,14 +31,14 @@ struct FrameExtent {
   double edge = 0;          ///< longest edge of the box [nm]
   bool has_velocities = false;
   double time = 0;        ///< time [ps]
-  bool of_a_run = false;  ///< whether frames have the interval of the run, except possibly the last
-                          ///< frame
+  bool of_a_run = false;  ///< whether the interval of frames is constant, except possibly for the
+                          ///< last frame
 };
 
 FrameExtent extent_of(const Frame& frame);
 
-/// The extent of all frames that a run with this box can write. Centres are in the box, and sites
-/// may be around it.
+/// The extent of all frames that a run with this box can write. Molecular centres are in the box,
+/// but sites may be outside.
 FrameExtent extent_of(const State& state, const Topology& topology, const FrameChoice& choice);
 
 /// Checks the frames that are written to one file.

@@ -11,8 +11,8 @@
 
 namespace polhode {
 
-/// A frame that is not stored as a whole. Its atoms are visited one after another, and it only
-/// refers to its sources.
+/// A frame that is not stored as a whole. A view visits the atoms one after another, and stores
+/// only references to its sources.
 struct FrameView {
   std::string title;
   std::vector<AtomKind> kinds;
@@ -25,7 +25,8 @@ struct FrameView {
 
 FrameView view_of(const State& state, const Topology& topology, const FrameChoice& choice = {});
 
-/// Makes a view of a frame. All atoms are written, because a frame does not contain masses.
+/// Makes a view of a frame. All atoms are written, because massless sites cannot be recognized
+/// without masses.
 FrameView view_of(const Frame& frame, const FrameChoice& choice = {});
 
 }  // namespace polhode

@@ -60,7 +60,7 @@ std::uint32_t kind_of(std::string_view line, AtomKinds& kinds, const Lines& line
   });
 }
 
-// An atom before its kind is known.
+// Reads an atom line; the kind of the atom is determined later.
 AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines) {
   static constexpr std::array names = {"x coordinate", "y coordinate", "z coordinate",
                                        "x velocity",   "y velocity",   "z velocity"};
@@ -141,12 +141,12 @@ class GroLines {
   }
 
  private:
-  // Numbers of residues and atoms have five digits and start again at 0.
+  // Residue and atom numbers have five digits; after 99999 they start again at 0.
   static constexpr int digits5 = 100000;
 
-  // The width of numbers: sign, digits, decimal point and decimals of the widest number, but at
-  // least the number of decimals plus five, as in GROMACS. Readers infer the width from the
-  // distance between decimal points.
+  // The column width of numbers: sign, digits, decimal point and decimals of the widest number. As
+  // in GROMACS, the width is at least the number of decimals plus five. Readers infer the width
+  // from the distance between decimal points.
   static std::size_t width_of(const FrameView& frame, int decimals) {
     double r = 0, v = 0;
     const auto widen = [](double& largest, const Vec3<double>& x) {

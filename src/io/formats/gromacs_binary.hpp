@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What XTC and TRR files share: XDR numbers, boxes as three vectors, atoms without
-// names.
+// Functions common to XTC and TRR files: XDR numbers, boxes as three vectors, atoms without names.
 #pragma once
 
 #include "unnamed.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In place of the format H5MD, for builds without HDF5.
+// Replacement of the H5MD format in builds without HDF5.
 #include "format.hpp"
 #include "polhode/base/error.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The steps or times of the values of an H5MD element.
+// The steps or times at which an H5MD element has values.
 #pragma once
 
 #include <algorithm>
@@ -40,13 +40,13 @@ class Moments {
   }
 
   bool is_list() const { return is_list_; }
-  std::size_t size() const { return numbers_.size(); }  ///< number of entries in the list
+  std::size_t size() const { return numbers_.size(); }  ///< number of steps or times in the list
 
   double at(std::size_t n) const {
     return is_list_ ? numbers_[n] : offset_ + static_cast<double>(n) * numbers_[0];
   }
 
-  /// The index of the value at a given step or time, if there is one.
+  /// The index of the value at a given step or time, if that step or time exists.
   std::optional<std::size_t> find(double moment) const {
     if (is_list_) {
       const auto found =

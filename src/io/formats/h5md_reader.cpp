@@ -23,7 +23,7 @@ namespace {
 
 using hdf5::Handle;
 
-// An element with a value at each step or time, or with one value for all.
+// An H5MD element with a value at each step or time, or with a single constant value.
 struct Series {
   Handle values;
   std::vector<hsize_t> extents;
@@ -34,7 +34,7 @@ struct Series {
   };
   std::optional<Pairing> pairing;
 
-  // The index of the value that belongs to a position, if there is one.
+  // The index of the value at the step or time of a frame of positions, if there is such a value.
   std::optional<hsize_t> place(hsize_t position) const {
     if (!changes) return 0;
     if (!pairing) return position;
@@ -91,7 +91,7 @@ class H5mdReader : public FrameReader {
     bytes_ = bytes.size();
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_fapl_core(access, 1 << 16, false);
-    // The library copies the bytes, although its interface declares them as mutable.
+    // The library copies the bytes, although its interface declares the bytes as mutable.
     H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size());
     file_ = {H5Fopen("image", H5F_ACC_RDONLY, access), H5Fclose};
   }
@@ -144,7 +144,7 @@ class H5mdReader : public FrameReader {
     name_atoms(static_cast<std::size_t>(atoms));
   }
 
-  // Finds the value of an element for each position.
+  // Finds the value of an element for each frame of positions.
   void pair(Series& series, const std::string& element) {
     for (const char* kind : {"/step", "/time"}) {
       const std::string own = element + kind, of_positions = std::string("position") + kind;
@@ -187,7 +187,8 @@ class H5mdReader : public FrameReader {
   }
 
   // Reads numbers, at most as many as the size of the file allows. The limit is needed because the
-  // library allocates whole chunks, and returns fill values for numbers that were never written.
+  // HDF5 library allocates whole chunks, and returns fill values for numbers that are not in the
+  // file.
   void check_numbers(hid_t values, const std::string& place) const {
     const Handle type(H5Dget_type(values), H5Tclose);
     const H5T_class_t kind = H5Tget_class(type);

@@ -21,8 +21,8 @@ struct Series {
   std::vector<hsize_t> row;
 };
 
-/// The path of the values of a series. The series `step` and `time` are datasets. All others are
-/// groups with step, time and value.
+/// The path of the values of a series. The series `step` and `time` are datasets. All other series
+/// are groups with the datasets step, time and value.
 std::string value_path(const std::string& name);
 
 /// The names of the objects within a group.
@@ -34,8 +34,8 @@ std::map<std::string, Series> series_of(hid_t file);
 /// The hyperslab of one row in the file.
 hdf5::Handle row_space(const Series& series, std::uint64_t frame);
 
-/// The CRC-64 of the rows of all series for a frame, in the byte order of the file. It continues
-/// the checksum of the previous frames. The result is empty if the rows cannot be read.
+/// The CRC-64 of the rows of all series for a frame, in the byte order of the file. The checksum
+/// continues the checksum of the previous frames. The result is empty if rows cannot be read.
 std::optional<std::uint64_t> frame_checksum(const std::map<std::string, Series>& all,
                                             std::uint64_t frame, std::uint64_t before);
 

@@ -31,9 +31,9 @@ using h5md::time;
 using h5md::value_path;
 using hdf5::Handle;
 
-// Size of a chunk in bytes, which short rows share. Nothing is compressed, because most bits of
-// positions and momenta are noise. Deflate would reduce a file by only 7 % and triple the cost of a
-// frame.
+// Size of a chunk [bytes] that contains several short rows. Data are not compressed, because most
+// bits of positions and momenta are noise. Deflate would reduce a file by only 7 % and triple the
+// computing time for writing a frame.
 constexpr hsize_t small_row = 4096;
 constexpr std::size_t chunks_in_memory = 1;       // number of chunks of a series in memory: the
                                                   // chunk that is being filled
@@ -113,7 +113,7 @@ class H5mdWriter : public FrameWriter {
   }
 
   // Reading while writing requires the latest file format. Data are written immediately, because a
-  // cache of chunks would only grow by the bytes of each short row.
+  // chunk cache would grow with every short row and save no time.
   Handle access_properties() const {
     Handle access = make_handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST));
@@ -121,8 +121,8 @@ class H5mdWriter : public FrameWriter {
     return access;
   }
 
-  // The index of chunks grows with the number of frames. Parts that are not in memory are read
-  // again.
+  // The index of chunks grows with the number of frames. Parts of the index that are not in memory
+  // are read again.
   void bound_memory() const {
     H5AC_cache_config_t metadata{};
     metadata.version = H5AC__CURR_CACHE_CONFIG_VERSION;
@@ -140,8 +140,8 @@ class H5mdWriter : public FrameWriter {
   }
 
   // The file of a killed program can be read but not safely changed, because the header may not
-  // record all used space. A resumed run therefore appends to a copy, which replaces the file
-  // atomically.
+  // record all used space. A resumed run therefore appends to a copy of the file, which then
+  // replaces the file atomically.
   void reopen(std::uint64_t frames) {
     Draft copy(path_, Draft::Name::unique);  // needed because the library resolves names
     const char* const part = copy.path().c_str();
@@ -192,7 +192,7 @@ class H5mdWriter : public FrameWriter {
     return file;
   }
 
-  // This is done in one call, so that hard links are preserved.
+  // All objects are copied in one call, so that hard links are preserved.
   void copy_all(hid_t from, hid_t to) const {
     check(H5Ocopy(from, "/", to, "all", H5P_DEFAULT, H5P_DEFAULT));
     {

@@ -15,7 +15,7 @@
 
 namespace polhode::hdf5 {
 
-/// An open HDF5 identifier. It is closed at the end of the scope.
+/// An open HDF5 identifier. The identifier is closed at the end of the scope.
 class Handle {
  public:
   Handle() = default;
@@ -34,7 +34,8 @@ class Handle {
   /// Gives up the identifier without closing it. Closing an object that could not be written makes
   /// the library (1.10) crash.
   void abandon() { id_ = -1; }
-  /// Closes the identifier before the end of the scope. The result is negative if writing failed.
+  /// Closes the identifier before the end of the scope. The result is negative if data could not be
+  /// written.
   herr_t close() { return close_(std::exchange(id_, -1)); }
 
  private:
@@ -42,8 +43,8 @@ class Handle {
   herr_t (*close_)(hid_t) = nullptr;
 };
 
-/// Turns off the library's messages on stderr, because errors are thrown. It also turns off writing
-/// at exit, because a full disk would then make the library crash. Call this function first.
+/// Turns off the library's messages on stderr, because errors are thrown. Also turns off writing at
+/// exit, because the library would crash on a full disk. Call this function first.
 inline void be_quiet() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -60,8 +61,9 @@ inline Handle inside(hid_t kind) {
 }
 
 /// Number of attempts to read metadata with a valid checksum while another program writes. The
-/// library waits 1 ns before the second attempt and doubles the wait each time, which gives 17 ms
-/// in total. With the default of 100 attempts, a damaged file would take years.
+/// library waits 1 ns before the second attempt and doubles the waiting time for each further
+/// attempt: 17 ms in total. With the default of 100 attempts, reading a damaged file would take
+/// years.
 inline constexpr unsigned read_attempts = 24;
 
 /// Access properties for a file that another program may be writing.

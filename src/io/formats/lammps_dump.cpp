@@ -51,7 +51,7 @@ DumpColumn column(std::string_view name) {
   return {};
 }
 
-// The data that a particle has in addition to the data of an atom.
+// The data of a particle in addition to the data of an atom.
 struct ParticleColumns {
   Quaternion<double> orientation;
   Vec3<double> ell;
@@ -131,7 +131,8 @@ class LammpsDumpReader : public FrameReader {
     return *count;
   }
 
-  // The boundaries are three words such as "pp pp pp". A triclinic box has other words before them.
+  // The boundaries are three words such as "pp pp pp". A triclinic box has other words before the
+  // boundaries.
   void read_box(Frame& frame, std::string_view boundaries) {
     for (auto word = take_word(boundaries); !word.empty(); word = take_word(boundaries))
       if (word != "pp")
@@ -151,7 +152,7 @@ class LammpsDumpReader : public FrameReader {
     }
   }
 
-  // A vector must have all its components, or none.
+  // A vector must have either all its components or none.
   void check_complete(const std::array<bool, 3>& met, const char* what, const char* names) const {
     const auto count = std::count(met.begin(), met.end(), true);
     if (count != 0 && count != 3)

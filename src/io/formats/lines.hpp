@@ -19,7 +19,7 @@
 
 namespace polhode {
 
-/// The number in a field, without surrounding blanks.
+/// The number in a field, which may have blanks around it.
 template <class Number>
 std::optional<Number> parsed(std::string_view field) {
   field = trimmed(field);
@@ -38,7 +38,8 @@ class Lines {
 
   const std::string& file() const { return file_; }
 
-  /// The next line, without the line end; valid until the next call. Empty at the end of the text.
+  /// The next line, without the line end; valid until the next call. The result is empty at the end
+  /// of the text.
   std::optional<std::string_view> next() {
     ++number_;
     if (!std::getline(in_, line_)) return std::nullopt;
@@ -58,7 +59,8 @@ class Lines {
     throw Error(what, fmt::format("{}:{}", file_, number_));
   }
   /// A finite number in a field.
-  /// @param hint  explanation of its position, such as "; atom lines have columns of fixed width"
+  /// @param hint  explanation of the field's position, such as "; atom lines have columns of fixed
+  ///   width"
   double number(std::string_view field, const char* what, const char* hint = "") const {
     const auto value = parsed<double>(field);
     if (!value)

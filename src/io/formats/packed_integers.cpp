@@ -15,8 +15,8 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-// Ranges of small differences. Three numbers below ranges[k] need k bits together, so ranges[k] is
-// about 2^(k/3). The values are from the original program. clang-format off
+// Ranges of small differences. Three integers below ranges[k] are packed into k bits, so ranges[k]
+// is about 2^(k/3). The table is from the original program. clang-format off
 constexpr std::array<std::int32_t, 73> ranges = {
     0,        0,        0,       0,       0,       0,       0,       0,       0,       8,
     10,       12,       16,      20,      25,      32,      40,      50,      64,      80,
@@ -34,8 +34,8 @@ constexpr std::size_t max_run_length = 8;          // largest number of atoms st
 
 std::int32_t range_of(std::int32_t index) { return ranges[static_cast<std::size_t>(index)]; }
 
-// The packing of one full position, which consists of three numbers below `sizes`. They are packed
-// jointly if the sizes are small enough.
+// The packing of one full position, which consists of three numbers below `sizes`. The three
+// numbers are packed jointly if the sizes are small enough.
 struct Layout {
   std::array<std::uint32_t, 3> sizes;
   std::array<unsigned, 3> single_bits{};
@@ -135,7 +135,7 @@ std::int64_t distance2(const IntegerVector& a, const IntegerVector& b) {
   return sum;
 }
 
-// The first range that can store the smallest difference between consecutive atoms.
+// Index of the first range that can store the smallest difference between consecutive atoms.
 std::int32_t first_small_range(const std::vector<IntegerVector>& atoms) {
   std::int64_t lower = std::numeric_limits<std::int32_t>::max();
   for (std::size_t i = 1; i < atoms.size(); ++i) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Coordinates of XTC files: integers, packed into as few bits as their range needs. Consecutive
-// atoms that are close to each other are stored as small differences; each run of these states
-// whether the next differences have a smaller or larger range. The coding is that of the XDR
-// routine xdr3dcoord (F. van Hoesel), which all programs share that read XTC files.
+// atoms that are close to each other are stored as small differences; each run of small differences
+// states whether the next differences have a smaller or larger range. The encoding is defined by
+// the XDR routine xdr3dcoord (F. van Hoesel), which all programs that read XTC files share.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ struct PackedIntegers {
 /// Packs the coordinates of atoms.
 PackedIntegers pack_integers(std::vector<IntegerVector> atoms);
 
-/// Unpacks the coordinates of `count` atoms. Memory grows as atoms are read, so it is at most 48
-/// bytes per byte of `bits`.
+/// Unpacks the coordinates of `count` atoms. Memory grows as atoms are read, so the memory is at
+/// most 48 bytes per byte of `bits`.
 /// @throws Error  without a place, if the bits end early or are inconsistent
 std::vector<IntegerVector> unpack_integers(const IntegerVector& lower, const IntegerVector& upper,
                                            std::int32_t small_range,

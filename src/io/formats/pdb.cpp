@@ -57,8 +57,8 @@ class PdbReader : public FrameReader {
   }
 
  private:
-  // An atom line begins with "ATOM  ", or with "ATOM 1" if a serial of six digits begins a column
-  // early.
+  // An atom line begins with "ATOM ", or with "ATOM 1" if a serial number of six digits begins one
+  // column early.
   bool is_atom(std::string_view line) const {
     if (line.starts_with("HETATM")) return true;
     if (!line.starts_with("ATOM")) return false;
@@ -69,7 +69,7 @@ class PdbReader : public FrameReader {
         columns(line, 1, 6)));
   }
 
-  // A serial that is too long may have shifted all other columns to the right.
+  // A serial number that is too long may have shifted all other columns to the right.
   void check_columns(std::string_view line) const {
     const auto is_digit = [&](std::size_t k) {
       return line.size() >= k && std::isdigit(static_cast<unsigned char>(line[k - 1])) != 0;
@@ -171,9 +171,9 @@ class PdbReader : public FrameReader {
   double angstrom_ = unit("A", Dimension::length);
 };
 
-// A serial in five characters. It is decimal up to 99999, and then hybrid-36, which continues with
-// A0000 and uses letters as digits (cci.lbl.gov/hybrid_36). Serials in upper case end at ZZZZZ, and
-// serials in lower case begin at a0000.
+// A serial number in five characters. The serial number is decimal up to 99999, and beyond in base
+// 36 (hybrid-36, from A0000 on) (cci.lbl.gov/hybrid_36). After ZZZZZ, the serial number continues
+// in lower case from a0000.
 std::string serial(std::size_t number) {
   constexpr std::size_t width = 5, decimal = 100'000, digit = 36 * 36 * 36 * 36;
   if (number < decimal) return fmt::format("{:5}", number);
@@ -188,7 +188,7 @@ std::string serial(std::size_t number) {
   return text;
 }
 
-// Atom names whose element has one letter begin in the second of four columns.
+// The name of an atom whose element has one letter begins in the second of four columns.
 std::string atom_name(const AtomKind& kind) {
   return kind.name.size() < 4 && kind.element.size() < 2 ? fmt::format(" {:<3}", kind.name)
                                                          : fmt::format("{:<4.4}", kind.name);

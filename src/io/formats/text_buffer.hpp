@@ -31,7 +31,7 @@ class TextBuffer {
     const double scaled = x * power, whole = std::nearbyint(scaled);
     if (!(std::abs(whole) < 0x1p53)) return print("{:>{}.{}f}", x, width, decimals);
     auto digits = static_cast<std::int64_t>(whole);
-    // The fractional part and the round-off error of the product are both exact.
+    // Both `lacks`, the fractional part, and `lost`, the round-off error of the product, are exact.
     const double lacks = scaled - whole, lost = std::fma(x, power, -scaled);
     if (lacks + lost > 0.5 || (lacks == 0.5 && lost > 0)) ++digits;
     if (lacks + lost < -0.5 || (lacks == -0.5 && lost < 0)) --digits;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Common to binary coordinate files: atoms without names.
+// Atoms without names, as in all binary coordinate files.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,8 @@
 
 namespace polhode {
 
-/// Begins a frame of atoms of a single unnamed kind. The positions are filled in later.
+/// Begins a frame of atoms of a single unnamed kind. The positions of the atoms are filled in
+/// later.
 inline void begin_unnamed(Frame& frame, const std::string& file) {
   frame.source = file;
   frame.title.clear();

@@ -14,7 +14,7 @@
 namespace polhode::hdf5 {
 namespace {
 
-// Each text is followed by a 0. All together are shorter than the buffer of a pipe.
+// Each text is followed by a zero byte. All texts together are shorter than the buffer of a pipe.
 void read_into(int pipe, hid_t attribute, hid_t type, std::size_t count) {
   std::array<char*, max_texts> texts{};
   if (H5Aread(attribute, type, texts.data()) < 0) throw std::runtime_error("no texts");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// XTC, the compressed trajectories of GROMACS. They contain only positions, rounded to 0.001 nm.
+// XTC, the compressed trajectories of GROMACS. XTC files contain only positions, rounded to 0.001
+// nm.
 #include <limits>
 
 #include "format.hpp"

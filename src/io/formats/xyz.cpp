@@ -123,7 +123,7 @@ class XyzReader : public FrameReader {
   void read_comment(Frame& frame) {
     frame.time = 0;
     frame.box = {};
-    // Without Properties, an atom line has the plain form of an element and x y z.
+    // Without Properties, an atom line consists of an element and x, y, z.
     properties_ = {{Property::What::species, 1}, {Property::What::position, 3}};
     std::string_view rest = lines_.next([] { return "the comment line with the Lattice"; });
     std::array<bool, 4> met{};
@@ -146,7 +146,7 @@ class XyzReader : public FrameReader {
             fmt::format("the Properties do not contain {}, which every atom must have", name));
   }
 
-  // A repeated key is an error, because the valid value is not known.
+  // A repeated key is an error, because the value to use is ambiguous.
   void refuse_second(std::string_view key, std::array<bool, 4>& met) const {
     constexpr std::array<std::string_view, 4> once = {"Lattice", "Properties", "Time", "pbc"};
     for (std::size_t k = 0; k < once.size(); ++k)

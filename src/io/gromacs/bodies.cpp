@@ -13,7 +13,7 @@
 namespace polhode {
 namespace {
 
-// Maximum number of atoms, which is more than a rigid molecule has. The pair loops support 64
+// Maximum number of atoms, far above the size of a rigid molecule. The pair loops support 64
 // interacting sites.
 constexpr std::size_t max_atoms = 256;
 

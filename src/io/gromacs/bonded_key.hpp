@@ -8,7 +8,8 @@
 
 namespace polhode::gromacs {
 
-/// The bonded types of atoms as a text, such as "C O", independent of the order of the atoms.
+/// The bonded types of atoms as a text, such as "C O"; the reverse order of atoms gives the same
+/// text.
 inline std::string bonded_key(const std::vector<std::string>& types) {
   std::string forth, back;
   for (const std::string& type : types) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the parameters of an .mdp file to a run file.
+// Converts the parameters of an .mdp file to a run file.
 #include <fmt/core.h>
 
 #include <toml++/toml.h>
@@ -38,7 +38,7 @@ class Translation {
 
  private:
   void table(const char* name) { text_ += fmt::format("\n[{}]\n", name); }
-  /// Adds a line to the run file; its comment names the parameters of GROMACS.
+  /// Adds a line to the run file; with a comment that names the GROMACS parameters.
   void line(const char* key, const std::string& value, const char* comment) {
     text_ += fmt::format("{:<38} # {}\n", fmt::format("{} = {}", key, value), comment);
   }
@@ -72,7 +72,7 @@ class Translation {
   std::string text_;
 };
 
-/// "-DNAME -DOTHER" as a list, by the letter of the option.
+/// The arguments of an option letter as a list: NAME and OTHER in "-DNAME -DOTHER".
 void Translation::list(const char* key, std::string_view option, const char* parameter) {
   const std::string value = mdp_.text(parameter);
   std::string_view rest = value;

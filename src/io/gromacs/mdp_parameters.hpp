@@ -20,21 +20,20 @@ class MdpParameters {
   /// @throws Error  if a line is not "name = value", or a name occurs twice
   MdpParameters(std::string_view text, const std::string& file);
 
-  /// The value of a parameter, which is then marked as translated. Empty if the parameter is absent
-  /// or has no value.
+  /// The value of a parameter, which is marked as translated by this call. The text is empty if the
+  /// parameter is absent or has no value.
   std::string text(std::string_view name);
-  /// Whether the value of a parameter is a given word, compared by letters and digits. If the
-  /// parameter is absent, its value is `fallback`.
+  /// Whether the value of a parameter is a given word, compared by letters and digits. An absent
+  /// parameter has the value `fallback`.
   bool is(std::string_view name, std::string_view word, std::string_view fallback = "no");
   std::vector<double> numbers(std::string_view name);
   double number(std::string_view name, double fallback);
 
-  /// Records that a parameter has another meaning in the run file. An absent parameter has its
-  /// default.
+  /// Records that a parameter has a different meaning in the run file. An absent parameter has the
+  /// value `fallback`.
   void differs(std::string_view name, const std::string& reason, std::string_view fallback = "");
 
-  /// The recorded differences, and all parameters that were not translated, in the order of the
-  /// file.
+  /// All parameters with recorded differences or without translation, in the order of the file.
   std::vector<MdpDifference> differences() const;
 
  private:

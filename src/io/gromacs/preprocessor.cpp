@@ -12,10 +12,11 @@
 namespace polhode::gromacs {
 namespace {
 
-// Limits that are far above the needs of any real topology, so that untrusted files terminate. They
-// apply to nested files, total files and characters, nested macros, nested conditions, and the
-// length of a line in characters and words. Macros can make a short file long, so the total number
-// of words to which they expand is also limited.
+// Limits far above the needs of real topologies. They guarantee that the preprocessor terminates
+// for any file. The limits apply to the depth of includes, the total numbers of files and
+// characters, the depths of macros and conditions, and the length of a line in characters and
+// words. Macros can make a short file long, so the total number of words from macros is also
+// limited.
 constexpr std::size_t max_include_depth = 32, max_includes = 10'000, max_characters = 1 << 25;
 constexpr std::size_t max_macro_depth = 16, max_condition_depth = 256, max_line_length = 1 << 16;
 constexpr std::size_t max_replaced = 1 << 22;

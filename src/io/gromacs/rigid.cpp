@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a GROMACS molecule type to a rigid molecule.
+// Converts a GROMACS molecule type to a rigid molecule.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ bool is_virtual(const GromacsRelation& r) {
   throw Error(what, text_of(place));
 }
 
-// The parameters of an interaction, given explicitly or by the table of its types.
+// The parameters of an interaction, given explicitly or by the table for its atom types.
 std::optional<double> first_number(const GromacsTopology& topology, const GromacsMolecule& molecule,
                                    const GromacsRelation& r,
                                    const std::map<std::string, double>& table) {
@@ -41,9 +41,9 @@ std::optional<double> first_number(const GromacsTopology& topology, const Gromac
   return found->second;
 }
 
-// Function types with the length or angle at the minimum as first parameter. For bonds they are
-// harmonic, fourth power, Morse and cubic. For angles they are harmonic, cosine, Urey-Bradley,
-// quartic and restricted.
+// Function types whose first parameter is the equilibrium length or angle. For bonds, these types
+// are harmonic, fourth power, Morse and cubic. For angles, these types are harmonic, cosine,
+// Urey-Bradley, quartic and restricted.
 bool has_minimum(const GromacsRelation& r) {
   constexpr std::array bonds = {1, 2, 3, 4, 6}, angles = {1, 2, 5, 6, 10};
   const auto& known = r.kind == Kind::bond ? bonds : angles;
@@ -67,7 +67,7 @@ class Distances {
     list.push_back({index_[a], index_[b], length});
     first_.try_emplace(std::minmax(index_[a], index_[b]), length);
   }
-  // The distance of two atoms, if it is known.
+  // The distance between two atoms, if known.
   std::optional<double> between(std::size_t a, std::size_t b) const {
     const auto found = first_.find(std::minmax(index_[a], index_[b]));
     if (found == first_.end()) return std::nullopt;
@@ -78,8 +78,9 @@ class Distances {
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> index_;  // index of each atom among the real atoms
-  std::map<std::pair<std::size_t, std::size_t>, double> first_;  // index of the first entry in the
-                                                                 // list, by the two atoms
+  std::map<std::pair<std::size_t, std::size_t>, double> first_;  // for each pair of atoms, the
+                                                                 // distance in the first entry of
+                                                                 // the list
 };
 
 // The position of a virtual site, from the positions of its constructing atoms (GROMACS reference

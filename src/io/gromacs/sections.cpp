@@ -22,8 +22,7 @@ namespace {
 using gromacs::Line;
 using Kind = GromacsRelation::Kind;
 
-// Maximum count, which is more than any rigid body needs. It limits the memory that a file can
-// demand.
+// Maximum counts, above the needs of any rigid body. They bound the memory that a file can demand.
 constexpr std::size_t max_relations = 1'000'000, max_blocks = 64;
 constexpr std::int64_t any = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t lennard_jones_function = 1, buckingham_function = 2;
@@ -189,7 +188,7 @@ void Parser::defaults(const FieldLine& line) {
   topology_.rule = combination_ == 2 ? MixingRule::lorentz_berthelot : MixingRule::geometric;
 }
 
-// Reads the potential in the fields from `first` on. The names of the types are left empty.
+// Reads the potential in the fields from `first` on. The type names of the pair are left empty.
 TypePair Parser::short_range(const FieldLine& line, std::size_t first) const {
   if (combination_ == 0)
     line.refuse(
@@ -198,8 +197,8 @@ TypePair Parser::short_range(const FieldLine& line, std::size_t first) const {
   return function_ == buckingham_function ? buckingham(line, first) : lennard_jones(line, first);
 }
 
-// Reads σ and ε from two fields, which are σ and ε or, with combination rule 1, C6 and C12. If only
-// one of C6 and C12 is 0, ε is negative.
+// Reads σ and ε from two fields, which are σ and ε or, with combination rule 1, C6 and C12. As a
+// mark, ε is negative if only one of C6 and C12 is 0.
 TypePair Parser::lennard_jones(const FieldLine& line, std::size_t first) const {
   TypePair pair{.place = line.place()};
   const bool powers = combination_ == 1;
@@ -217,7 +216,7 @@ TypePair Parser::lennard_jones(const FieldLine& line, std::size_t first) const {
   return pair;
 }
 
-// Reads A, B and C, which are all 0 if there is no interaction.
+// Reads the Buckingham parameters A, B and C, which are all 0 if there is no interaction.
 TypePair Parser::buckingham(const FieldLine& line, std::size_t first) const {
   line.require(first + 3, "the three parameters A, B and C of a Buckingham potential at the end");
   TypePair pair{.place = line.place()};
@@ -233,8 +232,8 @@ TypePair Parser::buckingham(const FieldLine& line, std::size_t first) const {
   return pair;
 }
 
-// The fields are: name [bonded type] [atomic number] mass charge particle V W. The position of the
-// particle type, a single letter, shows which optional fields are present.
+// The fields of an atom type are: name [bonded type] [atomic number] mass charge particle V W. The
+// position of the particle type, a single letter, shows which optional fields are present.
 void Parser::atom_type(const FieldLine& line) {
   constexpr std::string_view columns =
       "name, optional bonded type and atomic number, mass, charge, particle type, and two "
@@ -335,8 +334,8 @@ void Parser::atom(const FieldLine& line) {
   molecule.atoms.push_back(std::move(atom));
 }
 
-// The fields are: atoms, function, numbers. Additional numbers belong to a perturbed state or are
-// force constants, and are ignored.
+// The fields of a bonded interaction are: atoms, function type, parameters. Further parameters,
+// such as force constants or parameters of a perturbed state, are ignored.
 void Parser::relation(const FieldLine& line, Kind kind, std::size_t atoms, std::size_t numbers) {
   GromacsMolecule& molecule = current(line);
   line.require(atoms, fmt::format("{} atoms, a function and its parameters", atoms));

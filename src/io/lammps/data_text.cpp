@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::int64_t any = std::numeric_limits<std::int32_t>::max();
 
-// These factors convert from LAMMPS units real.
+// Factors that convert from LAMMPS units real to internal units.
 const double angstrom = unit("A", Dimension::length);
 const double angstrom_per_fs = angstrom / unit("fs", Dimension::time);
 const double kcal = unit("kcal/mol", Dimension::energy);
@@ -129,7 +129,8 @@ void Parser::begin(std::string_view name, std::string_view comment) {
   reader_ = known->second;
 }
 
-// Reads a number and its meaning in the header; only atoms, their types and the box are used.
+// Reads a number and its meaning in the header; only the numbers of atoms and atom types, and the
+// box, are used.
 void Parser::header(const FieldLine& line) {
   const auto ends_with = [&](std::initializer_list<std::string_view> words) {
     if (line.size() < words.size()) return false;
@@ -194,7 +195,7 @@ void Parser::mass(const FieldLine& line) {
 }
 
 // Reads the potential in the fields from k on. The pair style selects the potential; without a
-// style it is Lennard-Jones.
+// style the potential is Lennard-Jones.
 TypePair Parser::short_range(const FieldLine& line, std::size_t k) const {
   TypePair pair{.place = line.place()};
   const auto law = law_of_pair_style(data_.pair_style);

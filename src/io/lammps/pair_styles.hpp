@@ -10,7 +10,8 @@ namespace polhode {
 enum class LammpsLaw { lennard_jones, buckingham, mie };
 
 /// The short-range potential of a LAMMPS pair style, with any accelerator suffix and any treatment
-/// of charges. It is Lennard-Jones if no style is given, and empty for unsupported styles.
+/// of charges. The potential is Lennard-Jones if no style is given, and empty for unsupported
+/// styles.
 std::optional<LammpsLaw> law_of_pair_style(std::string_view style);
 
 }  // namespace polhode

@@ -97,7 +97,7 @@ void write_lammps_data(std::ostream& out, const std::string& title, const State&
   write_masses(out, types);
   write_pair_coefficients(out, types);
 
-  // The atoms of all bodies in order, with the part and the site of each.
+  // The atoms of all bodies in order, each with its topology part and site.
   const auto each_atom = [&](const auto& visit) {
     std::size_t atom = 0, molecule = 0;
     for (std::size_t part = 0; part < topology.parts.size(); ++part)

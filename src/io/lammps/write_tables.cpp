@@ -15,13 +15,15 @@
 namespace polhode {
 namespace {
 
-/// The energy and force between two types at a distance, truncated as in the settings.
+/// The energy and force between two atom types at a distance, with the cutoff treatment of the
+/// settings.
 struct TabulatedPair {
   double u;  ///< energy [kJ/mol]
   double f;  ///< force −u' [kJ/mol/nm]
 };
 
-// The potential of a pair of types, evaluated for two molecules with a single site at the centre.
+// The potential of a pair of types, evaluated for two molecules that have a single site at their
+// centre.
 class PairLaw {
  public:
   PairLaw(const LammpsTypes::Type& a, const LammpsTypes::Type& b, const Topology& topology,

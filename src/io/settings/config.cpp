@@ -89,8 +89,8 @@ void set_precision(Config& config, Precision precision) {
 
 namespace {
 
-/// The kind of run file that refers to files with a given extension. It is empty if run files may
-/// have this extension.
+/// The kind of run file that refers to files with a given extension. The result is empty if run
+/// files may have this extension.
 std::string_view kind_of_input(const std::string& file) {
   const std::string extension = std::filesystem::path(file).extension();
   for (const std::string_view one : {".top", ".itp", ".gro", ".mdp", ".tpr"})

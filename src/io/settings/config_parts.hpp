@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of reading a run file that other readers of settings share.
+// Functions that both the run-file parser and other readers of settings use.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// Replaces names of user-defined schemes in a text by the texts of these schemes. A name may stand
-/// without a slash, or on either side of a slash.
+/// Replaces names of user-defined schemes in a text by the texts of these schemes. A name is the
+/// whole text, or stands on either side of a slash (nested schemes).
 std::string with_own_schemes(const std::string& text, const OwnSchemes& own);
 
 /// The reason why the temperature of a run is invalid; empty if it is valid. A temperature of 0 K

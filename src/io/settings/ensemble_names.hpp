@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names and defaults of the settings of an ensemble, as in run files.
+// Names and defaults of the ensemble settings, as in run files.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace polhode {
 
-/// The names of the alternatives of a variant, in their order.
+/// The names of the alternatives of a variant, in the order of their declaration.
 template <class Variant>
 inline constexpr auto type_names = nullptr;
 
@@ -24,8 +24,8 @@ constexpr std::string_view type_name(const std::variant<Types...>& type) {
   return type_names<std::variant<Types...>>[type.index()];
 }
 
-/// Selects the alternative with a given name, with default parameters unless it is already
-/// selected.
+/// Selects the alternative with a given name, with default parameters unless this alternative is
+/// already selected.
 template <class... Types>
 void set_type(std::variant<Types...>& type, std::string_view name) {
   if (type_name(type) == name) return;

@@ -24,8 +24,8 @@ std::string title_of(const std::variant<Types...>& type) {
   return std::visit([](const auto& one) { return std::string(one.title); }, type);
 }
 
-/// " with a friction of 1 1/ps"; settings whose default is another one and that have its value are
-/// left out.
+/// " with a friction of 1 1/ps"; a setting is omitted if its default is the value of another
+/// setting and is not changed.
 std::string parameters_of_thermostat(const EnsembleSettings& settings) {
   std::string text;
   std::map<std::string, std::string> values;

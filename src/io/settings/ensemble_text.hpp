@@ -10,8 +10,8 @@
 
 namespace polhode {
 
-/// The key and value of each ensemble setting in use, as in a run file. There are none at constant
-/// energy.
+/// The key and value of each ensemble setting in use, as in a run file. At constant energy there
+/// are no ensemble settings.
 std::vector<std::pair<std::string, std::string>> ensemble_texts(const EnsembleSettings& settings);
 
 /// A description of the first ensemble setting that is out of its bounds; empty if all are valid.

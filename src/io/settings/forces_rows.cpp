@@ -34,7 +34,7 @@ constexpr SettingBounds in_library(SettingBounds bounds) {
   return bounds;
 }
 
-/// Reads truncation and electrostatics. Their defaults depend on each other.
+/// Reads truncation and electrostatics. The defaults of these two settings depend on each other.
 void read_truncation(TomlTable& table, const SettingRow& row, Config& config) {
   ForceSettings& forces = config.forces;
   const auto given = table.holds_text("electrostatics")
@@ -42,7 +42,8 @@ void read_truncation(TomlTable& table, const SettingRow& row, Config& config) {
                          : std::nullopt;
   if (given && vanishes_at_cutoff(*given)) forces.truncation = Truncation::site_switch;
   read_row(table, row, config);
-  // Plain Coulomb forces between single sites would be truncated at distances where they are large.
+  // A plain cutoff would truncate the Coulomb forces between single sites at distances where these
+  // forces are large.
   if (forces.truncation != Truncation::molecule_switch)
     forces.electrostatics = Electrostatics::reaction_field;
 }

@@ -20,7 +20,7 @@ constexpr int max_steps = 1000;
 constexpr std::size_t max_text =
     8192;  // maximum text length of two schemes; it limits the work of a regular expression
 
-/// The end of the outer scheme: the first slash that is not part of a fraction. Slashes of
+/// The end of the outer scheme: the first slash that is not the slash of a fraction. Slashes of
 /// fractions are in brackets or between '=' and ';'.
 std::size_t slash(std::string_view text) {
   int open = 0;

@@ -15,7 +15,8 @@
 namespace polhode {
 namespace {
 
-/// Pairs of alternative settings. Setting either of them removes the other.
+/// Pairs of alternative settings. If an overlay sets one key of such a pair, the other key is
+/// removed.
 constexpr std::array<std::array<std::string_view, 2>, 7> replacements{
     {{"integrator.step", "integrator.accuracy"},
      {"integrator.accuracy", "integrator.step"},
@@ -34,7 +35,8 @@ const toml::node* node_at(const toml::table& document, std::string_view path) {
   return found->is_table() ? found->as_table()->get(path.substr(dot + 1)) : nullptr;
 }
 
-/// Stores a copy of a value at a path in a document. The copy has no place in a file.
+/// Stores a copy of a value at a path in a document. Unlike a parsed value, the copy has no
+/// position in a file.
 template <class Value>
 void set(toml::table& document, std::string_view path, const Value& value) {
   const auto dot = path.find('.');
@@ -65,7 +67,7 @@ void remove(toml::table& document, std::string_view path) {
     table->erase(path.substr(dot + 1));
 }
 
-/// The changes that an overlay makes in addition to its settings.
+/// The changes that an overlay requires in addition to its own settings.
 class Effects {
  public:
   Effects(const Overlay& overlay, toml::table& document) : overlay_(overlay), document_(document) {}
@@ -97,8 +99,8 @@ class Effects {
                              : one->toml == value || one->toml == fmt::format("\"{}\"", value);
   }
 
-  /// Sets the type of a table. This removes parameters of the file that the new type does not have.
-  /// The type "none" removes the table.
+  /// Sets the type of a table. A new type removes those parameters of the table that the type does
+  /// not have. The type "none" removes the table.
   void set_type(std::string_view table) {
     const std::string key = fmt::format("{}.type", table);
     const Override* const type = given(key);

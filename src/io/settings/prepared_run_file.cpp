@@ -71,8 +71,8 @@ void write_prefix(toml::table& document, const std::string& prefix) {
   if (auto* output = document["output"].as_table()) output->insert_or_assign("prefix", prefix);
 }
 
-/// Writes the shapes, so that they are derived only once. Shapes derived from the new coordinates
-/// would have other principal axes.
+/// Writes the shapes of molecules to the run file, so that they are derived only once. Shapes
+/// derived from the new coordinates would have other principal axes.
 void write_shapes(toml::table& document, const std::map<std::string, Shape>& shapes) {
   toml::array tables;
   for (const auto& [molecule, shape] : shapes) {

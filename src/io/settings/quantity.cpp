@@ -169,7 +169,7 @@ double number(std::string_view& rest, const QuantityText& source) {
   return value;
 }
 
-/// The value of a text that consists only of a number.
+/// The number in a text that contains only this number.
 std::optional<double> parsed_number(std::string_view text) {
   double value = 0;
   const auto [end, status] = from_chars(text.data(), text.data() + text.size(), value);

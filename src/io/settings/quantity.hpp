@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Quantities as users write them ("2 fs"), converted to internal units. The only file that contains
-// conversion factors.
+// Quantities as users write them ("2 fs"), converted to internal units. Only the source file of
+// these functions contains conversion factors.
 #pragma once
 
 #include <string>
@@ -34,7 +34,7 @@ enum class Dimension {
 
 /// Parses a number with a unit, such as "0.1550 kcal/mol", and converts the number to internal
 /// units. `name` is the name of the quantity in error messages. `example` replaces the usual
-/// example of the dimension in error messages if that would be misleading.
+/// example of the dimension in error messages if the usual example would be misleading.
 /// @throws Error  if the unit is missing, unknown or of another dimension, or the number is not
 ///   finite
 double quantity(std::string_view text, Dimension dimension, std::string_view name,

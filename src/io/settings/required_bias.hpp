@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads what is required of the accuracy of a run.
+// Reads the accuracy that a user requires of a run.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace polhode {
 
-/// The reason why R cannot be bounded by a value; empty if the value is valid.
+/// The reason why a value is invalid as a bound on R; empty if it is valid.
 std::string wrong_bound(double ratio);
 
-/// Whether a text requires the bias of an average rather than R; the text need not be valid.
+/// Whether a text, possibly invalid, states a bound on the bias of an average rather than on R.
 bool is_of_bias(const std::string& text);
 
 /// Parses a bound on a bias, such as "0.1 K", "energy 0.01 kJ/mol", "pressure 4 bar" or "density

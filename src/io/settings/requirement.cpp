@@ -30,7 +30,7 @@ constexpr std::array forms{
 
 const Form& form_of(RequiredOf of) { return forms[static_cast<std::size_t>(of)]; }
 
-/// The form of requirement that is named by the first word of a text. By default it is the form for
+/// The form of requirement that is named by the first word of a text. Other texts have the form for
 /// temperatures.
 const Form& form_of(const std::string& text) {
   for (const Form& form : forms)

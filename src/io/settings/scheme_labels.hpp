@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Schemes in tables, figures and records.
+// Labels and texts of schemes for tables, figures and records.
 #pragma once
 
 #include <string>
@@ -12,12 +12,13 @@ namespace polhode {
 /// @throws Error  if the scheme is nested
 Scheme single_scheme_of(const NamedScheme& scheme);
 
-/// The label of a scheme in tables and figures. For a named scheme it is the name. For an unnamed
-/// scheme it is the text with single spaces between words, or the stages if the text defines names.
+/// The label of a scheme in tables and figures. The label of a named scheme is its name. The label
+/// of an unnamed scheme is its text with single spaces between words, or the stages if the text
+/// defines names.
 std::string label_of(const NamedScheme& scheme);
 
-/// A scheme as text that nested_scheme_of() reads back to the same bits. Schemes of the table are
-/// given by name, and other schemes by their user-given name and stages.
+/// A scheme as text that nested_scheme_of() reads back with bitwise identical coefficients.
+/// Built-in schemes are given by name, and other schemes by their user-given name and stages.
 std::string named_text_of(const NestedScheme& scheme);
 
 }  // namespace polhode

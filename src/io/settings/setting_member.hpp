@@ -61,8 +61,8 @@ SettingValue setting_value(const T& member) {
     return member;
 }
 
-/// Converts a number to the type of a member. An integer beyond the range of the member becomes the
-/// end of the range.
+/// Converts a number to the type of a member. An integer beyond the range of the member's type is
+/// replaced by the nearest end of the range.
 template <class T>
 T member_value(const SettingValue& value) {
   if constexpr (NamedEnum<T>) {
@@ -118,7 +118,8 @@ SettingMember member(Access access) {
   return made;
 }
 
-/// Makes members of a part of a Config, as in in(&Config::run)(&RunSettings::length).
+/// Returns a function that makes the setting members of a part of a Config, as in
+/// in(&Config::run)(&RunSettings::length).
 template <class Part>
 auto in(Part Config::*part) {
   return [part](auto Part::*one) {

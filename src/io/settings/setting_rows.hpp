@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The table of settings, one row for each setting. A row has the key, the member, and all data for
-// reading, checks, identity, manual and help. The default is the initialiser of the member.
+// The table of settings, one row for each setting. A row has the key, the member of the Config, and
+// all data for reading and checks, for the comparison of runs, for the manual and for help. The
+// default of a setting is the initialiser of its member.
 #pragma once
 
 #include <optional>
@@ -21,7 +22,7 @@ namespace polhode {
 struct SettingUnit {
   std::optional<Dimension> dimension{};
   std::string_view symbol{};
-  std::string_view example{};  ///< example in error messages, if there is no default
+  std::string_view example{};  ///< example in error messages of a setting without default
 
   double factor() const { return dimension ? unit(symbol, *dimension) : 1; }
 };
@@ -32,9 +33,10 @@ using ReadSetting = void (*)(TomlTable&, const SettingRow&, Config&);
 /// Properties that only some rows have.
 struct More {
   std::string_view domain{};          ///< domain in words, if kind and bounds do not describe it
-  std::string_view fallback{};        ///< default in words, if it depends on other settings
+  std::string_view fallback{};        ///< default in words, if the default depends on other
+                                      ///< settings
   std::string_view by{};              ///< key that decides whether this setting applies
-  std::string_view not_set = "none";  ///< text of a value that is not set
+  std::string_view not_set = "none";  ///< text that stands for a missing value
   ReadSetting read = nullptr;         ///< function that replaces read_row()
   bool free = false;                  ///< whether a resumed run may have another value
   std::vector<SettingKind> kinds{};   ///< kinds, if the member does not determine them
@@ -98,7 +100,7 @@ void read_table(TomlTable table, const SettingTable& rows, Config& config);
 /// remains.
 void read_row(TomlTable& table, const SettingRow& row, Config& config);
 
-/// The reader of a setting that is read by the functions of its table; it does nothing.
+/// An empty reader, for settings that the functions of their table read.
 inline void read_by_table(TomlTable&, const SettingRow&, Config&) {}
 
 /// Whether a value in internal units is finite and within the bounds of its row.
@@ -109,7 +111,8 @@ std::string tidy_exponent(std::string number);
 /// A number in its shortest form, such as "1e12".
 std::string short_number(double value);
 
-/// A quantity as text, for error messages and help: the example of the row, or its default.
+/// A quantity as text, for error messages and help: the default of the row or, without a default,
+/// its example.
 std::string example(const SettingRow& row);
 
 /// The complaint about an invalid value, such as "must be 0 K or more, ...".
@@ -128,8 +131,8 @@ const Config& defaults();
 /// A configuration in which the setting applies, and all members have their defaults.
 Config defaults_with(const SettingRow& row);
 
-/// The names of the values of the deciding key for which a setting has a meaning; empty for all
-/// values.
+/// The names of those values of the deciding key for which a setting has a meaning; empty if the
+/// setting applies for all values.
 std::vector<std::string> deciding_names(const SettingRow& row);
 
 constexpr SettingBounds above(double min, std::string_view hint = {}) {

@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-/// A number or name in code font, as an entry in a table of the manual.
+/// A number or name in code font, as in the tables of the manual.
 std::string code(std::string_view text) { return fmt::format("`\"{}\"`", text); }
 
 std::vector<SettingKind> kinds_of(const SettingRow& row) {
@@ -70,8 +70,7 @@ std::string fallback_of(const SettingRow& row) {
                                                                           : "`" + text + "`";
 }
 
-/// An example for help: all names, or a quantity as written on a command line, such as "2 fs" with
-/// its quotes.
+/// An example for help: all names, or a quantity with the quotes of a command line, such as "2 fs".
 std::string example_of(const SettingRow& row) {
   if (!row.member.names.empty()) return fmt::format("{}", fmt::join(row.member.names, ", "));
   return row.unit.dimension ? fmt::format("\"{}\"", example(row)) : "";

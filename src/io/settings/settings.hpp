@@ -36,10 +36,10 @@ inline constexpr std::array<std::string_view, 8> enum_names<SettingKind> = {
 struct SettingBounds {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
-  bool above = false;       ///< whether the value min is excluded
-  bool below = false;       ///< whether the value max is excluded
+  bool above = false;       ///< whether `min` is excluded
+  bool below = false;       ///< whether `max` is excluded
   std::string_view hint{};  ///< text after "must be ...", with a reason or a usual value
-  /// Whether the bounds are checked in the library, because it has more information.
+  /// Whether the bounds are checked in the library, because the check needs more information.
   bool in_library = false;
 
   bool hold(double value) const {
@@ -50,16 +50,17 @@ struct SettingBounds {
 /// The description of a setting for manuals and help texts.
 struct Setting {
   std::string table, key;
-  std::vector<SettingKind> kinds;     ///< kinds that its value may have
-  std::string unit;                   ///< unit in which texts state a quantity; empty for other
-                                      ///< kinds
-  std::string domain;                 ///< its values and bounds, such as "temperature ≥ 0 K"
-  std::string fallback;               ///< its default value, possibly in words; empty if there is
-                                      ///< none
-  std::string example;                ///< an example such as "2 fs", or the names of all values;
-                                      ///< empty for other kinds
-  SettingBounds bounds;               ///< bounds of numbers
-  std::string by;                     ///< key that decides whether the setting applies
+  std::vector<SettingKind> kinds;  ///< kinds that the value of the setting may have
+  std::string unit;                ///< unit in which texts state a quantity; empty for other
+                                   ///< kinds
+  std::string domain;              ///< values and bounds of the setting, such as "temperature ≥
+                                   ///< 0 K"
+  std::string fallback;            ///< its default value, possibly in words; empty if there is
+                                   ///< none
+  std::string example;             ///< an example such as "2 fs", or the names of all values;
+                                   ///< empty for other kinds
+  SettingBounds bounds;            ///< bounds of numbers
+  std::string by;                  ///< key that decides whether the setting applies
   std::vector<std::string> by_names;  ///< values of that key for which the setting has a meaning;
                                       ///< empty for all values
   std::string doc;                    ///< meaning of the setting, in Markdown with the links of the
@@ -94,7 +95,7 @@ std::string value_text(const Setting& setting, const Config& config);
 /// valid.
 std::string wrong_value(std::string_view path, double value);
 
-/// Keys and values of the settings on which a run depends, such as "thermostat.friction" and "1
+/// Paths and values of the settings that determine a run, such as "thermostat.friction" and "1
 /// 1/ps". Only the given tables are included, or all tables if none is given.
 std::vector<std::pair<std::string, std::string>> recorded_settings(
     const Config& config, const std::vector<std::string_view>& tables = {});

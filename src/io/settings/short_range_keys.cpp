@@ -45,7 +45,7 @@ double exponent(TomlTable& table, std::string_view key, std::string_view example
   return *value;
 }
 
-/// The names of all laws, in their order.
+/// The names of all short-range potentials, in the order of their declaration.
 template <class... Laws>
 std::vector<std::string> names_of(const std::variant<Laws...>&) {
   return {name(ShortRangeLaw(Laws()))...};

@@ -15,7 +15,8 @@ struct ShortRangeKeys {
   ShortRangeLaw law{};
 };
 
-/// The owner of a potential. A site may have no potential, whereas a pair must have a potential.
+/// The owner of a short-range potential: a site or a pair of sites. A site may have no potential,
+/// whereas a pair must have a potential.
 enum class LawOwner { site, pair };
 
 /// Reads the keys of a short-range potential.

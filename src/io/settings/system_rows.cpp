@@ -23,8 +23,8 @@ std::string resolve(const path& folder, const std::string& name) {
   return (folder / name).lexically_normal().string();
 }
 
-/// Whether a name is the name of a file. It is false also for a name that the system rejects, for
-/// example because it is too long.
+/// Whether a file with a given name exists. The result is also false for a name that the operating
+/// system rejects, for example a name that is too long.
 bool is_file(const std::string& name) {
   std::error_code refused;
   return std::filesystem::is_regular_file(name, refused);
@@ -66,7 +66,7 @@ SystemSettings::Component read_component(TomlTable table, const path& folder,
   return component;
 }
 
-/// Reads one edge of the box, or three.
+/// Reads the box, given by one edge length or by three.
 void read_box(TomlTable& table, const SettingRow& row, Config& config) {
   if (!table.has(row.key)) return;
   Vec3<double>& box = config.system.box.emplace();
@@ -141,7 +141,7 @@ void read_velocities(TomlTable& table, const SettingRow& row, Config& config) {
   system.new_velocities = *velocities == "new";
 }
 
-// A macro has the form "NAME" or "NAME=VALUE", with a name that #ifdef accepts.
+// A macro has the form "NAME" or "NAME=VALUE", where NAME must be valid in #ifdef.
 bool is_macro(std::string_view text) {
   const std::string_view name = text.substr(0, text.find('='));
   return !name.empty() && name.front() != '-' && name.find_first_of(" \t") == name.npos;
@@ -170,7 +170,7 @@ void read_topology_file(TomlTable& table, const path& folder, SystemSettings& sy
                  "example initial_configuration = \"conf.gro\"");
 }
 
-/// Reads the keys of GROMACS topologies, which are lists of texts.
+/// Reads the keys that apply only to GROMACS topologies; their values are lists of texts.
 void read_topology_list(TomlTable& table, const SettingRow& row, Config& config) {
   const std::string& file = config.system.topology.file;
   const bool gromacs = table.has("topology") && !file.empty() && !is_data_file(file);
@@ -219,7 +219,7 @@ void read_contents(TomlTable& table, Config& config) {
   if (config.system.topology.file.empty()) read_molecules(table, config);
 }
 
-/// A setting of the table for topology files.
+/// A setting of the table [system] for topology files.
 template <class Member>
 SettingMember topology(Member TopologySettings::*one) {
   return member([one](Config& c) { return &(c.system.topology.*one); });

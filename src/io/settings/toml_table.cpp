@@ -16,7 +16,8 @@ namespace polhode {
 namespace {
 
 // Maximum number of parts of a dotted key. The TOML library recurses into dotted keys without a
-// limit, and into up to 256 nested values. The stack must hold the product of both.
+// limit, and into nested values up to a depth of 256. The stack must be large enough for the
+// product of both depths.
 constexpr std::size_t max_dots = 8;
 
 // The position of the end of the string that begins at a quote.
@@ -71,7 +72,8 @@ std::string toml_complaint(const std::string& what) {
       return fmt::format("{} occurs twice, and only one of the two can apply; delete one of them",
                          what.substr(open, close - open + 1));
   }
-  // Control characters have been rejected before, so this character is the end of the line.
+  // Control characters have been rejected already, so this control character is the end of the
+  // line.
   if (what.find("parsing string") != what.npos &&
       (what.find("control characters") != what.npos || what.find("end-of-file") != what.npos))
     return "the text is not TOML: a text in quotes has no end on this line; close it with a "
@@ -82,7 +84,7 @@ std::string toml_complaint(const std::string& what) {
       uncapitalized(what));
 }
 
-/// A value as written in a file. Numbers have as many digits as necessary.
+/// A TOML value as text, as in a file. Numbers have as many digits as necessary.
 std::string written(const toml::node& node) {
   if (node.is_string()) return fmt::format("\"{}\"", *node.value<std::string>());
   if (node.is_floating_point()) return fmt::format("{}", *node.value<double>());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A table of a TOML file that knows its position, so that every error names file, line and key. It
-// records which keys were read; all others are unknown.
+// A table of a TOML file that knows its position, so that every error names file, line and key. The
+// table records which keys are read; all other keys are reported as unknown.
 #pragma once
 
 #include <toml++/toml.h>
@@ -25,7 +25,8 @@ toml::table parse_toml(std::string_view text, const std::string& file);
 ///   table.
 /// - Another type removes the parameters that this type does not have.
 /// - A pressure selects a barostat and a thermostat if there are none.
-/// - A step removes a required accuracy, and vice versa. A box removes the density, and vice versa.
+/// - An overlay with a step removes a required accuracy, and vice versa. An overlay with a box
+///   removes the density, and vice versa.
 /// @return  notes on settings that were selected by default
 /// @throws Error  if overrides contradict each other, or a parameter has no thermostat
 std::vector<std::string> apply(const Overlay& overlay, toml::table& document);
@@ -38,11 +39,11 @@ class TomlTable {
             const Overlay* overlay = nullptr)
       : table_(&table), file_(std::move(file)), path_(std::move(path)), overlay_(overlay) {}
 
-  /// The names of all keys.
+  /// The names of all keys in the table.
   std::vector<std::string> keys() const;
   bool has(std::string_view key) { return find(key) != nullptr; }
 
-  // The following functions return the value of a key, if it exists.
+  // The following functions return the value of a key; empty if the table does not have the key.
   std::optional<std::string> text(std::string_view key);
   std::optional<double> quantity(std::string_view key, Dimension dimension,
                                  std::string_view example = {});
@@ -60,10 +61,10 @@ class TomlTable {
   std::string written(std::string_view key) const;
 
   /// The place of a key, such as "water.toml:9, forces.cutoff", or the option of the overlay, such
-  /// as "--cutoff". If the table does not have the key, it is the place of the table.
+  /// as "--cutoff". If the table does not have the key, the result is the place of the table.
   std::string where(std::string_view key) const;
 
-  /// Throws an Error of the form `key = value complaint`. Without a key, it consists only of the
+  /// Throws an Error of the form `key = value complaint`. Without a key, the error text is only the
   /// complaint.
   [[noreturn]] void refuse(std::string_view key, const std::string& complaint) const;
 
@@ -83,8 +84,8 @@ class TomlTable {
   [[noreturn]] void refuse_kind(std::string_view key, std::string_view must) const;
   std::string text_of(const toml::node& node, std::string_view key) const;
   std::string full(std::string_view key) const;
-  /// The override that set the value, or a part of the value, of a key or of the table; null if
-  /// there is none.
+  /// The command-line override that set the value of a key, or a part of this value or of the
+  /// table; null if there is none.
   const Override* override_of(std::string_view key) const;
 
   const toml::table* table_;

@@ -25,8 +25,9 @@ struct MdpFiles {
   std::string prefix = "gromacs";  ///< prefix of the outputs
 };
 
-/// Translates the parameters that have the same meaning, and lists all others. Names are compared
-/// as in GROMACS, by letters and digits. Absent parameters have the defaults of GROMACS.
+/// Translates the parameters that have the same meaning, and lists all others. Parameter names are
+/// compared as in GROMACS: only letters and digits count. Absent parameters have the defaults of
+/// GROMACS.
 /// @param file     file name in error messages
 /// @throws Error   with file, line, the text found and the text expected
 MdpImport import_mdp(std::string_view text, const std::string& file, const MdpFiles& files = {});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// LAMMPS data files of atom_style full in units real: Å, fs, kcal/mol, e, g/mol. Molecule ids are
-// rigid bodies.
+// LAMMPS data files of atom_style full in units real: Å, fs, kcal/mol, e, g/mol. All atoms with the
+// same molecule id form a rigid body.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ namespace polhode {
 struct LammpsData {
   struct AtomType {
     double mass = 0;                ///< mass [u]
-    std::string site;               ///< name that an export writes after the mass; may be empty
+    std::string site;               ///< site name that exports write after the mass; may be empty
     double sigma = 0, epsilon = 0;  ///< diameter [nm] and well depth [kJ/mol]
     ShortRangeLaw law{};
     bool has_pair_coefficients = false;
@@ -30,7 +30,7 @@ struct LammpsData {
     std::int64_t id, molecule;
     int type;
     double charge;
-    Vec3<double> r, v;  ///< position [nm], unwrapped by the image flags, and velocity [nm/ps]
+    Vec3<double> r, v;  ///< position [nm], unwrapped with the image flags, and velocity [nm/ps]
   };
   /// A kind of molecule: bodies with the same types and charges in the same shape.
   struct Kind {
@@ -42,7 +42,7 @@ struct LammpsData {
   std::string title, file;
   std::map<int, AtomType> types;
   std::vector<TypePair> pairs;  ///< pairs of `PairIJ Coeffs`
-  std::string pair_style;       ///< pair style after `Pair Coeffs #`; empty if not given
+  std::string pair_style;       ///< pair style after `Pair Coeffs #`; empty if absent
   std::vector<Atom> atoms;
   std::vector<Kind> kinds;
   bool has_velocities = false;
@@ -54,8 +54,8 @@ struct LammpsData {
 LammpsData parse_lammps_data(std::string_view text, const std::string& file);
 LammpsData read_lammps_data(const std::string& path);
 
-/// The order of atoms in a frame: by kinds, as in the topology of this file, or by ids, as in
-/// LAMMPS trajectories.
+/// The order of atoms in a frame: either by kinds of molecules, as in the topology of this file, or
+/// by ids, as in LAMMPS trajectories.
 enum class AtomOrder { of_kinds, of_ids };
 Frame frame_of(const LammpsData& data, AtomOrder order = AtomOrder::of_kinds);
 

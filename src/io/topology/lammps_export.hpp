@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A system as input for LAMMPS: a data file of atom_style full in units real, and the pair
-// potentials. These are tables, or commands for pair_style polhode.
+// potentials. The pair potentials are tables, or commands for pair_style polhode.
 #pragma once
 
 #include <iosfwd>
@@ -45,9 +45,9 @@ class LammpsTypes {
 void write_lammps_data(std::ostream& out, const std::string& title, const State& state,
                        const Topology& topology, const LammpsTypes& types);
 
-/// Writes the data file of a system with one particle per molecule, in atom_style atomic. Particles
-/// have separate types, which follow the types of the sites. Their orientations and angular momenta
-/// are in a section for `fix property/atom`.
+/// Writes the data file of a system with one particle per molecule, in atom_style atomic. The types
+/// of particles are numbered after the types of the sites. The orientations and angular momenta of
+/// particles are in a section for `fix property/atom`.
 void write_lammps_particles(std::ostream& out, const std::string& title, const State& state,
                             const Topology& topology, const LammpsTypes& types);
 inline constexpr std::string_view lammps_particle_section = "Orientations";
@@ -56,8 +56,8 @@ inline constexpr std::string_view lammps_particle_section = "Orientations";
 void write_lammps_molecule(std::ostream& out, const Topology& topology, std::size_t part,
                            const LammpsTypes& types);
 
-/// The number of distances in a table. They are equally spaced in r² from lammps_table_start to the
-/// cutoff [nm].
+/// The number of distances in a table. The distances of a table are equally spaced in r² from
+/// lammps_table_start to the cutoff [nm].
 inline constexpr std::size_t lammps_table_size = 20000;
 inline constexpr double lammps_table_start = 0.03;
 
@@ -78,8 +78,9 @@ std::string lammps_pair_style(const ForceSettings& settings);
 void write_lammps_pair_coefficients(std::ostream& out, const Topology& topology,
                                     const ForceSettings& settings, const LammpsTypes& types);
 
-/// The argument of the LAMMPS command `dielectric`. LAMMPS divides its Coulomb constant in units
-/// real, 332.06371 kcal/mol Å, by this number. The result is the constant of polhode.
+/// The argument of the LAMMPS command `dielectric` that reproduces polhode's Coulomb constant.
+/// LAMMPS divides its Coulomb constant in units real, 332.06371 kcal/mol Å, by the argument of
+/// `dielectric`. The quotient is polhode's Coulomb constant.
 double lammps_dielectric();
 
 }  // namespace polhode

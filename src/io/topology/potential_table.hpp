@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tables of pair potentials: text files with three numbers on each line. They are r [nm], the
-// energy u [kJ/mol] and the force −u' [kJ/mol/nm], at equally spaced r. '#' begins a comment.
+// Tables of pair potentials: text files with three numbers on each line. The numbers are r [nm],
+// the energy u [kJ/mol] and the force −u' [kJ/mol/nm], at equally spaced r. '#' begins a comment.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ namespace polhode {
 /// @throws Error  with file, line, the text found and the text required
 TabulatedLaw parse_potential_table(std::string_view text, const std::string& file);
 
-/// Reads the potential table to which a molecule file or run file refers. Its path is relative to
-/// this file. A built-in molecule refers to a built-in table.
+/// Reads the potential table to which a molecule file or run file refers. The path of the table is
+/// relative to this file. A built-in molecule refers to a built-in table.
 TabulatedLaw read_potential_table(const std::string& name, const std::string& named_in);
 
 }  // namespace polhode
