@@ -25,12 +25,12 @@ double confidence_half_width(const ErrorPart& part);
 
 /// One-sided prediction bound: a further value of the same normal distribution is below mean + t s
 /// √(1 + 1/n) with the given probability. The bound accounts for the scatter of the further value,
-/// and for the uncertainty of the mean and scatter of n values. It is infinite for fewer than two
-/// values.
+/// and for the uncertainty of the mean and scatter of n values. The bound is infinite for fewer
+/// than two values.
 double prediction_bound(std::span<const double> values, double probability);
 
-/// Confidence bound on the magnitude of the mean of a distribution: |mean| + t s/√n. It is infinite
-/// for fewer than two values.
+/// Confidence bound on the magnitude of the mean of a distribution: |mean| + t s/√n. The
+/// bound is infinite for fewer than two values.
 double size_bound(std::span<const double> values, double probability);
 
 }  // namespace polhode

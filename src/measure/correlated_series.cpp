@@ -67,8 +67,8 @@ class Modes {
 /// The number of slowest modes that determine the noise of a mean. The number of modes is doubled
 /// if the noise is white.
 constexpr std::size_t slowest = 4;
-/// Limits of the ratio between the mean squares of the slowest modes and all faster modes. They
-/// also determine the growth of the noise towards the next slower mode (docs/statistics.md).
+/// Limits of the ratio between the mean squares of the slowest modes and all faster modes. These
+/// limits also determine the growth of the noise towards the next slower mode (docs/statistics.md).
 constexpr double white = 1.5, too_slow = 10, growth = 0.113;
 
 /// The noise of the mean, estimated from the slowest modes.
@@ -179,8 +179,8 @@ SeriesEstimate correlation_time(const SeriesEstimate& mean, double variance, dou
   if (mean.known != Known::yes || !(variance > 0))
     return {std::nan(""), 0, mean.known == Known::yes ? Known::not_defined : mean.known};
   const double square = mean.error * mean.error;
-  // The variance about the run mean is smaller than the true variance. The difference is the
-  // squared error of the mean.
+  // The variance about the mean of the run is smaller than the true variance. The true variance is
+  // larger by the squared error of the mean.
   const double tau = samples * square / (2 * (variance + square));
   return {tau, tau * std::sqrt(2 / mean.modes), Known::yes, mean.modes};
 }

@@ -18,8 +18,8 @@ double variance(std::span<const double> mean) {
   return mean[M2] - norm2(Vec3<double>{mean[Mx], mean[My], mean[Mz]});
 }
 
-// The dielectric constant ε from the means of M, M² and V. It is not positive if the fluctuations
-// are too large for any ε.
+// The dielectric constant ε from the means of M, M² and V. The result is not positive if the
+// fluctuations are too large for any ε.
 double permittivity(std::span<const double> mean, double temperature,
                     double surroundings_permittivity) {
   // The factor 1/ε₀ is 4π times Coulomb's constant.
@@ -34,7 +34,8 @@ double mean_over_rms(const BlockMeans& means) {
   return norm(Vec3<double>{mean[Mx], mean[My], mean[Mz]}) / std::sqrt(mean[M2]);
 }
 
-/// Removes the error of a result if ⟨M⟩² is larger than in a sufficiently long run.
+/// Replaces the error of a result by "run too short" if ⟨M⟩² is larger than in a sufficiently long
+/// run.
 SeriesEstimate at_rest(const BlockMeans& means, const SeriesEstimate& e) {
   constexpr double limit = 0.1;  // largest ⟨M⟩², relative to ⟨M²⟩
   const double share = mean_over_rms(means);
@@ -82,7 +83,7 @@ TotalDipole::Result TotalDipole::result(double temperature, double surroundings_
                                                                             : Obstacle::none;
   result.convergence = convergence(length, relaxation_share(means, Mx, M2) * length,
                                    relaxations_of_dipole, obstacle);
-  // The relaxation time is uncertain as well in a short run.
+  // The relaxation time is uncertain, too, in a short run.
   if (obstacle != Obstacle::none)
     result.convergence.needed = std::max(result.convergence.needed, 2 * length);
   if (!timed) result.convergence.unit = "frames";

@@ -32,14 +32,14 @@ class TotalDipole {
     Convergence convergence;  ///< convergence of both quantities
     double mean_over_rms = 0;  ///< ratio |⟨M⟩|/√⟨M²⟩, which is small for a sufficiently long run
     std::vector<SeriesEstimate> stages;  ///< ε from the first block, from the first two blocks, and
-                                         ///< so on
-    std::vector<double> frames;  ///< number of frames for each of these values
+                                         ///< so on up to the whole run
+    std::vector<double> frames;  ///< number of frames for each element of `stages`
   };
 
   /// Computes the dielectric constant ε. With g = (⟨M²⟩ − ⟨M⟩²)/(3 ε₀ V k_B T) and surroundings of
   /// permittivity ε', (ε − 1)(2 ε' + 1)/(2 ε' + ε) = g [neumann1983]. For tin foil, ε = 1 + g. For
   /// a reaction field, ε' is the permittivity of the field. ⟨M⟩² is about ⟨M²⟩ divided by the
-  /// number of independent values of M. If it is above 10 % of ⟨M²⟩, no error is given.
+  /// number of independent values of M. If ⟨M⟩² is above 10 % of ⟨M²⟩, no error is given.
   /// @param interval  time between frames [ps]; 0 if frames have no times
   Result result(double temperature, double surroundings_permittivity, double interval = 1) const;
 
@@ -48,8 +48,8 @@ class TotalDipole {
     SeriesEstimate constant, kirkwood;
   };
   /// Computes the time-step bias.
-  /// @param temperature  temperature of the result if it was given [K]; if empty, the temperature
-  ///   of the samples, which also has a time-step bias
+  /// @param temperature  given temperature of the result [K]; if empty, the temperature of the
+  ///   samples, which also has a time-step bias
   StepBias step_bias(std::optional<double> temperature, double surroundings_permittivity,
                      double degrees_of_freedom, FixedMeans fixed) const;
 

@@ -61,7 +61,7 @@ BlockMeans Displacement::mean_square_along(std::size_t axis, std::size_t part, W
 
 namespace {
 
-/// Lags within a window, and the values at these lags.
+/// The lags within a window, with the mean-square displacements at these lags.
 struct Points {
   std::vector<double> t, y;
 };

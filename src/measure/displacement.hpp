@@ -21,7 +21,7 @@ class Unwrapped {
   void follow(const State& state);
   const Vec3Column& centres() const { return q_; }  ///< unwrapped centres [nm]
   /// The largest displacement along an axis between two frames, relative to the box edge along that
-  /// axis. A displacement of half an edge or more appears shorter than it is.
+  /// axis. A displacement of half an edge or more is underestimated.
   double max_step() const { return max_step_; }
 
  private:
@@ -30,7 +30,7 @@ class Unwrapped {
 };
 
 /// The largest relative displacement between two frames for which periodic images can be
-/// distinguished reliably. Displacements are random, and a displacement above half an edge is
+/// distinguished reliably. Displacements scatter, and a displacement above half an edge would be
 /// assigned to the wrong image.
 inline constexpr double safe_step = 0.25;
 
@@ -63,9 +63,9 @@ struct FitWindow {
 };
 
 /// The diffusion coefficient D [nm²/ps]: a sixth of the slope of the mean-square displacement, from
-/// a least-squares line through the lags within the window (Einstein relation;
-/// [allen2017, section 2.7]). It is NaN if there are fewer than two lags. No error is given for
-/// runs shorter than eight times the maximum lag.
+/// a least-squares line through the lags within the window (Einstein relation; [allen2017, section
+/// 2.7]). D is NaN if there are fewer than two lags. No error is given for runs shorter than eight
+/// times the maximum lag.
 /// @param interval  time between lags [ps]
 SeriesEstimate diffusion(const BlockMeans& squared_displacement, double interval,
                          const FitWindow& window);
@@ -83,8 +83,8 @@ double fitted_displacement(const BlockMeans& squared_displacement, double interv
                            const FitWindow& window, double lag);
 
 /// The convergence of the diffusion coefficient. The run must be `windows_of_lags` times as long as
-/// the longest lag. The slopes in the two halves of the window must not differ. They differ while
-/// molecules are still in their cages.
+/// the longest lag. The slopes in the two halves of the window must not differ. The slopes differ
+/// as long as molecules have not left the cages of their neighbours.
 Convergence diffusion_convergence(const BlockMeans& squared_displacement, double interval,
                                   const FitWindow& window);
 

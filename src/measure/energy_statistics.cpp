@@ -41,14 +41,14 @@ SeriesEstimate fluctuation(const BlockMeans& blocks, Column value, Column square
                          [=](auto mean) { return std::sqrt(variance(mean, value, square)); });
 }
 
-/// The mean of a quantity, from the sum of differences from a first value.
+/// The mean of a quantity, from the sum of differences to the first sample.
 SeriesEstimate mean_from(double first, const BlockMeans& blocks, Column column) {
   SeriesEstimate estimate = series_estimate(blocks, [=](auto mean) { return mean[column]; });
   estimate.value += first;
   return estimate;
 }
 
-/// The kinetic energies that a mean over blocks contains.
+/// The kinetic energies from the block means.
 Energies kinetic_energies(std::span<const double> mean) {
   return {.translation = mean[translation],
           .rotation = {mean[rotation_1], mean[rotation_2], mean[rotation_3]}};
@@ -105,8 +105,8 @@ Temperatures EnergyStatistics::temperatures(const DegreesOfFreedom& degrees_of_f
 }
 
 // The variance of the conserved energy is the mean variance within the blocks plus Σ c²/n over the
-// slow modes c. The first part is an ordinary mean. A slow mode is a normal variable. The variance
-// of its square is 2 ⟨c²⟩² = 2/3 ⟨c⁴⟩.
+// slow modes c. The mean variance is an ordinary average with a standard error. The coefficient c
+// of a slow mode is normally distributed. The variance of c² is therefore 2 ⟨c²⟩² = 2/3 ⟨c⁴⟩.
 SeriesEstimate EnergyStatistics::ratio_with_error() const {
   const BlockMeans means = blocks.means();
   if (means.blocks().size() < min_samples) return series_estimate(means, ratio_of);

@@ -48,8 +48,9 @@ Equilibration equilibration(std::span<const double> series) {
 }
 
 std::size_t equilibrium_start(std::span<const double> series) {
-  // Many starts compete, and the error of the best one is too small. With four standard errors, 5 %
-  // of stationary series lose samples (tests/unit/measure/equilibration_test.cpp).
+  // The start with the smallest error is chosen from many, so this error is underestimated. With
+  // four standard errors, 5 % of stationary series lose samples
+  // (tests/unit/measure/equilibration_test.cpp).
   constexpr double significant = 4;
   const Equilibration found = equilibration(series);
   if (found.start == 0) return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Result of the loops over packs, for energies().
+// The sums over packs of bodies from which energies() computes its result.
 #pragma once
 
 #include "polhode/base/vec3.hpp"

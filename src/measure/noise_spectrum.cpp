@@ -10,7 +10,7 @@
 namespace polhode {
 namespace {
 
-/// The variance of each mode, relative to white noise.
+/// The variance of each mode in a spectrum, relative to the variance for white noise.
 std::vector<double> powers(const Spectrum& spectrum, const SlowModes& modes) {
   std::vector<double> power(modes.count());
   for (std::size_t k = 0; k < power.size(); ++k)
@@ -21,9 +21,10 @@ std::vector<double> powers(const Spectrum& spectrum, const SlowModes& modes) {
   return power;
 }
 
-/// Sums over the modes, each divided by its variance relative to white noise.
+/// Sums over the modes, in which each mode is divided by its variance relative to white noise.
 struct WeightedSums {
-  double line = 0, product = 0, values = 0;  ///< sums of line², line · value, and value²
+  double line = 0, product = 0, values = 0;  ///< sums of line², line · value and value² over the
+                                             ///< modes
   double log_variances = 0;
 
   WeightedSums(const SlowModes& modes, const std::vector<double>& power, double known) {
@@ -38,7 +39,7 @@ struct WeightedSums {
     }
     log_variances += std::log(variances);
   }
-  /// The sum of squares about the weighted line.
+  /// The weighted sum of squared deviations from the fitted line.
   double residual() const { return std::max(0.0, values - product * product / line); }
 };
 

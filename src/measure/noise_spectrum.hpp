@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hypotheses about the noise of a series, and what each says about its slope (docs/statistics.md).
+// Hypotheses about the noise of a series, each with its estimate of the slope (docs/statistics.md).
 #pragma once
 
 #include <span>
@@ -26,12 +26,12 @@ std::vector<Spectrum> stationary_noise();
 /// uncertain.
 std::vector<Spectrum> walking_noise();
 
-/// A spectrum with its posterior probability and its result for the slope.
+/// A spectrum with its posterior probability and the slope that follows from it.
 struct Hypothesis {
   double probability = 0;
   double walk = 0;                ///< variance per time of the random walk of the spectrum
-  double slope = 0, error = 0;    ///< slope and error of the least-squares line that is weighted by
-                                  ///< the spectrum
+  double slope = 0, error = 0;    ///< slope of the least-squares line weighted by the spectrum, and
+                                  ///< its error
   double degrees_of_freedom = 0;  ///< degrees of freedom of `error`
   double variance = 0;            ///< variance of the slope of the least-squares line without
                                   ///< weights
@@ -42,8 +42,8 @@ struct Hypothesis {
 std::vector<Hypothesis> posterior(const SlowModes& modes, const std::vector<Spectrum>& spectra,
                                   std::span<const WalkStrength> walks);
 
-/// The Bayes factor for a random walk. It is the probability of the modes with a random walk of
-/// unknown strength, divided by the probability with stationary noise.
+/// The Bayes factor for a random walk. The factor is the probability of the modes with a random
+/// walk of unknown strength, divided by the probability with stationary noise.
 /// @param walks  as in posterior()
 double evidence_of_walk(const SlowModes& modes, std::span<const WalkStrength> walks);
 

@@ -125,12 +125,13 @@ double energy_error(const NestedScheme& scheme, double lambda, double h, std::si
 }  // namespace
 
 OrderMeasurement measure_order(const NestedScheme& scheme, double lambda) {
-  // The run takes several periods, with steps that are large for the scheme [ps]. Schemes with many
-  // stages still reach their order at 20 fs.
+  // The run takes several periods, with large steps [ps]. Even at steps of 20 fs, schemes with many
+  // stages reach their order.
   constexpr double length = 0.64;
   const double max_step = scheme.outer.force_evaluations() < 8 ? 0.02 : 0.04;
-  // The round-off error. A finite difference amplifies it by 1/λ. Otherwise a few units of 2⁻⁵³ per
-  // step add up as a random walk over a few hundred to about ten thousand steps.
+  // The round-off error. A finite-difference gradient amplifies the round-off error by 1/λ. Without
+  // finite differences, round-off errors of a few 2⁻⁵³ per step add up as a random walk over
+  // hundreds to ten thousand steps.
   const double rounding = scheme.has(Gradient::finite_difference) ? 1e-15 / lambda : 4e-14;
   OrderMeasurement result;
   double before = 0;

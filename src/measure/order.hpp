@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measures the order of a scheme: how fast its energy error decreases when the step is halved.
+// Measures the order of a scheme from the decrease of its energy error when the step is halved.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,17 @@
 namespace polhode {
 
 /// The measured order of a scheme. The test system is an asymmetric body with unlike sites in a
-/// smooth anharmonic field. It is the smallest system that couples translation, rotation and all
-/// terms of the gradient kick. The harmonic part of the field serves as the near forces of an inner
-/// scheme, whatever its cutoff.
+/// smooth anharmonic field. This body is the smallest system that couples translation, rotation and
+/// all terms of the gradient kick. For nested schemes, the harmonic part of the field takes the
+/// role of the near forces, whatever the inner cutoff.
 struct OrderMeasurement {
   struct Point {
     double step;   ///< time step [ps]
     double error;  ///< maximum of |E − E₀| over the run, divided by the initial kinetic energy
   };
   std::vector<Point> points;  ///< measurements, each with half the step of the previous one
-  double order = 0;        ///< log₂ of the last ratio of errors that is not affected by round-off
+  double order = 0;        ///< log₂ of the ratio of the last two errors that are not affected by
+                           ///< round-off
   double uncertainty = 0;  ///< change of the order at the last halving of the step
 };
 

@@ -48,8 +48,8 @@ struct Bins {
   std::ptrdiff_t low, high;
 };
 
-// The function g, averaged over the bins within 1.5 % of the distance on either side. Averaging
-// keeps the noise of single bins from affecting the search for peaks.
+// The function g, averaged over all bins whose distance differs by at most 1.5 %. Averaging keeps
+// the noise of single bins from affecting the search for peaks.
 std::vector<double> smoothed(std::span<const double> g) {
   constexpr double part = 0.015;
   std::vector<double> smooth(g.size());
@@ -62,8 +62,8 @@ std::vector<double> smoothed(std::span<const double> g) {
 }
 
 // The bin of the first peak. The search begins at the first distance at which g is close to its
-// maximum. It ends where g has fallen to half of the peak height, because a second peak may be
-// equally high.
+// maximum. The search ends where g has fallen to half of the peak height, because a second peak may
+// be equally high.
 std::ptrdiff_t first_summit(std::span<const double> g) {
   constexpr double near = 0.75, fallen = 0.5;
   const double largest = *std::max_element(g.begin(), g.end());
@@ -85,9 +85,9 @@ Bins about_summit(std::span<const double> g, std::ptrdiff_t top) {
           std::min(last, std::max(high, top + 2))};
 }
 
-// The bins around the smallest g between the distance r of a maximum and 1.6 r, with 10 % of r on
-// each side. The result is empty if g is smallest in the last bin, because the minimum may lie
-// beyond it.
+// The bins around the smallest g between the distance r of a maximum and 1.6 r, extended by 10 % of
+// r on each side. The result is empty if g is smallest in the last bin, because the minimum may lie
+// beyond the last bin.
 std::optional<Bins> about_minimum(std::span<const double> g, std::ptrdiff_t top) {
   constexpr double search_end = 1.6, part = 0.1;
   const auto last = static_cast<std::ptrdiff_t>(g.size()) - 1;
@@ -107,10 +107,10 @@ using Cubic = std::array<double, 4>;  // coefficients of 1, x, x², x³
 
 double value(const Cubic& c, double x) { return c[0] + x * (c[1] + x * (c[2] + x * c[3])); }
 
-// The least-squares cubic through `sign` times g at x = −half, −half + 1, ..., half, with a lower
-// degree for fewer than four points. It is a sum of polynomials that are orthogonal on these
-// points. The points are symmetric about 0, so each polynomial is x times the previous polynomial,
-// minus a multiple of the polynomial before.
+// The least-squares cubic through `sign` times g at x = −half, −half + 1, ..., half, or a
+// polynomial of lower degree for fewer than four points. The cubic is a sum of polynomials that are
+// orthogonal on these points. The points are symmetric about 0, so each orthogonal polynomial is x
+// times the previous one, minus a multiple of the one before that.
 Cubic fitted_cubic(std::span<const double> g, double sign) {
   const double half = static_cast<double>(g.size() - 1) / 2;
   Cubic sum{}, polynomial{1}, last{};
@@ -140,8 +140,9 @@ Extremum maximum(std::span<const double> g, const Bins& bins, double sign) {
   const Cubic c = fitted_cubic(g.subspan(static_cast<std::size_t>(bins.low),
                                          static_cast<std::size_t>(bins.high - bins.low + 1)),
                                sign);
-  // The maximum is where the slope is zero, with the appropriate sign of the root. A limit of the
-  // range is used only if there is no such point, because noise may make its value higher.
+  // The maximum is where the slope is zero, given by one of the two roots of the slope. An end of
+  // the range is used only if the slope has no zero inside, because noise may make the value at the
+  // end higher.
   const double root = std::sqrt(c[2] * c[2] - 3 * c[1] * c[3]);
   const double inside = c[2] < 0 ? c[1] / (root - c[2]) : (-c[2] - root) / (3 * c[3]);
   const double end = value(c, -half) > value(c, half) ? -half : half;
@@ -149,7 +150,7 @@ Extremum maximum(std::span<const double> g, const Bins& bins, double sign) {
   return {middle + best, sign * value(c, best)};
 }
 
-// Pairs of sites are distributed over this many tasks, each with a separate histogram.
+// Number of tasks over which pairs of sites are distributed, each with a separate histogram.
 constexpr std::size_t tasks = 32;
 
 std::size_t checked_bins(const RadialSettings& settings) {
@@ -210,7 +211,7 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
       cutoff_(settings.cutoff),
       width_(settings.bin),
       bins_(checked_bins(settings)) {
-  // Sites that are selected by the same names form a kind.
+  // Sites form a kind if they are selected by the same site names.
   std::vector<std::string> words, all_names;
   for (const SitePair& pair : pairs_) words.insert(words.end(), pair.begin(), pair.end());
   std::vector<std::vector<bool>> kinds;
@@ -232,8 +233,8 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
       throw Error(fmt::format("no site is named '{}'{} (the sites are: {})", words[w],
                               did_you_mean(words[w], all_names), join_names(all_names)));
 
-  // Weight of a pair of sites of two kinds: 1 if both selections are the same, otherwise 1 for each
-  // direction.
+  // Weight of a pair of sites of two kinds: 1 if both selections of the pair are the same,
+  // otherwise 1 for each order of the two sites.
   counts_.assign(kinds.size(), std::vector<std::vector<Count>>(kinds.size()));
   for (std::size_t a = 0; a < kinds.size(); ++a)
     for (std::size_t b = 0; b < kinds.size(); ++b)
@@ -365,8 +366,8 @@ std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(
     return std::nullopt;
   const std::ptrdiff_t summit = first_summit(smooth);
   if (summit + 1 == static_cast<std::ptrdiff_t>(bins_)) return std::nullopt;
-  // The same bins are used with and without a block. Otherwise the cubic would jump when a bin is
-  // added.
+  // The same bins are used for the mean of all blocks and for the means that omit a block. With
+  // different bins, the fitted cubic would change discontinuously.
   using Mean = std::span<const double>;
   const auto top = [&, bins = about_summit(smooth, summit)](Mean mean) {
     return maximum(g(pair, mean), bins, 1);

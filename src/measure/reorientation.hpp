@@ -22,7 +22,7 @@ struct BodyAxis {
 };
 
 /// The axes of a molecule: the principal axes and the dipole. A linear body has only the axis along
-/// the molecule, and an atom has none.
+/// the molecule, and an atom has no axis.
 std::vector<BodyAxis> body_axes(const Molecule& molecule);
 
 class Reorientation {
@@ -53,14 +53,14 @@ struct RelaxationTimes {
   SeriesEstimate integral;
   SeriesEstimate exponential;  ///< time constant of C ~ exp(−t/τ) between `from` and `to`
   double from = 0, to = 0;
-  Convergence convergence;  ///< convergence of both: the run must be `windows_of_lags` times as
-                            ///< long as `to`
+  Convergence convergence;  ///< convergence of both times: the run must be `windows_of_lags` times
+                            ///< as long as `to`
 };
 
 /// Computes the relaxation times. The exponential is fitted to C between 1/e and 1/e³. In this
 /// range librations have decayed and the noise is still small. ln C is fitted by a line with
 /// weights C², because the errors of C are all similar in this range. The result is empty if C does
-/// not decay to 1/e³ within its lags.
+/// not decay to 1/e³ within the available lags.
 std::optional<RelaxationTimes> relaxation_times(const BlockMeans& correlation, double interval);
 
 }  // namespace polhode

@@ -10,8 +10,8 @@
 namespace polhode {
 namespace {
 
-/// A random walk is reported if the data make a random walk this many times as probable as
-/// stationary noise.
+/// A random walk is reported if the data make a random walk more probable than stationary noise by
+/// this factor.
 constexpr double clear_evidence = 3;
 
 /// The energy drift with its significance, averaged over the posterior.
@@ -39,8 +39,8 @@ double mean_walk(const std::vector<Hypothesis>& all) {
   return walking > 0 ? walk / walking : 0;
 }
 
-/// Whether the slowest modes about the line are much stronger than all faster modes. The noise of
-/// the modes can then not be extrapolated to the slope (docs/statistics.md).
+/// Whether the slowest modes about the line are much stronger than all faster modes. If so, the
+/// noise of the slope cannot be extrapolated from the modes (docs/statistics.md).
 bool too_slow(const SlowModes& modes, double walk) {
   constexpr double limit = 10;
   constexpr std::size_t first = 1, end = 5;  // modes next to the mode that a line resembles most

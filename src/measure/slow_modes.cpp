@@ -25,8 +25,8 @@ Columns columns(const BlockMeans& means, std::size_t time, std::size_t quantity)
 }
 
 /// The covariance of a random walk of unit rate between block means, times the square roots of
-/// their weights. Between the centres of two blocks it is min(t, t'). Within a block it is smaller
-/// by a sixth of the duration of the block.
+/// their weights. Between two blocks with centres at t and t', the covariance is min(t, t'). For a
+/// block with itself, the covariance is smaller than t by a sixth of the duration of the block.
 std::vector<double> walk_covariance(const Columns& c, double time_per_sample) {
   const std::size_t n = c.weights.size();
   std::vector<double> covariance(n * n);

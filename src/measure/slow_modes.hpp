@@ -11,12 +11,13 @@ namespace polhode {
 
 /// Coefficients of a series of block means in the eigenvectors of the covariance of a random walk,
 /// beginning with the slowest mode. If all blocks are equal, the modes are half cosines over the
-/// run. White noise has the variance of a sample in each mode. The mean is subtracted.
+/// run. For white noise, each coefficient has the variance of a sample. The mean is subtracted.
 struct SlowModes {
   double samples = 0, length = 0;  ///< number of samples, and length of the run [time]
   std::vector<double> values;      ///< coefficients of the series
-  std::vector<double> line;        ///< coefficients of the time as a series
-  std::vector<double> walk;        ///< variances of a random walk of variance 1 per time
+  std::vector<double> line;        ///< coefficients of a series with the time as its values
+  std::vector<double> walk;        ///< variance of each coefficient for a random walk with variance
+                                   ///< 1 per time
 
   std::size_t count() const { return values.size(); }
   /// The squared wave number (π k)² of mode k of equal blocks, k = 1, 2, ...

@@ -8,8 +8,9 @@
 namespace polhode {
 namespace {
 
-/// The sums of a sample: the factors, the averages, and the products of each factor with all
-/// averages. The first averages are the kinetic energy and the pressure.
+/// Each sample adds to these sums: the factors, the averaged quantities, and the products of each
+/// factor with all averaged quantities. The first averaged quantities are the kinetic energy and
+/// the pressure.
 constexpr std::size_t error = 0, total = 1, volume = 2, factors = 3;
 constexpr std::size_t kinetic = 0, pressure = 1, others = 2;
 
@@ -45,7 +46,7 @@ class Shifts {
   double pressure_ = 0;  // bias of the pressure at constant volume, to which the volume responds
 };
 
-/// The derivative of a function of averages along their shifts.
+/// The time-step bias of a function of averages: its derivative along the shifts of the averages.
 double bias_at(std::span<const double> mean, const std::vector<double>& first, const Shifts& shifts,
                const StepResponse::Function& f) {
   std::vector<double> above, below;

@@ -31,15 +31,16 @@ enum class Product {
 /// Computes time correlation functions by Fourier transforms of a quarter of a window together with
 /// the preceding window (Wiener-Khinchin theorem; [frenkel2002, section 4.4]). A multiple-tau
 /// correlator [ramirez2010] would need less memory. However, this class gives every lag exactly as
-/// a direct sum, without smoothing, and spectra need evenly spaced lags. It needs 30 bytes of
-/// memory per body and lag.
+/// a direct sum, without smoothing, and spectra need evenly spaced lags. The class needs 30 bytes
+/// of memory per body and lag.
 ///
-/// Bodies are distributed over groups, 32 or as many as there are bodies. Each group is one task,
-/// so all sums are bitwise identical for any number of threads. Errors are computed from blocks of
-/// time, because the motion of different bodies over the same time is correlated.
+/// Bodies are distributed over 32 groups, or over one group per body if there are fewer bodies.
+/// Each group is one task, so all sums are bitwise identical for any number of threads. Errors are
+/// computed from blocks of time, because the motion of different bodies over the same time is
+/// correlated.
 class TimeCorrelation {
  public:
-  /// @param lags  number of lags; they are 0 to lags − 1 frames
+  /// @param lags  number of lags, which are 0, 1, ..., lags − 1 frames
   TimeCorrelation(std::size_t bodies, std::size_t lags, std::vector<Product> products);
 
   std::size_t bodies() const { return bodies_; }
@@ -50,8 +51,8 @@ class TimeCorrelation {
 
   /// The mean of the k-th product at each lag over all frames so far, in blocks of time. Lags are
   /// limited to half of the frames, so that at least half of the frames serve as origins. The mean
-  /// of all blocks is the mean of all products. The deviation of a block from this mean is the
-  /// contribution of its products.
+  /// of all blocks is the mean of all products. The deviation of a block from the mean over all
+  /// blocks is the contribution of the block's products.
   BlockMeans means(std::size_t k, Workers& workers = Workers::serial());
 
  private:

@@ -114,7 +114,8 @@ Convergence integral_convergence(const BlockMeans& correlation, double interval)
   return c;
 }
 
-// A block deviates from the mean by its contribution, to first order.
+// To first order, each block of the normalized function deviates from the mean by the contribution
+// of that block.
 BlockMeans normalized(const BlockMeans& correlation) {
   const std::vector<double> C = correlation.mean();
   if (C.empty() || C.front() == 0) return correlation;

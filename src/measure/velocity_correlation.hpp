@@ -24,13 +24,13 @@ class VelocityCorrelation {
   BlockMeans linear(std::size_t part, Workers& workers = Workers::serial());
 
   /// The angular velocity autocorrelation function ⟨ω_k(t) ω_k(t + lag)⟩ [1/ps²] about a principal
-  /// axis fixed in the body. For a linear body it is ⟨ω(t) · ω(t + lag)⟩/2 in the lab frame. The
-  /// atoms of a frame do not determine the rotation of a linear body about its axis. The directions
-  /// of the other two axes are therefore not known either.
+  /// axis fixed in the body. For a linear body the function is ⟨ω(t) · ω(t + lag)⟩/2 in the lab
+  /// frame. The atoms of a frame do not determine the rotation of a linear body about its axis. The
+  /// directions of the two axes normal to the molecule are therefore not known either.
   BlockMeans angular(std::size_t part, std::size_t axis, Workers& workers = Workers::serial());
 
   /// The principal axes with a nonzero moment of inertia, because only these have an angular
-  /// velocity. For a linear body, one axis represents both.
+  /// velocity. For a linear body, one of the two equivalent axes represents both.
   std::vector<std::size_t> turning_axes(std::size_t part) const;
   /// Whether the molecules of a part are linear.
   bool linear_body(std::size_t part) const;
@@ -41,19 +41,19 @@ class VelocityCorrelation {
   std::vector<TimeCorrelation> linear_, angular_;
 };
 
-/// The running integral ∫₀^t C dt' at each lag, by the trapezoidal rule. Once C has decayed, it is
-/// the Green-Kubo diffusion coefficient [nm²/ps] [allen2017, section 2.7].
+/// The running integral ∫₀^t C dt' at each lag, by the trapezoidal rule. Once C has decayed, the
+/// running integral is the Green-Kubo diffusion coefficient [nm²/ps] [allen2017, section 2.7].
 BlockMeans running_integral(const BlockMeans& correlation, double interval);
 
 /// The convergence of the running integral at the last lag. The run must be `windows_of_lags` times
-/// as long as this lag. The integrals up to this lag and up to half of this lag must agree, and the
-/// trapezoidal rule must be accurate. The error of the rule is a third of the change when its
-/// interval is doubled (Richardson). The error is smaller if C is smooth at lag 0, as in dynamics
-/// without friction.
+/// as long as the last lag. The integrals up to the last lag and up to half of it must agree, and
+/// the trapezoidal rule must be accurate. The error of the trapezoidal rule is a third of the
+/// change when its interval is doubled (Richardson). The error is smaller if C is smooth at lag 0,
+/// as in dynamics without friction.
 Convergence integral_convergence(const BlockMeans& correlation, double interval);
 
-/// The normalized function C(t)/C(0), which is 1 at lag 0, without an error. If C(0) vanishes, the
-/// result is C without normalization.
+/// The normalized function C(t)/C(0), which is exactly 1 at lag 0. If C(0) vanishes, the result is
+/// C without normalization.
 BlockMeans normalized(const BlockMeans& correlation);
 
 struct Spectrum {

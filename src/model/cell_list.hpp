@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Pairs of close items in a periodic box, for computations outside the time step. Two searches use
-// other cells. In the neighbour list, rows of cells become packs (forces/pairs/cells). The check of
-// overlaps has such a short range that nearly all cells would be empty.
+// Pairs of close items in a periodic box, for computations outside the time step. Two searches for
+// close pairs do not use this cell list. The neighbour list uses cells whose rows become packs
+// (forces/pairs/cells). The overlap check uses hash buckets, because its range is so short that
+// nearly all cells would be empty.
 #pragma once
 
 #include <algorithm>
@@ -18,11 +19,12 @@ namespace polhode {
 /// Items sorted by cells that are at least as wide as a range. Items closer than the range are in
 /// the same cell or in neighbouring cells.
 ///
-/// @tparam Item  type with a position `r` [nm], which may be outside the box
+/// @tparam Item  type with a position `r` [nm], where r may be outside the box
 template <class Item>
 class CellList {
  public:
-  /// Sorts items into cells. There are at most as many cells as items, or 27.
+  /// Sorts items into cells. The number of cells is at most the number of items, or 27 if there are
+  /// fewer items.
   CellList(const std::vector<Item>& items, const Box& box, double range) : items_(items.size()) {
     const double width = cell_width(box, range, std::max(27.0, static_cast<double>(items.size())));
     for (std::size_t d = 0; d < 3; ++d)
@@ -61,8 +63,8 @@ class CellList {
     return cell;
   }
 
-  // Visits the cell and its neighbours with higher numbers. Each is visited once, even in a small
-  // box with few cells.
+  // Visits the cell and its neighbours with higher numbers. Each of these cells is visited once,
+  // even in a small box with few cells.
   std::vector<std::size_t> later_neighbours(std::size_t cell) const {
     const std::array at = {cell % cells_[0], cell / cells_[0] % cells_[1],
                            cell / (cells_[0] * cells_[1])};

@@ -9,8 +9,8 @@
 namespace polhode {
 namespace {
 
-// Blocks depend only on the number of bodies. There are few blocks, so that their sums fit on the
-// stack.
+// The division into blocks depends only on the number of bodies, so that sums do not depend on the
+// number of threads. There are few blocks, so that their sums fit on the stack.
 constexpr std::size_t max_blocks = 64;
 std::size_t block_of(std::size_t size) {
   return std::max<std::size_t>(4096, blocks(size, max_blocks));
@@ -30,8 +30,8 @@ Vec3<double> total(const Vec3Column& v, Workers& workers = Workers::serial()) {
   return all;
 }
 
-/// Subtracts u in proportion to mass: v ← v − (m/M) u. For a single body the result is exactly v −
-/// u.
+/// Subtracts a vector u in proportion to the mass of each body: v ← v − (m/M) u. For a single body
+/// the result is exactly v − u.
 void subtract_by_mass(Vec3Column& v, const Bodies& bodies, const Vec3<double>& u,
                       Workers& workers = Workers::serial()) {
   const double mass = total_mass(bodies);

@@ -9,7 +9,7 @@ namespace polhode {
 /// The dipole moment Σ q r about the centre of mass [e nm], in the body frame.
 Vec3<double> dipole_moment(const Molecule& molecule);
 
-/// Whether the dipole moment exceeds the round-off of the site positions.
+/// Whether the dipole moment exceeds the round-off error from the site positions.
 bool has_dipole(const Molecule& molecule);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chemical elements, for files that leave them to be inferred.
+// Chemical elements, which must be inferred from names or masses in some file formats.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ std::string element_of_number(int number);
 /// to radon is within 0.1 u.
 std::string element_of_mass(double mass);
 
-/// Whether a text is the symbol of an element, or D or T.
+/// Whether a text is the symbol of an element; D and T (hydrogen isotopes) are accepted as well.
 bool is_element(std::string_view symbol);
 
 /// The symbols of all elements, for suggestions.

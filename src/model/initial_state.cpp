@@ -15,11 +15,11 @@
 namespace polhode {
 namespace {
 
-// Purposes of random numbers; each has a separate stream.
+// Purposes of random numbers; each purpose has a separate stream.
 enum Stream : std::uint64_t { shuffling, orientations, momenta };
 
-// Numbers of lattice cells along each edge. The edge with the longest cells gets one more cell
-// until all bodies fit.
+// Numbers of lattice cells along each edge. Cells are added one by one, always along the edge with
+// the longest cells, until all bodies fit.
 std::array<std::size_t, 3> cells(std::size_t bodies, const Vec3<double>& edge) {
   std::array<std::size_t, 3> n = {1, 1, 1};
   while (n[0] * n[1] * n[2] < bodies) {

@@ -14,11 +14,12 @@
 namespace polhode {
 namespace {
 
-// Relative tolerance of moments of inertia: smaller differences are treated as zero. Geometries
-// have at least 10 digits, and their squares have a few times this round-off.
+// Relative tolerance of moments of inertia: smaller differences between moments are treated as
+// zero. Coordinates have at least 10 digits, and moments (squares of coordinates) have a few times
+// this round-off error.
 constexpr double same_moment = 1e-9;
 
-// Maximum number of sites, which is more than a rigid molecule needs. The pair loops allow 64
+// Maximum number of sites, far above the needs of a rigid molecule. The pair loops allow 64
 // interacting sites, and the size of a molecule is found by looping over all pairs.
 constexpr std::size_t max_sites = 1024;
 
@@ -40,7 +41,8 @@ void check(const Site& site, const std::string& molecule) {
 }
 
 // Two sites with mass at the same position are an error in the input, such as a copied line or
-// missing positions. A massless charge or short-range site may have the position of another site.
+// missing positions. A massless charge or short-range site may be at the same position as another
+// site.
 void check_apart(const std::vector<Site>& sites, const std::string& molecule) {
   constexpr double same_place = 1e-3;  // one percent of a bond length [nm]
   for (std::size_t k = 1; k < sites.size(); ++k)
@@ -53,7 +55,8 @@ void check_apart(const std::vector<Site>& sites, const std::string& molecule) {
                     "two sites");
 }
 
-// `rounding` is an upper bound on the moments that round-off gives to a single point mass.
+// `rounding` is an upper bound on the round-off error of the moments: a single point mass may have
+// moments up to this bound.
 Top kind(Vec3<double>& J, double rounding) {
   const double tiny = same_moment * J.z;
   if (J.z <= rounding) {
@@ -85,7 +88,7 @@ Eigen3 axes_of_frame(const Mat3<double>& inertia) {
 }
 
 // A body with no moment of inertia about an axis cannot respond to a torque about this axis. All
-// its sites must therefore lie on the axis.
+// sites of such a body must therefore lie on the axis.
 void check_lever(Site& site, Top top, const std::string& molecule) {
   if (top != Top::linear && top != Top::atom) return;
   double& along = site.r.x;

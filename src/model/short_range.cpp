@@ -92,7 +92,8 @@ void check(double sigma, double epsilon, const ShortRangeLaw& law) {
           fmt::format("the Buckingham potential has A = {} kJ/mol, B = {} 1/nm and C = {} kJ/mol "
                       "nm6; A and B must be above 0 and C 0 or more",
                       A, B, C));
-    // The slope u' is 0 where (B r)⁷ exp(−B r) = 6 C B⁶/A. The left side is largest at B r = 7.
+    // The slope u' of the Buckingham potential is 0 where (B r)⁷ exp(−B r) = 6 C B⁶/A. The function
+    // x⁷ exp(−x) is largest at x = B r = 7.
     if (6 * C * std::pow(B, 6) / A >= std::pow(7 * std::exp(-1), 7))
       refuse(fmt::format(
           "with A = {} kJ/mol, B = {} 1/nm and C = {} kJ/mol nm6 the sites attract each "

@@ -23,8 +23,8 @@ struct Format {
   /// messages.
   std::unique_ptr<FrameReader> (*read)(std::istream& in, const std::string& file);
 
-  /// Creates the writer of a file, which begins anew or appends at a mark; null if the format is
-  /// read-only.
+  /// Creates the writer of a file, which starts the file or appends at a mark; null if the format
+  /// is read-only.
   std::unique_ptr<FrameWriter> (*write)(const std::string& path, const Topology& topology,
                                         const FrameChoice& choice, const FileMark* mark);
 

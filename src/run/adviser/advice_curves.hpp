@@ -12,8 +12,8 @@ namespace polhode {
 /// The test runs of a candidate at one step, as a point of a figure.
 EfficiencyPoint efficiency_point(const Candidate& candidate, const AdviserPoint& point);
 
-/// The curves of all candidates, with points ordered by step. They contain the exploratory and the
-/// confirming runs that the adviser considered usable.
+/// The curves of all candidates, with points ordered by step. The curves contain the exploratory
+/// and the confirming runs that the adviser considered usable.
 std::vector<Curve> curves(const Advice& advice);
 
 }  // namespace polhode

@@ -30,7 +30,7 @@ double in_kJ_per_ns(double power) { return power / unit("kJ/mol/ns", Dimension::
 
 std::string percent(const Estimate& x) { return with_error(100 * x.value, 100 * x.error) + " %"; }
 
-/// Results of the runs at a given step; not known if any run blew up.
+/// Results of the runs at a given step; the results are unknown if any run blew up.
 Quantities of_point(const Candidate& candidate, const AdviserPoint& point) {
   const bool there = !blew_up(point.runs);
   const Estimate unknown{std::nan(""), std::nan("")};
@@ -63,7 +63,7 @@ Quantities of_point(const Candidate& candidate, const AdviserPoint& point) {
   return list;
 }
 
-/// "4 fs: 0.5, 6 fs: blew up".
+/// A list of points as text, such as "4 fs: 0.5, 6 fs: blew up".
 std::string tried_steps(const Candidate& candidate) {
   std::string text;
   for (const AdviserPoint& p : candidate.points)
@@ -74,7 +74,7 @@ std::string tried_steps(const Candidate& candidate) {
   return text;
 }
 
-/// A candidate without its points.
+/// The results of a candidate, without its points.
 Quantities of_candidate(const Candidate& candidate) {
   const bool has_step = candidate.step > 0, timed = candidate.seconds > 0;
   const double fs = candidate.step * units::fs_per_ps;
@@ -105,7 +105,7 @@ std::vector<Quantities> candidate_records(const Advice& advice) {
   return records;
 }
 
-/// Runs that were to confirm a scheme and a step, and did not.
+/// Confirming runs that did not confirm their scheme and step.
 std::vector<Quantities> point_records(
     const Advice& advice, const std::vector<std::pair<std::size_t, AdviserPoint>>& sets) {
   std::vector<Quantities> records;
@@ -116,7 +116,7 @@ std::vector<Quantities> point_records(
   return records;
 }
 
-/// All points. The last points are confirming runs.
+/// All points. The last points of a curve are from confirming runs.
 std::vector<Quantities> table_records(const Advice& advice) {
   std::vector<std::pair<std::size_t, AdviserPoint>> explored, confirmed = advice.refused;
   for (std::size_t c = 0; c < advice.candidates.size(); ++c)
@@ -132,7 +132,7 @@ std::vector<Quantities> table_records(const Advice& advice) {
   return records;
 }
 
-/// The points of a candidate with a step and a measured time, and its model.
+/// The curve of a candidate that has a step and a measured time: its points and its model.
 AdviceFigure::Curve curve_of(const Candidate& c, std::size_t first) {
   AdviceFigure::Curve curve{
       {c.name, first, first + c.points.size() - 1}, c.step * units::fs_per_ps, c.seconds};
@@ -160,7 +160,8 @@ AdviceFigure figure(const AdviceReport& report, std::size_t rows) {
   return figure;
 }
 
-/// Why candidates have no step, and why confirming runs were not the answer, a line each.
+/// One line for each candidate without a step and for each set of unsuccessful confirming runs,
+/// with the reason.
 Quantities obstacles(const AdviceReport& r) {
   const Advice& advice = r.advice;
   Quantities lines;
@@ -228,7 +229,7 @@ Quantities of_best(const AdviceReport& r) {
   return list;
 }
 
-/// The second-best, and the temperatures of both.
+/// The second-best candidate, and the configurational temperatures of the best two candidates.
 Quantities of_others(const Advice& advice) {
   if (!advice.best) return {};
   const std::vector<Curve> all = curves(advice);

@@ -20,7 +20,7 @@ struct AdviceFiles {
   std::vector<std::string> all() const;
 };
 
-/// The advice, with the requirement that it meets.
+/// The advice, with the requirement that the advice meets.
 struct AdviceReport {
   Advice advice;
   Criterion criterion;
@@ -28,8 +28,8 @@ struct AdviceReport {
   AdviceFiles files;
 };
 
-/// Runs the adviser for a run file, see advise(), and writes its outputs. Nothing is written if it
-/// is interrupted.
+/// Runs the adviser for a run file, see advise(), and writes its outputs. No output is written if
+/// the adviser is interrupted.
 /// @param prefix  prefix of the output files
 /// @throws Error  before anything is computed, if outputs exist or a setting is invalid
 AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,

@@ -33,34 +33,34 @@ namespace {
 
 /// Numbers of initial configurations for the choosing runs, and for a set of confirming runs.
 constexpr std::size_t choosing = 6, confirming = 8;
-/// Rejected sets of confirming runs after which the adviser gives up.
+/// Maximum number of rejected sets of confirming runs, after which the adviser gives up.
 constexpr std::size_t max_refusals = 10;
 constexpr double preparation = 2;  // longest preparation [ps], in steps of 1 fs
 /// Maximum interval between energy samples [ps]; fewer samples would make R less accurate.
 constexpr double max_sample_interval = 0.004;
-/// Number of times that a longer step is tried because R is well below the bound.
+/// Maximum number of trials of a longer step because R is well below the bound.
 constexpr int max_lengthenings = 4;
-/// Fractions of the length of confirming runs at which hopeless sets are stopped.
+/// Fractions of the length of confirming runs after which hopeless sets of runs are stopped.
 constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
-/// The first fraction after which a longer step may be tried.
+/// The smallest fraction of confirming runs after which a longer step may be tried.
 constexpr double telling = 1.0 / 3;
-/// Fractions of the computing time for choosing runs, timings, the response to the temperature (if
-/// needed), and at least for confirming runs.
+/// Fractions of the computing time for choosing runs, for timings and for the response to the
+/// temperature (if needed), and minimum fraction for confirming runs.
 constexpr double choosing_share = 0.35, clock_share = 0.1, response_share = 0.15,
                  min_confirming_share = 0.3;
 /// Length of preliminary runs, relative to runs near the final step.
 constexpr double way = 0.5;
-/// The first step to confirm, relative to the step that the choosing runs propose. Short runs
-/// underestimate R, especially if R grows as a high power of the step, because the energy then
-/// begins a random walk.
+/// The first step for confirming runs, relative to the step that the choosing runs propose. Short
+/// runs underestimate R, especially if R grows as a high power of the step, because the energy
+/// error of such schemes begins as a random walk.
 double reserve(double exponent) { return 1 - 0.015 * std::clamp(exponent, 2.0, 4.0); }
 /// A scheme is postponed while its expected cost exceeds this factor times the cost of the second
-/// cheapest scheme. Differences in speed may compensate smaller factors.
+/// cheapest scheme. Differences in speed can compensate a smaller factor.
 constexpr double hopeless = 1.25;
-/// Maximum cost of configurational temperatures relative to a run; cost of a sample.
+/// Maximum cost of configurational temperatures relative to a run; force evaluations per sample.
 constexpr double temperature_share = 0.03, sample_cost = 2;
-/// The p-value below which an energy drift of the choosing runs ends the range of steps. It is
-/// smaller than the usual significance level, because there are about a dozen tests.
+/// The p-value below which an energy drift of the choosing runs ends the range of steps. This
+/// p-value is smaller than the usual significance level, because there are about a dozen tests.
 constexpr double significance_level = 0.001;
 
 /// A test run to be performed.
@@ -131,8 +131,8 @@ class Adviser {
     };
   }
 
-  /// Number of force evaluations of a search without rejected steps and with the shortest runs. It
-  /// has about five steps per scheme and one confirmation, at 3.3 ω force evaluations per ps.
+  /// Number of force evaluations of a search without rejected steps and with the shortest runs,
+  /// for about five steps per scheme and one confirmation, at 3.3 ω force evaluations per ps.
   double min_work() const {
     const double search = 5 * way * choosing * static_cast<double>(advice_.candidates.size());
     return confirming * 1000 * preparation_length() +
@@ -234,21 +234,21 @@ class Adviser {
     point.usable = !blew_up(point.runs) && !drifts(point.runs, significance_level);
   }
 
-  /// Whether only the bound could exclude the step of a point.
+  /// Whether neither a blow-up nor an energy drift excludes the step of a point.
   bool calm(const AdviserPoint& point) const {
     return !blew_up(point.runs) &&
            (settings_.criterion.quality == Quality::drift || !drifts(point.runs));
   }
 
-  /// Whether a single full run already shows that its set cannot meet the bound. Of eight values,
-  /// no value can be more than 7/√8 = 2.47 standard deviations above the mean. The bound is 2.51
-  /// standard deviations above the mean.
+  /// Whether a single run of full length already shows that its set of runs cannot meet the bound.
+  /// Of eight values, no value can be more than 7/√8 = 2.47 standard deviations above the mean. The
+  /// prediction bound of eight runs is 2.51 standard deviations above the mean.
   bool breaks(const Outcome& run) const {
     return settings_.criterion.quality == Quality::ratio &&
            (!run.failure.empty() || run.ratio > settings_.criterion.bound);
   }
 
-  /// Performs confirming runs over the whole length, or until they are hopeless.
+  /// Performs confirming runs until they end, or until they cannot meet the bound any more.
   AdviserPoint confirming_runs(std::vector<ResumableRun> resumable_runs, const Job& whole) const {
     AdviserPoint point{whole.step, whole.length, std::vector<Outcome>(resumable_runs.size())};
     effort_.expect(work_of(whole, resumable_runs.size()));
@@ -258,7 +258,7 @@ class Adviser {
       std::atomic<bool> broken = false;
       std::vector<char> done(resumable_runs.size(), 0);
       workers_.each(resumable_runs.size(), [&](std::size_t r) {
-        // Two values are the minimum for a scatter.
+        // At least two runs are needed for the scatter.
         if (stop() || (broken && r >= 2)) return;
         point.runs[r] = advance(resumable_runs[r], job);
         done[r] = 1;
@@ -279,8 +279,8 @@ class Adviser {
     return point;
   }
 
-  /// A longer step, if the runs are so far below the bound that further runs are worthwhile. Over a
-  /// part of the length R scatters more, so the margin is underestimated.
+  /// A longer step, if the runs are so far below the bound that runs at this step are worthwhile. R
+  /// scatters more in incomplete runs, so their margin to the bound is underestimated.
   std::optional<double> longer_step(std::size_t c, const AdviserPoint& point) const {
     const Candidate& candidate = advice_.candidates[c];
     if (settings_.criterion.quality != Quality::ratio || !candidate.model || !calm(point) ||
@@ -302,14 +302,14 @@ class Adviser {
   /// The total time of all runs, in seconds of one thread.
   double budget(double share) const { return share * settings_.seconds * workers_.threads(); }
 
-  /// The length of each of `runs` runs that together fit into a time.
+  /// The length of a run if `runs` runs together fit into a given computing time.
   double affordable(double seconds, double runs, double cost) const {
     return seconds / (runs * cost * evaluation_);
   }
 
   StepSearch search_of(const Candidate& candidate) const {
-    // A harmonic degree of freedom of frequency ω is stable up to ω h = 2 per force evaluation of a
-    // good scheme. The fastest bodies of a liquid move twice as fast as their mean.
+    // For a good scheme, a harmonic degree of freedom of frequency ω is stable up to ω h = 2 per
+    // force evaluation. In a liquid, the highest frequency is about twice the mean frequency.
     const double first = 0.12 * std::min(3.0, candidate.scheme.cost()) / frequency_;
     return {settings_.criterion, candidate.scheme.order(), three_digits(first)};
   }
@@ -323,7 +323,7 @@ class Adviser {
                         : max_expected_step(search_of(candidate), candidate.points));
   }
 
-  /// The maximum cost of a scheme that deserves further runs to find an answer and a runner-up.
+  /// The maximum cost at which a scheme may be the best or second-best and deserves further runs.
   double worthwhile() const {
     std::vector<double> costs;
     for (std::size_t c = 0; c < settled_.size(); ++c) costs.push_back(expected_cost(c));
@@ -338,7 +338,7 @@ class Adviser {
         expected_cost(c));
   }
 
-  /// Runs every promising candidate at the steps that are still needed.
+  /// Runs every promising candidate at the steps that its search still needs.
   void search_steps() {
     // The estimate assumes runs at about five steps per scheme. An R of 0.5 % costs about 3.3 ω
     // force evaluations per ps.
@@ -401,7 +401,7 @@ class Adviser {
     return best;
   }
 
-  /// Tries steps until a step is confirmed and a much longer step is ruled out.
+  /// Tries steps until a step is confirmed and much longer steps are ruled out.
   void confirm() {
     std::vector<ResumableRun> starts;
     while (advice_.refused.size() < max_refusals) {
@@ -414,7 +414,7 @@ class Adviser {
       if (stop()) return;
       const auto c = advice_.best ? advice_.best : cheapest();
       if (!c) return;
-      // After a rejection, new initial configurations would select lucky runs.
+      // New initial configurations after a rejection would favour runs with a low R by chance.
       if (starts.empty()) starts = fresh_starts(confirming);
       if (stop()) return;
       Candidate& candidate = advice_.candidates[*c];
@@ -452,7 +452,7 @@ class Adviser {
     }
   }
 
-  /// Changes the step of a candidate. The computing time per step does not change.
+  /// Changes the step of a candidate. The computing time per step remains the same.
   static void set_step(Candidate& candidate, double step) {
     candidate.seconds *= candidate.step / step;
     candidate.step = step;

@@ -23,8 +23,8 @@ constexpr double time_constant = 0.2;     // time constant of the thermostat [ps
 constexpr double sample_interval = 0.02;  // interval between samples [ps]
 constexpr double discarded = 0.25;        // fraction of each run that is discarded
 
-/// Sums over samples, relative to `first`: U, the configurational pressure, and the products of
-/// both with U.
+/// Sums over samples, relative to `first`: U, the configurational pressure, and the products of U
+/// and this pressure with U.
 struct Fluctuations {
   Energies first;
   TimeBlocks blocks;
@@ -117,7 +117,8 @@ BiasConversion::BiasConversion(const System& system, const EnsembleSettings& ens
 }
 
 void BiasConversion::apply(Outcome& run) const {
-  // At constant energy, the kinetic energy loses what the potential energy gains.
+  // At constant energy, a bias of the potential energy is balanced by the opposite bias of the
+  // kinetic energy.
   const double missing = molecules_ * run.energy_bias;
   double pressure = run.pressure_bias + missing * response_.pressure.value;
   if (fixed_ == FixedMeans::kinetic_energy_and_pressure_of_positions)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The time-step bias in the ensemble of a run. It is converted from the bias at constant energy
-// that the adviser's runs predict (docs/theory.md, Eqs. (51) and (52)).
+// The time-step bias in the ensemble of a run. This bias is converted from the bias at constant
+// energy that the adviser's runs predict (docs/theory.md, Eqs. (51) and (52)).
 #pragma once
 
 #include <functional>
@@ -18,11 +18,11 @@ namespace polhode {
 /// The response of averages to a change of the kinetic energy (that is, of the temperature), at
 /// constant volume.
 struct IsochoricResponse {
-  SeriesEstimate energy;    ///< response of the potential energy [1]
-  SeriesEstimate pressure;  ///< response of the pressure [1/nm³]
+  SeriesEstimate energy;    ///< response of the potential energy to the kinetic energy [1]
+  SeriesEstimate pressure;  ///< response of the pressure to the kinetic energy [1/nm³]
 };
 
-/// Settings of the runs at constant temperature. Their fluctuations give the response.
+/// Settings of the runs at constant temperature whose fluctuations give the response.
 struct ResponseRuns {
   double step = 0;    ///< time step of hoa2 [ps]
   double length = 0;  ///< length of each run [ps]
@@ -31,7 +31,7 @@ struct ResponseRuns {
 /// Measures the response by runs with a rescaling thermostat, one run for each initial
 /// configuration. Fluctuations are about the common means of all runs. The first quarter of each
 /// run is discarded.
-/// @param stop  function called after every step; the runs end if it returns true
+/// @param stop  function called after every step; the runs end if the function returns true
 IsochoricResponse isochoric_response(const std::vector<System>& starts, double temperature,
                                      const ResponseRuns& runs,
                                      const std::function<bool()>& stop = {},
@@ -44,9 +44,9 @@ class BiasConversion {
   BiasConversion(const System& system, const EnsembleSettings& ensemble,
                  const IsochoricResponse& response);
 
-  /// Converts the biases of the potential energy and of the pressure. With a barostat, the bias of
-  /// the pressure is the bias at constant volume of the pressure that the barostat controls. The
-  /// volume responds to this bias.
+  /// Converts the biases of the potential energy and of the pressure. With a barostat, the pressure
+  /// bias is the bias, at constant volume, of the pressure that the barostat controls. The volume
+  /// changes in response to this pressure bias.
   void apply(Outcome& run) const;
 
  private:
@@ -57,12 +57,13 @@ class BiasConversion {
   double pressure_ = 0, compressibility_ = 0;  // pressure and compressibility of the barostat
 };
 
-/// Whether the bias of a quality differs between constant energy and the ensemble. The bias of the
-/// temperature difference is the same in both.
+/// Whether the bias of a quantity (the quality of a criterion) differs between constant energy and
+/// the ensemble. The bias of the temperature difference is the same at constant energy and in other
+/// ensembles.
 bool needs_conversion(Quality quality, const EnsembleSettings& ensemble);
 
 /// Makes the conversion for the ensemble of a run file, from runs that begin with given initial
-/// configurations. A note reports the response.
+/// configurations. The measured response is reported as a note.
 BiasConversion bias_conversion(const Config& config, const std::vector<ResumableRun>& starts,
                                const ResponseRuns& runs, const Callbacks& callbacks,
                                const std::function<bool()>& stop, Workers& workers);

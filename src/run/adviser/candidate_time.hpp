@@ -11,7 +11,7 @@
 namespace polhode {
 
 /// Measures the wall-clock time per simulated ps of all candidates with a step but without a time.
-/// The conditions are the conditions of the run, with all threads on one system. Schemes are
+/// The conditions are the same as in the run, with all threads on one system. Schemes are
 /// interleaved, so that changes of the clock rate or of the load affect all schemes equally.
 /// @param seconds  approximate time for all candidates
 /// @param report   receives the name of each candidate

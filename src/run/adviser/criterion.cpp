@@ -74,7 +74,7 @@ Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& e
 
 namespace {
 
-/// A confidence bound on the magnitude of the mean of values that have an additional common error.
+/// A confidence bound on the magnitude of a mean, for values that also have a common error.
 double bound_with_common_error(const std::vector<double>& values,
                                const std::vector<double>& errors) {
   constexpr double factor = 2;  // number of standard errors for the probability of the bound

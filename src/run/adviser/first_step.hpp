@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a search for the best step requires of a system and its runs.
+// Checks of the requirements for a step search: forces in the system, and a minimum length of runs.
 #pragma once
 
 #include <string>

@@ -12,15 +12,15 @@ namespace polhode {
 
 struct ResumableRun {
   System system;
-  std::uint64_t seed = 0;           ///< seed of its initial configuration
+  std::uint64_t seed = 0;           ///< seed of the run's initial configuration
   std::optional<RunState> state{};  ///< state of the run; empty before the first step
 };
 
 /// Advances a run to the length in the settings, and returns the result of the whole run. The
-/// result is bitwise identical to an uninterrupted run. The seed of the run replaces the seed of
-/// the settings.
+/// result is bitwise identical to the result of an uninterrupted run. The seed of the run replaces
+/// the seed of the settings.
 /// @param noise  noise of the forces, which gives the round-off limit of R
-/// @param stop   suspends the run when it returns true
+/// @param stop   the run is suspended when this function returns true
 Outcome advance_run(ResumableRun& resumable, TrajectorySettings settings, const ForceNoise& noise,
                     const std::function<bool()>& stop = {});
 

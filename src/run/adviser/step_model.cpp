@@ -52,8 +52,8 @@ double StepModel::exponent(double step) const {
 }
 
 double StepModel::max_step(double ratio, double probability, double limit) const {
-  // Search downwards in small decrements, because the bound may increase again towards small steps
-  // outside the measured range.
+  // The search reduces the step in small decrements, because below the measured range of steps the
+  // bound may increase again.
   constexpr double factor = 0.998;
   double step = limit;
   while (bound(step, probability) > ratio && step > 0.01 * limit) step *= factor;

@@ -17,7 +17,7 @@ constexpr double min_slope = 0.5;  // smallest slope of log R against log h, whi
 constexpr double nearby =
     0.7;  // the model uses only steps above this fraction of the step at which R equals the bound
 
-/// The points before the first unusable point, and the step of this point.
+/// The points before the first unusable point, and the step of the unusable point.
 struct Range {
   std::vector<AdviserPoint> usable;
   double end = std::numeric_limits<double>::infinity();  // step of the first unusable point [ps]
@@ -123,8 +123,9 @@ double shortening(const Criterion& criterion, const std::vector<Outcome>& runs,
                   std::size_t whole_set, double part, double exponent) {
   double excess = optimistic_bound(runs, part) / criterion.bound;
   if (runs.size() < whole_set) {
-    // The scatter of an incomplete set of runs is poorly known. The bound from eight runs exceeds
-    // the required bound by about twice as much as the first run that exceeds it.
+    // The scatter of an incomplete set of runs is poorly known. The prediction bound from eight
+    // runs exceeds the required bound by about twice the excess of the first run above the required
+    // bound.
     const auto ratios = each(runs, [](const Outcome& run) { return run.ratio; });
     excess = std::pow(*std::max_element(ratios.begin(), ratios.end()) / criterion.bound, 2);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Chooses the steps of a scheme to measure. The largest step that meets a bound is found with few
-// runs, and without large jumps beyond the stability limit.
+// Chooses the steps of a scheme to measure. The search finds the largest step that meets a bound
+// with few runs, and does not try steps far beyond the stability limit.
 #pragma once
 
 #include <optional>
@@ -17,45 +17,47 @@ struct StepSearch {
   double first = 0;  ///< step that is certainly stable [ps]
 };
 
-/// The next step to measure [ps]; empty when enough is known. Steps grow by at most a factor of
-/// `max_growth` over the largest usable step. In the worst case, a single run then blows up at the
-/// stability limit. If a step beyond this limit is known, steps grow by less than half of the
-/// distance to that step.
+/// The next step to measure [ps]; empty when the search is complete. Steps grow by at most a factor
+/// of `max_growth` over the largest usable step. In the worst case, a single run then blows up at
+/// the stability limit. If a step beyond the stability limit is known, steps grow by less than half
+/// of the distance to that step.
 ///
 /// For R, the search finds the step at which R equals the bound, first from the order of the scheme
 /// and then by interpolation. The search ends with points at 1, 0.9 and 0.8 of this step. The final
 /// step is smaller, because R must stay below the bound in nearly all runs. An energy drift or a
-/// bias is hidden by noise at small steps. For these, the steps form a geometric series that ends
-/// where the bound is violated.
+/// bias is hidden by noise at small steps. For energy drift and bias, the steps form a geometric
+/// series that ends where the bound is violated.
 /// @param points  points measured so far, ordered by step
 std::optional<double> next_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 
 inline constexpr double max_growth = 1.6;
 
-/// An upper estimate of the steps that can meet the bound [ps]. For R this is the step at which R
-/// equals the bound, extrapolated with the order of the scheme. Otherwise, or without a usable
-/// point, it is the stability limit if this limit is known. It is infinite if nothing is known.
+/// An upper estimate of the steps that can meet the bound [ps]. For R the estimate is the step at
+/// which R equals the bound, extrapolated with the order of the scheme. For other criteria, or
+/// without a usable point, the estimate is the stability limit if known. The estimate is infinite
+/// if nothing is known.
 double max_expected_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 
-/// Whether runs at a step contribute to the answer, rather than only guide the search.
+/// Whether runs at a step contribute to the chosen step, and do not only guide the search.
 bool decides(const StepSearch& search, const std::vector<AdviserPoint>& points, double step);
 
 /// The result of the search: the largest step that is expected to meet the bound [ps], or 0 if
-/// there is none. For R, it also has the fitted model.
+/// there is none. For R, the result also has the fitted model.
 struct FoundStep {
   double step = 0;
   std::optional<StepModel> model;
 };
 FoundStep found_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 
-/// Bounds relative to the required value. A step whose bound is below `max_caution` is shorter than
-/// necessary, by at least 10 % at second order. It is lengthened until the bound would be `aim`.
+/// Thresholds for the bound of a step relative to the required value. A step whose bound is below
+/// `max_caution` is shorter than necessary, by at least 10 % at second order. Such a step is
+/// lengthened so that the expected bound is `aim`.
 inline constexpr double max_caution = 0.8, aim = 0.9;
 
-/// A longer step, according to R ∝ h^exponent. It replaces a step if the runs at that step met the
-/// requirement by a wide margin. It is at most 1.25 times as long. It is also at most halfway, on a
-/// logarithmic scale, to a step that is known to be too long. The result is empty if `reached` is
-/// at least `max_caution`, or if the gain is below 2 %.
+/// A longer step, according to R ∝ h^exponent. The longer step replaces a step if the runs at that
+/// step met the requirement by a wide margin. The longer step is at most 1.25 times as long. The
+/// longer step is also at most halfway, on a logarithmic scale, to a step that is known to be too
+/// long. The result is empty if `reached` is at least `max_caution`, or if the gain is below 2 %.
 /// @param reached   bound of the runs divided by the required value
 /// @param too_long  shortest step known to be too long [ps]; infinite if there is none
 std::optional<double> lengthened(double step, double reached, double exponent, double too_long);

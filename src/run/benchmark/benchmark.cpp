@@ -85,7 +85,7 @@ System liquid_water(std::size_t molecules, const Callbacks& callbacks, Workers& 
   return water;
 }
 
-// Repeated measurements of a kind of evaluation.
+// Repeated timings of one kind of force evaluation.
 struct EvaluationRepeats {
   std::vector<double> forces, energies, list;
   double lanes = 0;
@@ -93,7 +93,8 @@ struct EvaluationRepeats {
 
 void repeat(EvaluationRepeats& repeats, const System& water, const ForceSettings& settings,
             Workers& workers, double seconds) {
-  // Uses different addresses each time, because the speed of memory depends on the addresses.
+  // Memory is allocated at different addresses for each repeat, because the memory speed depends on
+  // the addresses.
   const std::vector<std::byte> elsewhere(1 + 1088 * repeats.list.size());
   ForceField forces(water.topology, settings, water.state.box, workers);
   Load load;
@@ -186,7 +187,7 @@ class Measurement {
       for (const auto& w : workers) kinds_.push_back({limits[p], *w, water_, {}, {}});
   }
 
-  /// Runs the measurement. The result is incomplete if the callbacks stop it.
+  /// Runs the measurement. The result is incomplete if a callback stops the benchmark.
   void run(const std::function<void(double)>& report) {
     const Stopwatch clock;
     for (std::size_t n = 0; n < effort_.repeats; ++n) {

@@ -17,17 +17,17 @@ struct BenchmarkSettings {
   std::vector<std::size_t> sizes = {512, 4096};  ///< numbers of molecules
   std::vector<Precision> precisions = {Precision::mixed, Precision::double_precision};
   std::vector<int> threads = {1};
-  bool quick = false;  ///< whether repeats are fewer and shorter
+  bool quick = false;  ///< whether measurements are shorter and repeated less often
 };
 
 /// Timings of force evaluations with an up-to-date list.
 struct EvaluationTiming {
-  double switch_from = 0;   ///< start of the switch [nm]
+  double switch_from = 0;   ///< switching distance [nm], at which the switch starts
   Timing forces, energies;  ///< time of an evaluation [s], without and with energies
   double arithmetic = 0, energy_arithmetic = 0;  ///< time of the pair arithmetic on one core [s]
   std::size_t pairs = 0;                         ///< number of pairs within the cutoff
-  double fill = 0;                               ///< fraction of the computed lanes that are within
-                                                 ///< the cutoff
+  double fill = 0;                               ///< fraction of the computed lanes with a pair
+                                                 ///< within the cutoff
   Timing list;                                   ///< time of one build of the neighbour list [s]
 };
 
@@ -35,8 +35,7 @@ struct EvaluationTiming {
 struct StepTiming {
   std::string scheme;
   double step = 0;  ///< time step [ps]
-  Timing all;       ///< time of one step [s], the sum of its
-                    ///< parts
+  Timing all;       ///< time of one step [s], the sum of the times of its parts
   double forces = 0, list = 0, drift = 0, kick = 0, rest = 0;  ///< times of the parts of a step [s]
   double rebuilds = 0;  ///< number of rebuilds of the list per step
   double ns_per_day() const { return step / units::ps_per_ns / all.best * units::seconds_per_day; }
@@ -47,8 +46,8 @@ struct SystemTiming {
   std::size_t molecules = 0;
   Precision precision = Precision::double_precision;
   int threads = 1;
-  std::vector<EvaluationTiming> evaluations;  ///< evaluations with the switch from 0.765 nm and
-                                              ///< from 0.85 nm to 0.9 nm
+  std::vector<EvaluationTiming> evaluations;  ///< evaluations with switching distances of 0.765 nm
+                                              ///< and 0.85 nm, and a cutoff of 0.9 nm
   std::vector<StepTiming> steps;              ///< steps of HOA2 at 4 fs, velocity Verlet at 2 fs,
                                               ///< and GIER4 at 5 fs
 };
@@ -63,8 +62,9 @@ struct Benchmark {
   double spread() const;
 };
 
-/// Benchmarks TIP4P water at 297 K. Systems of 512 n³ molecules consist of n³ copies of the
-/// built-in configuration. Other systems are lattices after a simulation of 0.1 ps.
+/// Benchmarks TIP4P water at 297 K. A system of 512 n³ molecules consists of n³ copies of the
+/// built-in configuration. Systems of other sizes start from a lattice, followed by a simulation of
+/// 0.1 ps.
 /// @throws Error  if a size is too small for a cutoff of 0.9 nm
 Benchmark run_benchmark(const BenchmarkSettings& settings, const Callbacks& callbacks = {});
 

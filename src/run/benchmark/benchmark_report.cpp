@@ -48,7 +48,7 @@ std::vector<std::size_t> sizes(const Benchmark& b) {
 
 double percent(double x) { return 100 * x; }
 
-/// A timing as a list.
+/// A timing as a list of quantities.
 /// @param label  label of the best repeat in a table
 Quantities of_timing(const Timing& t, double unit, const char* label = "", const char* in = "") {
   return {{"best", in, unit * t.best, "", label},

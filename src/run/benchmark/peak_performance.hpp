@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Upper bounds on the performance of a core: independent multiply-adds, and pairs of four-site
 // waters. The partners are in the first-level cache, and all lanes are in use. Force evaluations
-// are compared with these.
+// are compared with these upper bounds.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 namespace polhode {
 
-/// The timing of a repeated measurement. Disturbances only add time, so the minimum is the
-/// undisturbed time. The median shows how large the disturbances were.
+/// The timing of a repeated measurement. Disturbances by other programs only add time, so the
+/// minimum is the undisturbed time. The median shows how large the disturbances were.
 struct Timing {
   double best = 0, median = 0;
   double spread() const { return best > 0 ? median / best - 1 : 0; }
-  /// The timing in another unit.
+  /// The timing converted to another unit.
   Timing operator*(double factor) const { return {factor * best, factor * median}; }
 };
 Timing timing(std::vector<double> repeats);
@@ -54,7 +54,8 @@ POLHODE_DECLARE_LOOPS(
     /// Computes the pairs of a four-site molecule with `packs` packs of partners.
     /// @param own       x, y, z of the four sites of the molecule relative to its centre [nm]
     /// @param partners  16 columns per pack: the difference of the centres, four sites, one unused
-    /// @param out       6 columns per pack: force and torque; room for at least twelve
+    /// @param out       6 columns per pack: force and torque; `out` must have room for at least
+    ///   twelve columns
     void bare_pairs(const PairTable& table, const PairLaws<double>& laws, bool truncated,
                     bool energies, const double* own, const double* partners, std::size_t packs,
                     double* out);

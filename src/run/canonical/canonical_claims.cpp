@@ -12,7 +12,8 @@
 namespace polhode {
 namespace {
 
-/// Whether the 95 % interval of the difference in cost of two points excludes 0.
+/// Whether the costs of two points differ: the 95 % confidence interval of their difference
+/// excludes 0.
 bool distinguishable(const CanonicalPoint& one, const CanonicalPoint& other) {
   const Estimate a = one.evaluations_per_sample(), b = other.evaluations_per_sample();
   const ErrorPart doubt = summed({{a.error, one.runs - 1.0}, {b.error, other.runs - 1.0}});

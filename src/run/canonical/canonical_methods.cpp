@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-// Default steps [fs] for water: a list for schemes with one force evaluation per step, and a list
+// Default steps [fs] for water: one list for schemes with one force evaluation per step, and one
 // for schemes with two or three. Schemes with more evaluations use longer steps at equal cost.
 std::vector<double> default_steps(const CanonicalMethod& method, bool coarse) {
   std::vector<double> fs;

@@ -12,10 +12,11 @@
 namespace polhode {
 namespace {
 
-/// Whether a quantity is a temperature. Its reference is then known without a measurement.
+/// Whether a quantity, given by its index, is a temperature. The exact value of a temperature is
+/// known, so it needs no reference measurement.
 constexpr bool is_temperature(std::size_t quantity) { return quantity >= 1 && quantity <= 4; }
 
-/// The mean over the finite values; empty if there are fewer than two.
+/// The mean over the finite values; empty if there are fewer than two such values.
 std::optional<Estimate> mean_of(std::vector<double> values) {
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
   if (values.size() < 2) return std::nullopt;
@@ -31,8 +32,8 @@ std::optional<Estimate> mean_over(const std::vector<CanonicalRun>& runs, const V
 }
 
 /// The mean of a quantity by exact sampling, over all methods except one. For each initial
-/// configuration, the mean over the steps is computed first. Then the mean over the configurations
-/// is taken, because runs from different configurations are independent.
+/// configuration, the mean over the steps is computed first. The mean over the configurations is
+/// computed next, because runs from different configurations are independent.
 std::optional<Estimate> exact_mean(const std::vector<CanonicalMethod>& methods,
                                    const std::vector<CanonicalRun>& runs,
                                    const CanonicalMethod& without, std::size_t quantity) {

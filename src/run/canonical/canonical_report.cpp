@@ -18,7 +18,7 @@
 namespace polhode {
 namespace {
 
-/// Marks a bias that is known to be above its bounds.
+/// The mark of a bias that is significantly above its bounds.
 std::string mark_on(const CanonicalPoint& point, std::size_t quantity) {
   if (point.accuracy(quantity, BiasCriterion::loose) == Accuracy::above) return "**";
   return point.accuracy(quantity, BiasCriterion::strict) == Accuracy::above ? "* " : "  ";
@@ -110,8 +110,8 @@ Quantity of_findings(const char* key, const CanonicalReport& report,
       fmt::format("{} bounds:{}; with 95 % confidence", in_words(findings.criterion), bounds)};
 }
 
-/// The quantities of the figure. Each panel shows a quantity. The last panel shows the cost of a
-/// sample.
+/// The quantities shown in the figure. Each panel shows a quantity. The last panel shows the cost
+/// of a sample.
 constexpr std::array<std::size_t, 5> drawn = {0, 1, 2, 5, 4};
 
 /// A panel that shows a column of the table of points.

@@ -16,21 +16,21 @@ namespace polhode {
 /// The result for a scheme: the steps that are accurate enough, by the same rule for all schemes.
 struct CanonicalClaim {
   std::string scheme;
-  /// The index of the point with the largest accurate step. At this step and all shorter steps, the
-  /// biases are below their bounds.
+  /// The index of the point with the largest accurate step. At the largest accurate step and all
+  /// shorter steps, the biases are below their bounds.
   std::optional<std::size_t> accurate;
   /// The index of the first point with a bias above its bound.
   std::optional<std::size_t> beyond;
 };
 
-/// The results of a study by a criterion.
+/// The results of a study for one criterion (strict or loose).
 struct CanonicalFindings {
   BiasCriterion criterion;
   std::vector<CanonicalClaim> claims{};  ///< results of each scheme, in the order of the points
   /// The index of the accurate point with the fewest force evaluations per sample.
   std::optional<std::size_t> cheapest{};
   std::vector<std::size_t> as_cheap{};  ///< other accurate points with an indistinguishable cost
-  /// Points with undecided accuracy and a cost that is not distinguishably above the cheapest
+  /// Points with undecided accuracy that are not significantly more expensive than the cheapest
   /// accurate point.
   std::vector<std::size_t> undecided{};
 
@@ -41,7 +41,8 @@ struct CanonicalFindings {
 struct CanonicalReport {
   Config config;
   std::vector<CanonicalPoint> points;
-  std::array<CanonicalFindings, 2> findings;  ///< findings by the strict and by the loose criterion
+  std::array<CanonicalFindings, 2> findings;  ///< findings for the strict and for the loose
+                                              ///< criterion
   std::vector<std::string> files{};           ///< paths of the files that were written
   bool interrupted = false;                   ///< whether the study was interrupted before all runs
                                               ///< were done
@@ -50,7 +51,8 @@ struct CanonicalReport {
 };
 
 /// Performs a canonical study and writes its record, tables and figure. An interrupted study
-/// resumes: runs in an existing record are not repeated, unless existing files are to be replaced.
+/// resumes: runs in an existing record are not repeated, unless the user asked to replace existing
+/// files.
 /// @param prefix  prefix of the output files
 /// @throws Error  before anything is computed, if a setting is invalid, or outputs of another study
 ///   exist

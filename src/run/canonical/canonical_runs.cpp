@@ -44,8 +44,8 @@ TrajectorySettings settings_of(const CanonicalMethod& method, const Config& conf
   return settings;
 }
 
-/// The seed of a run. Each method and initial configuration has separate random numbers, so that
-/// the errors of two points are independent.
+/// The seed of a run. Each combination of method and initial configuration has separate random
+/// numbers, so that the errors of two points are independent.
 std::uint64_t seed_of(const CanonicalMethod& method, std::uint64_t start) {
   const std::string hash = text_hash(fmt::format("{} {:.12g}", method.text, method.step));
   std::uint64_t index = 0;
@@ -170,8 +170,8 @@ void perform_canonical_runs(const Config& config, const std::vector<CanonicalRun
   const std::vector<CanonicalMethod> methods = canonical_methods(study);
   double shortest = std::numeric_limits<double>::infinity();  // smallest step [ps]
   for (const CanonicalMethod& method : methods) shortest = std::min(shortest, method.step);
-  // All methods run from a configuration before the next configuration begins. The points of an
-  // interrupted study therefore have equal numbers of runs.
+  // All methods are run from one initial configuration before the runs from the next configuration
+  // begin. The points of an interrupted study therefore have equal numbers of runs.
   StudyTasks<CanonicalMethod> tasks(callbacks, workers);
   for (int start = 0; start < study.runs; ++start)
     for (const CanonicalMethod& method : methods)

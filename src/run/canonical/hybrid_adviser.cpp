@@ -26,9 +26,9 @@
 namespace polhode {
 namespace {
 
-// The grid of steps and of numbers of steps. Steps are in units of the force evaluations of a step
-// divided by the Einstein frequency. Steps range from the adviser's first step at constant energy
-// to beyond the step at which liquids blow up.
+// The grid of steps and of numbers of steps per trajectory. The unit of steps is the number of
+// force evaluations per step divided by the Einstein frequency. Steps range from the adviser's
+// first step at constant energy to steps at which liquids blow up.
 constexpr std::array<double, 6> step_parts = {0.12, 0.17, 0.24, 0.34, 0.48, 0.68};
 constexpr std::array<std::size_t, 4> step_counts = {4, 8, 16, 32};
 constexpr double discarded = 0.2;  // fraction of each run that is discarded at its beginning
@@ -41,7 +41,7 @@ struct HybridRun {
                                     // run blew up
 };
 
-/// The mean over runs; NaN unless all runs have the value.
+/// The mean over runs; NaN unless all runs have this value.
 Estimate mean_over(const std::vector<HybridRun>& runs, double HybridRun::*value) {
   std::vector<double> values;
   for (const HybridRun& run : runs) values.push_back(run.*value);
@@ -110,7 +110,7 @@ class HybridAdviser {
     return choices;
   }
 
-  /// Runs all choices from all initial configurations.
+  /// Runs all choices of hybrid Monte Carlo settings from all initial configurations.
   /// @param round  number of the round; each round has different random numbers
   void measure(std::vector<HybridChoice>& choices, std::size_t evaluations, std::uint64_t round) {
     std::vector<std::vector<HybridRun>> runs(choices.size(),

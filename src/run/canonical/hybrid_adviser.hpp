@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which step, and how many steps per trajectory, give hybrid Monte Carlo the most independent
-// samples per force evaluation.
+// Finds the step and the number of steps per trajectory for which hybrid Monte Carlo gives the most
+// independent samples per force evaluation.
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,9 @@ struct HybridAdviserSettings {
   std::size_t evaluations = 5'000;  ///< number of force evaluations in each pilot run
   int runs = 4;                     ///< number of runs of each choice, from independent initial
                                     ///< configurations
-  /// Number of finalists, and the length of their runs relative to pilot runs. All choices have
-  /// pilot runs. Runs of the best choices with other random numbers give the answer.
+  /// Number of finalists, and the length of their runs relative to pilot runs. Pilot runs are made
+  /// for all choices of settings. The best choices (finalists) are run again with different random
+  /// numbers, and these runs give the answer.
   std::size_t finalists = 3, longer = 8;
 };
 
@@ -32,8 +33,8 @@ struct HybridChoice {
   std::size_t steps = 1;  ///< number of steps per trajectory
   Estimate acceptance;    ///< acceptance rate [1]
   Estimate weight;        ///< mean of exp(−ΔH/kT), which must be 1 within its error
-  /// Force evaluations per independent sample of U. Empty if the runs are too short to determine
-  /// it, or if a run blew up.
+  /// Force evaluations per independent sample of U. The number is empty if the runs are too short
+  /// to determine it, or if a run blew up.
   std::optional<Estimate> evaluations_per_sample;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames of a file converted to another format.
+// Converts frames of a file to another format.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace polhode {
 
 struct Conversion {
   std::string from, to;  ///< paths of the files; the extensions select the formats
-  std::string names;     ///< file with the names of the atoms; empty if `from` has names, or `to`
-                         ///< needs none
+  std::string names;     ///< file with the names of atoms; empty if `from` has names, or `to` needs
+                         ///< none
   std::optional<Topology> particles;  ///< molecules, if each particle of `from` is a molecule
   std::size_t every = 1;              ///< n, if every n-th of the selected frames is written
   double first = -std::numeric_limits<double>::infinity();  ///< first time; earlier frames are
@@ -27,13 +27,14 @@ struct Conversion {
 
 struct ConversionResult {
   std::size_t frames = 0;    ///< number of frames that were written
-  bool interrupted = false;  ///< whether it was interrupted, so that no file was written
+  bool interrupted = false;  ///< whether the conversion was interrupted, so that no file was
+                             ///< written
 };
 
 /// The molecules of a run file, for use as Conversion::particles.
 Topology molecules_of_run(const Config& config);
 
-/// Writes the selected frames to a file, completely or not at all. A message reports if velocities
+/// Writes the selected frames to a file, completely or not at all. A message says so if velocities
 /// are lost.
 /// @throws Error  if a format is not known or lacks names that the other format needs, if no frame
 ///   is selected, or under the conditions of check_outputs()

@@ -24,8 +24,8 @@
 namespace polhode {
 namespace {
 
-// Relative accuracy of the long-range forces in LAMMPS. The errors are then smaller than the errors
-// of polhode's mesh at the default accuracy.
+// Relative accuracy of the long-range forces in LAMMPS. With this accuracy, the errors in LAMMPS
+// are smaller than the errors of polhode's mesh at the default accuracy.
 constexpr double kspace_accuracy = 1e-6;
 
 void check(const Config& config) {
@@ -46,7 +46,7 @@ void check(const Config& config) {
         "allow in file names; choose another prefix");
 }
 
-// The scheme with finite differences in place of exact gradients.
+// The scheme of a run for LAMMPS, with finite differences in place of exact gradients.
 Scheme lammps_scheme(const Config& config, const Callbacks& callbacks) {
   const Scheme scheme = single_scheme_of(config.integrator.scheme);
   if (!scheme.starts_with_kick() || !scheme.ends_with_kick())
@@ -99,12 +99,12 @@ PairCommands table_commands(const ForceSettings& settings, const LammpsTypes& ty
   return commands;
 }
 
-// A file other than the data file and the script.
+// A file of the export other than the data file and the script.
 struct TextFile {
   std::string name, text;
 };
 
-// The sites of particles, and the types of these sites, which do not interact by themselves.
+// Adds the molecule files of particles, and pair coefficients of zero for the particle types.
 void add_particles(const Topology& topology, const LammpsTypes& types, const std::string& prefix,
                    PairCommands& pairs, std::vector<TextFile>& files) {
   for (std::size_t part = 0; part < topology.parts.size(); ++part) {
@@ -116,7 +116,7 @@ void add_particles(const Topology& topology, const LammpsTypes& types, const std
 }
 
 /// Makes the pair commands of the script.
-/// @param files  list to which files are added that the commands or the fix need
+/// @param files  list to which the function adds the files that the commands or the fix need
 PairCommands pair_commands(const System& system, const LammpsTypes& types, LammpsPairStyle style,
                            const std::string& prefix, std::vector<TextFile>& files) {
   const bool particles = style == LammpsPairStyle::particles, mesh = has_mesh(system.forces);

@@ -12,16 +12,16 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// The number of chains exceeds the latency of a multiply-add in cycles, times two units. It is
-// smaller than the number of registers.
+// The number of chains exceeds two arithmetic units times the latency of a multiply-add in cycles.
+// The number of chains is smaller than the number of registers.
 constexpr std::size_t chains = 12;
 
 template <class T>
 void multiply_adds(std::size_t rounds, T* numbers) {
   using Real = Pack<T>;
-  // All loops over the chains are unrolled, because otherwise the chains would be kept in memory.
-  // The chains start from values in memory, because otherwise the compiler would see that all
-  // chains are equal.
+  // All loops over the chains are unrolled, because without unrolling the chains would be kept in
+  // memory. The chains start from values in memory, so that the compiler cannot see that all chains
+  // are equal.
   const auto each_chain = [](const auto& body)
                               POLHODE_INLINE_LAMBDA { each(Count<chains>{}, body); };
   std::array<Real, chains> sum;
