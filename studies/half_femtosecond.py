@@ -19,7 +19,8 @@ FOURTH_ORDER = ("gier4-fd", "4mn5fv")  # without a shadow energy to be sampled
 RESCALING = {"thermostat": {"type": "rescaling", "time_constant": "1 ps"}}
 BAROSTAT = {"type": "cell-rescaling", "pressure": "1 bar", "compressibility": "4.5e-5 1/bar", "time_constant": "1 ps"}
 FRICTIONS = (0.1, 1, 5, 20)  # [1/ps]
-# fs between frames; frames of "properties" with a thermostat are samples of the shadow energy, with hybrid Monte Carlo they end its trajectories
+# time between frames [fs]; frames of "properties" are samples of the shadow energy with a thermostat, and ends of trajectories
+# with hybrid Monte Carlo
 FRAMES = {"properties": 40, "structure": 100}
 
 
@@ -63,11 +64,11 @@ GROUPS = {  # (ensemble, length [ps], time steps [fs] of each scheme)
     "quick": [("constant energy", 30, {"velocity-verlet": (0.5, 1, 2, 4), "hoa2": (2, 4, 6), "gier4-fd": (3, 4, 5)})],
 }
 PAIRS = (("velocity-verlet", 2), ("velocity-verlet", 4), ("hoa2", 4), ("hoa2", 6))
-# Densities of TIP4P/2005 at 1 bar [abascal2005], to begin with.
+# Densities of TIP4P/2005 at 1 bar [abascal2005], as initial densities.
 TIP4P_2005 = {257: 0.995, 267: 0.999, 277: 1.000, 287: 0.9995, 298: 0.997, 308: 0.994, 318: 0.990}
 POINTS = [Point(group, *WATER, ensemble, scheme, step, length) for group, of in GROUPS.items() for ensemble, length, schemes in of
           for scheme, steps in schemes.items() for step in steps]
-# How the bias of the pressure depends on the density, which is the bias of the compressibility.
+# The dependence of the pressure bias on the density gives the bias of the compressibility.
 POINTS += [Point("compression", "spce", 298.15, density, "rescaling", scheme, step, 100) for density in (0.978, 0.998, 1.018) for scheme, step in PAIRS]
 POINTS += [Point("density", "tip4p-2005", T, density, "constant pressure", scheme, step, 500) for T, density in TIP4P_2005.items()
            for scheme, step in (*PAIRS[:3], ("gier4-fd", 4))]

@@ -15,10 +15,10 @@ from numpy.polynomial import Polynomial
 
 KEPT = ("potential_kJ_per_mol", "temperature_K", "temperature_translation_K", "temperature_rotation_K", "pressure_bar", "R",
         "temperature_configurational_K", "step_bias", "half_steps", "force_evaluations", "degrees_of_freedom_rotation")  # of a report
-# The cost of one step in force evaluations, by which points are compared.
+# The cost of one step in force evaluations, which is the basis of comparison of points.
 EVALUATIONS = {"velocity-verlet": 1, "hoa2": 2, "bcss3": 3, "gier4-fd": 3, "4mn5fv": 5, "baoab": 1, "obabo": 1}
 KAPPA = 4.6e-5  # 1/bar, of SPC/E water at 298 K
-# The required bias: bias [unit], name in the record.
+# The required biases with their units, and the names of these quantities in the record.
 REQUIRED = {"difference": (0.1, "K"), "potential": (0.01, "kJ/mol"), "pressure": (4, "bar")}
 BIASES = {"difference": "rotation_minus_translation_K", "potential": "potential_kJ_per_mol", "pressure": "pressure_bar"}
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options of a job as a front end received them: texts, with the option names of this front end.
+// Options of a job as texts that a front end received, with the option names of this front end.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,7 @@ namespace polhode {
 /// The text of an option; empty if the option is not given.
 struct Given {
   std::string text;
-  std::string name;  ///< name of the option in the front end, such as "--cutoff", for error
-                     ///< messages
+  std::string name;  ///< option name in the front end, such as "--cutoff", for error messages
 
   explicit operator bool() const { return !text.empty(); }
 };
@@ -26,13 +25,15 @@ struct Given {
 /// these lists.
 template <class Request>
 struct RequestOption {
-  const char* name;  ///< "max_force" for the option --max-force or the keyword max_force
+  const char* name;  ///< name such as "max_force", for the option --max-force and the keyword
+                     ///< max_force
   Given Request::*member;
   std::string doc;
   const char* old_name = nullptr;  ///< older name, which is also accepted
 };
 
-/// Throws an Error of the form `cutoff = "-1 nm" complaint`, with the option as its place.
+/// Throws an Error of the form `cutoff = "-1 nm" complaint`, with the option as the place of the
+/// error.
 [[noreturn]] void refuse(const Given& given, const std::string& complaint);
 
 /// The value of a quantity given as an option.

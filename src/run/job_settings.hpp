@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Run-file settings for which a job has options with separate names. They are options of its verb
-// and keywords of its Python function.
+// Run-file settings that a job also accepts as command-line options and Python keywords of their
+// own.
 #pragma once
 
 #include <span>
@@ -12,10 +12,10 @@
 namespace polhode {
 
 struct JobSetting {
-  const char* name;                ///< "hybrid_steps" for the option --hybrid-steps or the keyword
-                                   ///< hybrid_steps
+  const char* name;                ///< name such as "hybrid_steps", for the option --hybrid-steps
+                                   ///< and the keyword hybrid_steps
   const char* key;                 ///< key of the setting, such as "hybrid_monte_carlo.steps"
-  const char* note = "";           ///< note that follows the meaning of the key
+  const char* note = "";           ///< note that is appended to the meaning of the key
   const char* old_name = nullptr;  ///< older name of the option, which is also accepted
 
   /// The meaning of the setting in a few words: the meaning of its key, and the note.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A commented run file to start from, of a kind or from the run parameters of GROMACS.
+// Writes a commented run file to start from, for a kind of system or from GROMACS run parameters.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct NewRunFileRequest {
   static std::vector<RequestOption<NewRunFileRequest>> options();
 };
 
-/// Writes a new run file. GROMACS parameters without a counterpart become notes.
+/// Writes a new run file. GROMACS parameters without a counterpart are listed in notes.
 /// @param kind  one of run_file_kinds
 /// @param file  path of the file; if empty, KIND.toml
 /// @return      path of the file

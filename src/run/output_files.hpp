@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What jobs do with their output files.
+// Functions for the output files of jobs.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When the progress of a job is shown: on a terminal, and as a line in a log.
+// Decides when the progress of a job is shown, on a terminal or as lines in a log.
 #pragma once
 
 #include <atomic>
@@ -9,10 +9,11 @@
 namespace polhode {
 
 /// The pace of progress lines in files: a line after each 10 % of a job, or a minute after the last
-/// line, whichever comes first. Lines are at least a second apart, so that short jobs have none.
+/// line, whichever comes first. Lines are at least a second apart, so that short jobs write no
+/// lines.
 class ProgressPace {
  public:
-  /// Whether a line is due. If it is, the caller must write it.
+  /// Whether a line is due. If a line is due, the caller must write the line.
   /// @param done     fraction of the work that is done, if it is known
   /// @param elapsed  time since the job began [s]
   bool due(std::optional<double> done, double elapsed) {
@@ -32,8 +33,8 @@ class ProgressPace {
 /// the work is done.
 class TerminalPace {
  public:
-  /// Whether the line is due. If it is, the caller must write it. Arguments are as for
-  /// ProgressPace::due().
+  /// Whether the line is due. If the line is due, the caller must write the line. The arguments are
+  /// those of ProgressPace::due().
   bool due(std::optional<double> done, double elapsed) {
     const bool complete = done.value_or(0) >= 1;
     if (elapsed - last_ < 0.2 && (complete_ || !complete)) return false;
@@ -51,8 +52,8 @@ class TerminalPace {
 /// lock.
 class SharedPace {
  public:
-  /// Whether a report is due. If several threads call this at the same time, only one thread
-  /// receives true.
+  /// Whether a report is due. If several threads call this function at the same time, only one
+  /// thread receives true.
   /// @param elapsed  time since the job began [s]
   bool due(double elapsed) {
     double next = next_.load(std::memory_order_relaxed);

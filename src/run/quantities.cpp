@@ -35,7 +35,7 @@ std::string suffix(const std::string& unit) {
 
 std::string full_key(const Quantity& q) { return q.key + suffix(q.unit); }
 
-/// The unit as it is shown in text.
+/// The text form of a unit.
 std::string shown_unit(const Quantity& q) {
   return q.unit.starts_with('[') ? q.unit.substr(1, q.unit.size() - 2) : q.unit;
 }
@@ -51,7 +51,7 @@ double number_of(const Value& value) {
   return yes ? static_cast<double>(*yes) : nan;
 }
 
-/// The standard error; NaN if it is not known.
+/// The standard error; NaN if the error is not known.
 double known_error(const SeriesEstimate& e) { return e.known == Known::yes ? e.error : nan; }
 
 /// Writes numbers as JSON, where numbers that are not finite are null.
@@ -88,7 +88,7 @@ struct AsJson {
   }
 };
 
-/// Writes values as text: a text as it is, a number with a few digits. The result is empty if the
+/// Writes values as text: texts unchanged, and numbers with a few digits. The text is empty if the
 /// value is not known.
 struct AsText {
   double scale;
@@ -116,7 +116,7 @@ std::string number_text(const Quantity& q) {
                     static_cast<const AnyValue&>(q.value));
 }
 
-/// A quantity as text: value, unit, note, and the reason if there is no error.
+/// A quantity as text: value, unit, note, and the reason why the error is not known, if any.
 std::string value_text(const Quantity& q) {
   const auto* e = std::get_if<SeriesEstimate>(&q.value);
   if (e && !std::isfinite(e->value)) return not_known(e->known) + q.note;
@@ -154,7 +154,7 @@ TextRow table_row(const Quantity& of, const std::vector<Quantities>& records, st
   return row;
 }
 
-/// Whether a quantity is a line of the text without a label.
+/// Whether a quantity is shown as a line of text without a label.
 bool is_line(const Quantity& q) {
   return q.key.empty() && q.column.empty() && std::holds_alternative<std::string>(q.value);
 }
@@ -229,7 +229,7 @@ std::string lines_of(const std::vector<TextRow>& rows) {
   return text;
 }
 
-/// Adds the columns and cells of a record to a table for a CSV file.
+/// Adds a record as a row to a table for a CSV file; the first record also defines the columns.
 void add_cells(Table& table, const Quantities& record) {
   const bool first = table.rows.empty();
   table.rows.emplace_back();
@@ -251,7 +251,7 @@ void add_cells(Table& table, const Quantities& record) {
       return add_estimate(name, unit, series->value, series->error);
     const auto* list = std::get_if<std::vector<std::optional<SeriesEstimate>>>(&q.value);
     if (list == nullptr) return add(name, unit, number_of(q.value));
-    // Quantities for each principal axis, preceded by translation if there is such a quantity.
+    // Quantities for each principal axis, preceded by the quantity for translation if there is one.
     for (std::size_t k = 0; k < list->size(); ++k) {
       const std::size_t axis = k + (list->size() == 3 ? 1 : 0);
       const SeriesEstimate one = (*list)[k].value_or(not_finite);
@@ -287,7 +287,7 @@ std::string documented(const Quantities& list, const std::string& prefix) {
 
 }  // namespace
 
-// This is done here, because the quantities of a group are complete at this point.
+// These members are defined here, where the type of a group of quantities is complete.
 Value::Value() = default;
 Value::Value(bool yes) : AnyValue(yes) {}
 Value::Value(std::int64_t count) : AnyValue(count) {}

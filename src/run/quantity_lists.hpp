@@ -14,50 +14,52 @@ namespace polhode {
 /// Makes a quantity a detail.
 Quantity detail(Quantity quantity);
 
-/// A row of the text that is not in JSON; a line of its own without a label.
+/// A row that is shown in the text but not in JSON; without a label, a line of its own.
 Quantity row(std::string label, std::string text);
 
-/// The names of files that were written, as a row; no row without any.
+/// A row with the names of the files that were written; empty if there are none.
 Quantity row_of_files(const std::vector<std::string>& files);
 
-/// Quantities that are omitted from the text, because it shows their numbers elsewhere.
+/// Quantities that are omitted from the text, because the text shows their numbers elsewhere.
 Quantities without_labels(Quantities list);
 
 /// An estimate from independent runs, as an estimate with value and error in a JSON object; not
-/// known if it is not finite.
+/// known if the value is not finite.
 SeriesEstimate nested(const Estimate& estimate);
 
 /// Adds quantities to a list.
 void append(Quantities& list, Quantities more);
 
-/// Quantities with each estimate as two numbers, "potential_kJ_per_mol" and
+/// Replaces each estimate by two numbers, such as "potential_kJ_per_mol" and
 /// "potential_error_kJ_per_mol", and "errors_not_known" with the reasons.
 Quantities flattened(const Quantities& list);
 
-/// "not known: run too short".
+/// A missing value as text, such as "not known: run too short".
 std::string not_known(Known known);
 
-/// ", error not known: run too short"; empty if it is known.
+/// A missing error as text, such as ", error not known: run too short"; empty if the error is
+/// known.
 std::string missing_error(Known known);
 
-/// What the text shows of a quantity: a row, a title, or a title with a table.
+/// The text form of a quantity: a row, a title, or a title with a table.
 struct TextRow {
   std::string label, text{}, doc{};
   std::size_t level = 0;                          ///< level of indentation
-  std::vector<std::vector<std::string>> table{};  ///< head and rows of a table
-  std::vector<bool> left{};                       ///< whether columns of the table are texts
+  std::vector<std::vector<std::string>> table{};  ///< head and rows of the table
+  std::vector<bool> left{};                       ///< for each column of the table, whether it
+                                                  ///< contains texts
 };
 
 /// The quantities with labels, and the lines without labels. Details are first.
 std::vector<TextRow> text_rows(const Quantities& list);
 
-/// Records as a CSV file has them: an estimate has two columns, "R" and "R_error".
+/// Records in CSV format; an estimate has two columns, such as "R" and "R_error".
 Table table_of(const std::vector<Quantities>& records);
 
-/// A table of Markdown with the keys, their units and meanings.
+/// A Markdown table of all keys with their units and meanings.
 std::string documentation(const Quantities& list);
 
-/// JSON of a list. The key "rows" holds the rows of the text as objects with "label", "text",
+/// JSON of a list. The key "rows" contains the rows of the text as objects with "label", "text",
 /// "meaning", "level" and "table". The first row of "table" is the table head.
 std::string json_text(const Quantities& list, const std::vector<TextRow>& rows);
 

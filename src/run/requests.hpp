@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a front end was given for a job, as texts; each request is read once, into the settings of
-// its job. Errors name the option.
+// Requests: the options that a front end received for a job, as texts. Each request is read once,
+// into the settings of its job. Errors name the option.
 #pragma once
 
 #include <string>
@@ -28,8 +28,8 @@ struct ConversionRequest {
 
   static std::vector<RequestOption<ConversionRequest>> options();
   /// The settings of a conversion.
-  /// @param run  settings of the run with the molecules for the particles of a dump file; if null,
-  ///   the request gives its run file, or there is none
+  /// @param run  settings of the run whose molecules are the particles of a dump file; if null, the
+  ///   run file in the request is used, if any
   Conversion conversion(const std::string& from, const std::string& to,
                         const Config* run = nullptr) const;
 };
@@ -39,10 +39,10 @@ struct AdviceRequest {
 
   static std::vector<RequestOption<AdviceRequest>> options();
   std::string prefix() const { return output ? output.text : "advice"; }
-  /// Whether advice for hybrid Monte Carlo is requested. Hybrid Monte Carlo has no bias that could
-  /// be bounded.
+  /// Whether advice for hybrid Monte Carlo is requested. For hybrid Monte Carlo, no bound on a bias
+  /// is needed, because there is no time-step bias.
   bool is_canonical() const;
-  /// @throws Error  also if request and run file contain no requirement, or several
+  /// @throws Error  also if request and run file together contain no requirement, or more than one
   AdviserSettings settings(const Config& config) const;
   /// @param schemes_given  whether to use the candidates of the settings, which must then be a
   ///   single scheme
@@ -60,7 +60,7 @@ struct BenchmarkRequest {
   Given sizes, precision;
 
   static std::vector<RequestOption<BenchmarkRequest>> options();
-  /// @param threads  number of threads that is compared with a single thread
+  /// @param threads  number of threads whose speed is compared with a single thread
   BenchmarkSettings settings(bool is_quick, int threads) const;
 };
 

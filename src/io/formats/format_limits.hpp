@@ -20,7 +20,7 @@ struct FormatLimits {
   double edge = std::numeric_limits<double>::infinity();  ///< longest edge of the box [nm]
   bool same_atoms = false;       ///< whether all frames must have the same number of atoms
   bool same_velocities = false;  ///< whether all frames must have velocities if the first frame has
-                                 ///< velocities them
+                                 ///< velocities
   bool even_times = false;       ///< whether the interval between frames must be constant
 };
 

@@ -50,17 +50,16 @@ struct SettingBounds {
 /// The description of a setting for manuals and help texts.
 struct Setting {
   std::string table, key;
-  std::vector<SettingKind> kinds;  ///< kinds that the value of the setting may have
-  std::string unit;                ///< unit in which texts state a quantity; empty for other
-                                   ///< kinds
-  std::string domain;              ///< values and bounds of the setting, such as "temperature ≥
-                                   ///< 0 K"
-  std::string fallback;            ///< its default value, possibly in words; empty if there is
-                                   ///< none
-  std::string example;             ///< an example such as "2 fs", or the names of all values;
-                                   ///< empty for other kinds
-  SettingBounds bounds;            ///< bounds of numbers
-  std::string by;                  ///< key that decides whether the setting applies
+  std::vector<SettingKind> kinds;     ///< kinds that the value of the setting may have
+  std::string unit;                   ///< unit in which texts state a quantity; empty for other
+                                      ///< kinds
+  std::string domain;                 ///< values and bounds, such as "temperature ≥ 0 K"
+  std::string fallback;               ///< its default value, possibly in words; empty if there is
+                                      ///< none
+  std::string example;                ///< an example such as "2 fs", or the names of all values;
+                                      ///< empty for other kinds
+  SettingBounds bounds;               ///< bounds of numbers
+  std::string by;                     ///< key that decides whether the setting applies
   std::vector<std::string> by_names;  ///< values of that key for which the setting has a meaning;
                                       ///< empty for all values
   std::string doc;                    ///< meaning of the setting, in Markdown with the links of the

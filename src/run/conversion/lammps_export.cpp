@@ -205,7 +205,7 @@ class Script {
                std::round(config_.run.length / h) * static_cast<double>(evaluations));
   }
 
-  // LAMMPS does not know that particles rotate.
+  // LAMMPS does not count the rotational energy of particles.
   std::string thermo() const {
     const std::string columns =
         "thermo_style custom step time temp epair ke etotal econserve press";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run file as input of LAMMPS with the plugin of this project.
+// Exports a run file as LAMMPS input for the plugin of this project.
 #pragma once
 
 #include <array>

@@ -22,8 +22,8 @@ double dipole_in_debye(const Molecule& m) {
   return has_dipole(m) ? m.dipole() / unit("D", Dimension::dipole) : 0;
 }
 
-/// A charge [e], rounded. Charges with few digits sum to zero only up to round-off, which is
-/// removed.
+/// A charge [e], rounded. The charges of a neutral molecule sum to zero only up to round-off; such
+/// a sum is set to 0.
 double round_charge(double charge) { return std::abs(charge) < 1e-12 ? 0.0 : charge; }
 
 Quantities of_site(const Site& s) {

@@ -10,8 +10,8 @@
 
 namespace polhode {
 
-/// Finds the molecules to which a name refers. It may be the name of a model, or the path of a
-/// molecule file, a GROMACS topology or a LAMMPS data file. Each molecule is listed once. If the
+/// Finds the molecules to which a name refers. The name may be the name of a model, or the path of
+/// a molecule file, a GROMACS topology or a LAMMPS data file. Each molecule is listed once. If the
 /// name is empty, all models are listed.
 /// @throws Error  if the model does not exist, or a file cannot be read
 std::vector<Molecule> find_molecules(const std::string& name);

@@ -11,7 +11,7 @@ namespace polhode {
 
 /// Stages, order, cost and source of a scheme.
 Quantities quantities(const Scheme& scheme);
-/// Stages, order, cost and source of all schemes of the table.
+/// Stages, order, cost and source of all built-in schemes.
 std::vector<Quantities> all_schemes();
 
 }  // namespace polhode

@@ -20,7 +20,7 @@ std::vector<const Setting*> found(const std::string& name) {
   return all;
 }
 
-/// The place of a setting in the run file; empty if the setting has its default.
+/// The place of a setting in the run file; empty if the run file does not contain the setting.
 std::string place_of(const Setting& one, const Config& config) {
   return config.gives(one.path()) ? config.place(one.path()) : "";
 }

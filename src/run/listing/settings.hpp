@@ -10,7 +10,7 @@ namespace polhode {
 
 /// Settings with values in a run, defaults and meanings.
 /// @param name    path or key of a setting, or a table; empty for all settings
-/// @param config  configuration with the listed values; null for none
+/// @param config  configuration whose values are listed; null to list no values
 /// @throws Error  if the setting or table does not exist; the message gives the most similar names
 std::string settings_text(const std::string& name, const Config* config);
 

@@ -13,8 +13,9 @@ struct Verification {
   OrderMeasurement measured;
   int declared = 0;  ///< order with which the measured order is compared; 0 if none is known
 
-  /// Whether the measured order agrees with the declared order. The error of a symmetric scheme is
-  /// C hᵏ + O(hᵏ⁺²), so the slope differs from k by O(h²), which is less than 0.1 here.
+  /// Whether the measured order agrees with the declared order of the scheme. The error of a
+  /// symmetric scheme is C hᵏ + O(hᵏ⁺²), so the measured order differs from k by O(h²), which is
+  /// less than 0.1 here.
   bool holds() const;
 };
 

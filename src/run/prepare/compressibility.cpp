@@ -15,8 +15,7 @@ constexpr double growth = 4, max_growth = 16;  // growth per stage and maximum, 
                                                // default, while the compressibility is not known
 constexpr double far = 2;                      // number of standard deviations of the volume
 
-// These values are between ice and a gas at a few bar, in units of the default, which is the
-// compressibility of water.
+// Bounds on the compressibility relative to water (the default), from ice to a gas at a few bar.
 constexpr double least = 0.1, most = 1000;
 
 }  // namespace

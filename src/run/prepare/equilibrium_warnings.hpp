@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shows that a preparation has not reached equilibrium.
+// Warnings that a preparation has not reached equilibrium.
 #pragma once
 
 #include <optional>

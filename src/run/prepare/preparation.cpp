@@ -45,7 +45,7 @@ constexpr std::uint64_t streams = std::uint64_t{1} << 40;  // number of derived 
 
 double kg_per_m3(double density) { return density / unit("kg/m3", Dimension::density); }
 
-/// A part of a stage, with separate random numbers and statistics.
+/// A part of the preparation, with separate random numbers and statistics.
 struct Stage {
   const char* name;
   double length;  ///< length [ps]
@@ -77,8 +77,8 @@ struct PreparationFiles {
   std::vector<std::string> all() const { return {state, checkpoint, run_file}; }
 };
 
-/// The identity of a preparation: the run of the system, and the stages. It must be the same when
-/// the preparation is resumed.
+/// The identity of a preparation: the identity of the run, and the lengths of the stages. The
+/// identity must be the same when the preparation is resumed.
 std::string identity_of(const Config& config, const System& system) {
   const std::string run = run_identity(config, system);
   const std::string stages = fmt::format("prepare.nvt = {:.12g} ps\nprepare.npt = {:.12g} ps\n",
@@ -202,7 +202,7 @@ void Preparation::save(RunState at) {
 }
 
 /// Begins the preparation.
-/// @return  false if it was interrupted
+/// @return false if the preparation was interrupted
 bool Preparation::begin(System& system) {
   progress_.minimisation = minimise(system, bounds, watch_of(callbacks_), workers_);
   callbacks_.note(description(progress_.minimisation));
@@ -251,8 +251,8 @@ Trajectory Preparation::run(System& system, const TrajectorySettings& settings) 
   return trajectory;
 }
 
-/// Sets up the next stage. The forces now have the size usual in a liquid, and at constant pressure
-/// the volume has changed.
+/// Sets up the next stage. By now, the forces have the usual size in a liquid, and at constant
+/// pressure the volume has changed.
 void Preparation::set_up_next(const System& system, const TrajectorySettings& settings,
                               const Trajectory& trajectory) {
   constexpr double tenth_of_fs = 1e-4;
@@ -272,7 +272,7 @@ void Preparation::set_up_next(const System& system, const TrajectorySettings& se
 }
 
 /// Runs a stage.
-/// @return  false if it was interrupted
+/// @return false if the stage was interrupted
 bool Preparation::run_stage(System& system) {
   const TrajectorySettings settings = settings_of(progress_.stage);
   callbacks_.note(fmt::format("{} for {:g} ps in steps of {:g} fs{}", stages_[progress_.stage].name,
@@ -291,7 +291,7 @@ bool Preparation::run_stage(System& system) {
   return true;
 }
 
-/// Writes the results. The last checkpoint contains the final state, and all samples of the last
+/// Writes the results. The last checkpoint contains the final state, and the samples of the last
 /// stage.
 void Preparation::finish(System& system, const Trajectory& trajectory) {
   if (!config_.ensemble.thermostat && !config_.ensemble.hybrid_monte_carlo)
@@ -340,8 +340,8 @@ void Preparation::write_files(const System& system, PreparationReport& report) {
   if (report.compressibility > 0)
     config_.ensemble.barostat->compressibility = report.compressibility;
   const auto write = [&](const std::string& file, const auto& text) {
-    // These are the properties of a preparation that had ended, because the user may have edited
-    // the run file.
+    // Existing files of a finished preparation are not written again, because the user may have
+    // edited the run file.
     if (options_.existing == ExistingFiles::resume && std::filesystem::exists(file)) return;
     write_file(file, text);
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Changes of the state and the settings of a simulation in progress. Each begins a segment of the
-// trajectory, since averages over different states or time steps mean nothing.
+// Changes of the state and the settings of a simulation in progress. Each change begins a segment
+// of the trajectory, because averages over different states or time steps are meaningless.
 #include <fmt/core.h>
 
 #include <utility>
@@ -14,8 +14,8 @@
 namespace polhode {
 namespace {
 
-/// Resets the counts of an integrator. Forces are evaluated again, and evaluations are counted from
-/// 0. Steps are not reset, because they select the random numbers of a bath.
+/// Resets the counts of an integrator. Forces are evaluated again, and the evaluations are counted
+/// from 0. The number of steps is not reset, because it selects the random numbers of a bath.
 void begin_counts(IntegratorMemory& memory) {
   memory.current = false;
   memory.evaluations = memory.derivatives = memory.measurements = 0;
@@ -86,7 +86,7 @@ void Simulation::change(const IntegratorSettings& integrator,
   throw e.at(config_.source);
 }
 
-// Changes without a step between them begin a single segment.
+// Several changes without a step between them begin a single segment.
 RunState Simulation::next_segment(const std::string& changes) {
   RunState now = propagator_ ? propagator_->run_state() : *at_;
   now.state = system_.state;

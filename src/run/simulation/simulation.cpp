@@ -30,8 +30,9 @@ namespace {
 
 ProgramVersion this_program() { return {version(), name(current_instruction_set())}; }
 
-/// R as text, as printed in the summary. It is empty if R is not defined or not meaningful.
-/// Decisions of hybrid Monte Carlo change the energy, but this change is not a time-step error.
+/// R as text, in the form of the summary. The text is empty if R is not defined or not meaningful.
+/// R is not meaningful for hybrid Monte Carlo, whose decisions change the energy without a
+/// time-step error.
 std::string ratio_text(const RunSummary& s) {
   if (s.samples < min_samples_reported || s.potential_fluctuation.value == 0 ||
       s.ensemble.hybrid_monte_carlo)
@@ -119,15 +120,15 @@ bool Simulation::choose_step(const OutputOptions& options, const Callbacks& call
 
 // Checkpoints.
 
-// This must be called before the state changes, unless settings have changed. A simulation that is
-// built with the present settings can resume from its checkpoints.
+// Call this function before the state changes, unless settings have changed. A new simulation with
+// the present settings can resume from the checkpoints of this simulation.
 const std::string& Simulation::identity() {
   if (identity_.empty())
     identity_ = run_identity(config_, settings_changed_ ? build_system(config_) : system_);
   return identity_;
 }
 
-// Before the first step, the state is that of an equilibration of length zero.
+// Before the first step, the run state is the same as after an equilibration of length zero.
 RunState Simulation::run_state() {
   if (trajectory_started()) return propagator().run_state();
   return at_ ? *at_ : RunState{.state = system_.state, .equilibrated = 0.0};
@@ -336,7 +337,8 @@ void Simulation::note_begin(const Callbacks& callbacks) const {
   note_forces(system_, callbacks);
 }
 
-// The forces on a lattice are not a guide to the time step.
+// For a lattice there is no warning about the step, because forces on a lattice do not show which
+// steps are stable.
 void Simulation::note_warnings(const Callbacks& callbacks) const {
   const bool lattice = config_.system.initial_configuration.empty() && config_.run.equilibrate == 0;
   for (const auto& warning :

@@ -29,8 +29,8 @@ Verdict worst(Verdict a, Verdict b) {
                                                             : Verdict::reproduced;
 }
 
-/// The verdict on whether R of a point is above a limit: reproduced if R is above, and not
-/// reproduced if R is below.
+/// The verdict on whether R of a point is above a limit: reproduced if R is significantly above the
+/// limit, not reproduced if R is significantly below.
 Verdict above(const EfficiencyPoint& point, double limit) {
   const double R = point.ratio.value,
                off = confidence_half_width({point.ratio.error, point.runs - 1.0});
@@ -43,7 +43,7 @@ Verdict opposite(Verdict v) {
   return v == Verdict::reproduced ? Verdict::not_reproduced : Verdict::reproduced;
 }
 
-/// The point with the longest step whose energy drift is known not to matter; null if there is
+/// The point with the longest step whose energy drift is certainly negligible; null if there is
 /// none.
 const EfficiencyPoint* last_conserving(const Curve& c) {
   for (std::size_t i = c.usable; i > 0; --i)
@@ -51,7 +51,7 @@ const EfficiencyPoint* last_conserving(const Curve& c) {
   return nullptr;
 }
 
-/// The range in which an energy drift that matters is excluded, as text: "up to R = 0.54 %", or "at
+/// The range of R in which a relevant energy drift is excluded, as text: "up to R = 0.54 %", or "at
 /// no step".
 std::string excluded(const Curve& c) {
   const EfficiencyPoint* const last = last_conserving(c);
@@ -63,9 +63,9 @@ std::string reached(const Curve& c) {
   return c.usable == 0 ? "0" : fmt::format("{:.2g}", 100 * c.points[c.usable - 1].ratio.value);
 }
 
-/// The verdict on whether a curve has steps above R = `limit` at which the energy drift is known
-/// not to matter. A curve that ends below the limit has none. Between the last such step and the
-/// end of the curve, nothing is known.
+/// The verdict on whether a curve has steps above R = `limit` at which the energy drift is
+/// certainly negligible. A curve that ends below the limit has no such steps. Between the last such
+/// step and the end of the curve, the drift may or may not be negligible.
 Verdict runs_above(const Curve& c, double limit) {
   const EfficiencyPoint* const last = last_conserving(c);
   if (last && above(*last, limit) == Verdict::reproduced) return Verdict::reproduced;
@@ -74,8 +74,8 @@ Verdict runs_above(const Curve& c, double limit) {
                                                                      : Verdict::undecided;
 }
 
-/// Whether the points around the ends of curves have the same number of runs. Only then are curves
-/// compared, because more runs detect a smaller energy drift.
+/// Whether the points around the ends of curves have the same number of runs. Curves are compared
+/// only if so, because more runs detect a smaller energy drift.
 bool equal_runs(const std::vector<const Curve*>& curves) {
   std::set<int> runs;
   for (const Curve* c : curves)

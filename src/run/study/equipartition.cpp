@@ -9,9 +9,10 @@ namespace {
 
 /// The temperature differences of a scheme at its usable steps.
 struct Points {
-  std::vector<double> x;  ///< powers hᵏ of the steps
+  std::vector<double> x;  ///< powers hᵏ of the steps h
   std::vector<Estimate> y;
-  double degrees_of_freedom = 0;  ///< degrees of freedom of the errors
+  double degrees_of_freedom = 0;  ///< degrees of freedom of the errors of the temperature
+                                  ///< differences
 };
 
 /// The temperature differences of a curve.

@@ -18,10 +18,10 @@ ErrorPart relative_error(const CostAtRatio& at) {
   return {at.error / at.cost, at.degrees_of_freedom};
 }
 
-/// The number of points before the end of a curve, which all tables, claims and figures use. A
-/// curve ends at the first step with a run that blew up. It ends earlier if all steps from some
-/// step on drift. A single step that drifts although a longer step does not is attributed to
-/// chance.
+/// The number of points before the end of a curve. All tables, claims and figures use this end. A
+/// curve ends at the first step with a run that blew up. A curve ends earlier if all steps from
+/// some step on have an energy drift. If a step has an energy drift but a longer step has none, the
+/// drift is attributed to chance.
 /// @param points  points ordered by step
 std::size_t points_before_end(const std::vector<EfficiencyPoint>& points) {
   std::size_t count = 0;
@@ -100,8 +100,8 @@ std::vector<Guideline> guidelines(const std::vector<Curve>& all,
 }
 
 std::optional<Crossing> crossover(const Curve& finer, const Curve& coarser) {
-  // log(cost ratio) on a fine grid of R; the crossover is the largest R at which this
-  // logarithm changes sign.
+  // The logarithm of the cost ratio is computed on a fine grid of R; the crossover is the largest R
+  // at which this logarithm changes sign.
   const auto advantage = [&](double R) -> std::optional<double> {
     const auto a = cost_at(finer, R), b = cost_at(coarser, R);
     for (const auto& cost : {a, b})
@@ -114,8 +114,8 @@ std::optional<Crossing> crossover(const Curve& finer, const Curve& coarser) {
     const auto here = advantage(R);
     if (here && above && *above <= 0 && *here > 0) {
       const auto a = cost_at(finer, R), b = cost_at(coarser, R);
-      // The log of the cost varies as −log R/exponent, so an error of the log of the cost shifts
-      // the crossing by this amount.
+      // The log of the cost varies as −log R/exponent. The error of log R is the error of the log
+      // of the cost ratio divided by the difference of the slopes.
       const double slopes = std::abs(1 / b->exponent - 1 / a->exponent);
       const ErrorPart error = summed({relative_error(*a), relative_error(*b)});
       return Crossing{{R, slopes > 0 ? R * error.error / slopes : 0.0}, error.degrees_of_freedom};

@@ -16,20 +16,20 @@ struct CostAtRatio {
   double cost = 0;                ///< force evaluations per ps
   double error = 0;               ///< error of the cost, from the errors of R at the neighbouring
                                   ///< points
-  double degrees_of_freedom = 0;  ///< degrees of freedom of this error
+  double degrees_of_freedom = 0;  ///< degrees of freedom of the cost error
   double step = 0;                ///< time step [ps]
   double evaluations = 0;         ///< number of force evaluations per step
-  double exponent = 0;            ///< local d log R / d log h
+  double exponent = 0;            ///< local order d log R / d log h
   bool extrapolated = false;      ///< whether R is below the smallest measured R, so that the order
                                   ///< of the scheme was used
-  bool at_max_step = false;       ///< whether it is the largest step of the curve, because R stays
-                                  ///< below the given value
+  bool at_max_step = false;       ///< whether the largest step of the curve is used, because R
+                                  ///< stays below the given value
 };
 
 struct Guideline {
   double ratio = 0;                               ///< given value of R
-  std::vector<std::optional<CostAtRatio>> costs;  ///< cost of each scheme; empty if R cannot be
-                                                  ///< reached without energy drift
+  std::vector<std::optional<CostAtRatio>> costs;  ///< cost of each scheme; empty if this R cannot
+                                                  ///< be reached without energy drift
   std::optional<std::size_t> best;                ///< index of the cheapest scheme
 };
 
@@ -44,7 +44,8 @@ struct Curve {
 std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points);
 
 /// The cost at a given R, by interpolation of log h over log R between neighbouring usable points.
-/// If even the largest usable step has a smaller R, the result is the cost of this step.
+/// If even the largest usable step has a smaller R than the given R, the result is the cost of the
+/// largest step.
 std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio);
 
 std::vector<Guideline> guidelines(const std::vector<Curve>& curves,
@@ -53,7 +54,7 @@ std::vector<Guideline> guidelines(const std::vector<Curve>& curves,
 /// The R below which a scheme is cheaper than another scheme.
 struct Crossing {
   Estimate ratio;
-  double degrees_of_freedom = 0;  ///< degrees of freedom of its error
+  double degrees_of_freedom = 0;  ///< degrees of freedom of the error of this R
 };
 
 /// The value of R below which `finer` is cheaper than `coarser`, if the two curves cross within the

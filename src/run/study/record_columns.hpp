@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The columns of a record of runs, each stated once, and the record that writes and reads them.
+// The columns of a record of runs. Each column is stated once, for both writing and reading.
 #pragma once
 
 #include <fmt/core.h>
@@ -21,17 +21,16 @@
 
 namespace polhode {
 
-/// A column of a record. It follows the columns of scheme, step, initial configuration and
-/// stability.
+/// A column of a record, after the columns of scheme, step, initial configuration and stability.
 template <class Run>
 struct RecordColumn {
   std::string head;                                        ///< name of the column with its unit
   std::string name;                                        ///< name of the column in error messages
   std::function<std::optional<double>(const Run&)> value;  ///< value of the column; empty for an
                                                            ///< empty field
-  std::function<void(Run&, double)> set;  ///< sets the value; the argument is NaN for
+  std::function<void(Run&, double)> set;  ///< function that sets the value; its argument is NaN for
                                           ///< an empty field
-  bool has_sign = false;                  ///< whether the value may be negative
+  bool has_sign = false;                  ///< whether negative values are valid
   bool always = false;                    ///< whether the value is also known for a
                                           ///< run that blew up
   /// Whether a line has no number in a column.
@@ -60,7 +59,7 @@ std::string record_head() {
   return head;
 }
 
-/// The number of fields of a line, computed from the line with the names of the columns.
+/// The number of fields of a line, found from the line with the column names.
 template <class Run>
 std::size_t field_count(std::string_view head, const Lines& lines);
 

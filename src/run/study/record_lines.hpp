@@ -15,18 +15,18 @@
 
 namespace polhode {
 
-/// The fields of a line of a record.
+/// The fields of one line of a record.
 class RecordFields {
  public:
-  /// @throws Error  with the line, unless it has `count` fields; errors of the members give the
-  ///   line as well
+  /// @throws Error  with the line, unless the line has `count` fields; errors of the members also
+  ///   give the line
   RecordFields(std::string_view line, std::size_t count, const Lines& lines);
 
   std::string_view operator[](std::size_t k) const { return field_[k]; }
   double number(std::size_t k, const char* what) const;  ///< field k as a finite number
   double amount(std::size_t k,
                 const char* what) const;             ///< field k as a number that is not negative
-  int index(std::size_t k, const char* what) const;  ///< field k as an integer from 0
+  int index(std::size_t k, const char* what) const;  ///< field k as an integer of 0 or more
   bool yes(std::size_t k, const char* what) const;   ///< field k as a flag, 1 or 0
 
   [[noreturn]] void refuse(const std::string& what) const;
@@ -39,7 +39,7 @@ class RecordFields {
 /// The first line of the record of a study.
 std::string identity_line(const Provenance& provenance);
 
-/// A function that rejects an invalid first line.
+/// A function that rejects an invalid first line of a record.
 using CheckHead = std::function<void(std::string_view head, const Lines& lines)>;
 CheckHead of_this_study(const std::string& path, const Provenance& provenance);
 CheckHead of_any_study(const std::string& path);

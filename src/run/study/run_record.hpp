@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Records of runs: each run is saved when it ends, so that an interrupted study can be resumed.
+// Records of runs: each run is appended when it ends, so that an interrupted study can be resumed.
 #pragma once
 
 #include <fstream>
@@ -16,15 +16,16 @@ namespace polhode {
 template <class Run>
 class RunRecord {
  public:
-  /// Reads the record if it exists and belongs to the same study, otherwise creates a record.
+  /// Reads the record if it exists and belongs to the same study, and creates a new record
+  /// otherwise.
   /// @throws Error  under the same conditions as read(), unless `force` is set
   RunRecord(const std::string& path, const Provenance& provenance, bool force);
   const std::vector<Run>& known() const { return known_; }
   void add(const Run& run);
 
   /// Reads the runs in a record. An incomplete last line, left by an interruption, is ignored, and
-  /// its run is repeated. A number that a run does not have is empty. The numbers of a run that
-  /// blew up are ignored.
+  /// its run is repeated. The field of a number that a run does not have is empty. The numbers of a
+  /// run that blew up are ignored.
   /// @param path        path of the record, for error messages
   /// @param provenance  provenance of the study that is being resumed; null for any study
   /// @throws Error  with the line, if the record belongs to another study, or another line is

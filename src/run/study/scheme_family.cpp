@@ -26,8 +26,8 @@ Values values_of(const std::vector<FreeParameter>& parameters) {
   return values;
 }
 
-/// The derivatives ∂(α, β)/∂p for each parameter p, by central differences. They are exact to 1e-9,
-/// because α and β are polynomials of the coefficients.
+/// The derivatives ∂(α, β)/∂p for each parameter p, by central differences. The central differences
+/// are exact to 1e-9, because α and β are polynomials of the coefficients.
 std::vector<ErrorTerms> slopes(const SchemeFamily& family, const Values& at) {
   std::vector<ErrorTerms> all;
   for (std::size_t k = 0; k < at.size(); ++k) {
@@ -39,7 +39,7 @@ std::vector<ErrorTerms> slopes(const SchemeFamily& family, const Values& at) {
   return all;
 }
 
-/// Whether α and β depend on all parameters independently.
+/// Whether the derivatives of α and β with respect to the parameters are linearly independent.
 bool independent(const std::vector<ErrorTerms>& s) {
   constexpr double min_slope = 1e-7;  // smallest slope for coefficients of the order of 1
   if (s.size() == 1) return std::hypot(s[0].alpha, s[0].beta) > min_slope;
@@ -54,9 +54,10 @@ void check_count(const std::vector<FreeParameter>& parameters) {
                   parameters.size(), example_family));
 }
 
-/// The symmetric 2 × 2 matrix of the covariances of the error brackets. If the brackets are
-/// perfectly correlated, a combination of parameters is undetermined. A small additional term keeps
-/// this combination unchanged.
+/// The symmetric 2 × 2 covariance matrix of the two error brackets (the commutators with the
+/// factors α and β). If the two error brackets are perfectly correlated, one combination of the
+/// parameters is undetermined. A small additional term in the variance keeps the undetermined
+/// combination unchanged.
 struct Metric {
   double aa, ab, bb;
   explicit Metric(const ErrorCovariance& c)

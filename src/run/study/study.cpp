@@ -22,8 +22,8 @@
 namespace polhode {
 namespace {
 
-// The default steps [fs]. They are close enough for interpolation, and range from about R = 0.1 %
-// (0.001 % for fourth-order schemes) to the stability limit.
+// The default steps [fs]. The steps are close enough for interpolation, and range from about R =
+// 0.1 % (0.001 % for fourth-order schemes) to the stability limit.
 std::vector<double> default_steps(const NestedScheme& nested, bool coarse) {
   std::vector<double> fs;
   const Scheme& scheme = nested.outer;
@@ -37,7 +37,7 @@ std::vector<double> default_steps(const NestedScheme& nested, bool coarse) {
                 : std::vector<double>{2, 3, 4, 5, 6, 7, 8, 9};
   else
     fs = coarse ? std::vector<double>{3, 4, 5, 6, 7, 8} : std::vector<double>{3, 4, 5, 6, 7, 8, 9};
-  // Schemes with more stages than the schemes of the paper use larger steps, at equal cost.
+  // Schemes with more stages than in the paper use larger steps, so that the cost is the same.
   const double stretch = std::max(1.0, scheme.force_evaluations() / 3.0);
   for (double& h : fs) h *= stretch / units::fs_per_ps;
   return fs;
@@ -82,7 +82,7 @@ StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point
   return run;
 }
 
-// Records identify runs by scheme and step, so each pair must be unique.
+// Records identify runs by scheme and step, so each pair of scheme and step must be unique.
 void add_point(std::vector<StudyPoint>& points, const StudyPoint& point) {
   for (const StudyPoint& other : points)
     if (other.name == point.name && other.record_name() != point.record_name())
@@ -176,7 +176,7 @@ void perform_study_runs(const Config& config, const std::vector<StudyRun>& known
 namespace {
 
 /// The mean difference of two temperatures over the runs that have both; empty if fewer than two
-/// runs have them.
+/// runs have both.
 template <class Difference>
 std::optional<Estimate> mean_difference(const std::vector<StudyRun>& runs,
                                         const Difference& difference) {

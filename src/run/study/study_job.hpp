@@ -53,7 +53,7 @@ class StudyJob {
     study_.check(system_);
   }
 
-  /// Performs the runs that the record does not have yet.
+  /// Performs the runs that are not yet in the record.
   Report run(Workers& workers) const {
     const OutputLock lock(files_.prefix + "-study.lock", callbacks_);
     // Results of a resumed study are overwritten, but results of another study are not.
@@ -108,8 +108,8 @@ class StudyJob {
     callbacks_.note(fmt::format("{} runs were read from {}", runs.size(), path));
   }
 
-  /// Makes the report of the selected runs and writes its files. Because points are compared, all
-  /// have the same initial configurations, even if the record has more.
+  /// Makes the report of the selected runs and writes its files. All points use the same initial
+  /// configurations, so that they can be compared, even if the record has more.
   Report report_of(const std::vector<Run>& runs) const {
     std::vector<Run> counted;
     for (const Run& run : runs)
@@ -120,7 +120,7 @@ class StudyJob {
                       "configurations are left out",
                       study_.config.study.runs, runs.size() - counted.size()));
     Report report = study_.report(system_, counted);
-    // A study without a complete run has nothing to tabulate, so existing files are left unchanged.
+    // Without a complete run no tables are written, and existing files remain unchanged.
     if (!report.points.empty()) write(report);
     return report;
   }

@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::array motions = {"translation", "rotation 1", "rotation 2", "rotation 3"};
 
-/// Numbers of columns in records of all versions: without round-off, without temperatures by kind
-/// of motion, without the weight of near forces, without configurational temperatures, and
-/// complete.
+/// Numbers of columns in the records of all program versions: without round-off, without
+/// temperatures by kind of motion, without the weight of near forces, without configurational
+/// temperatures, and complete.
 constexpr std::array<std::ptrdiff_t, 5> counts = {9, 10, 14, 15, 19};
 
-/// The temperature of a kind of motion, which a run may not have.
+/// The temperature of a kind of motion; empty if the run has no such motion.
 template <class Group>
 RecordColumn<StudyRun> of_motion(std::string head, std::string name,
                                  std::optional<Group> StudyRun::*group, auto at, bool has_sign) {

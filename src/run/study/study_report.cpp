@@ -22,13 +22,13 @@ namespace {
 // Values of R for which the guideline table lists costs, including the values of the paper.
 const std::vector<double> table_ratios = {0.03, 0.015, 0.01, 0.007, 0.004, 0.002, 0.001, 0.0001};
 
-/// A mean over runs; its error is not known if there is only one run.
+/// A mean over runs; the error of the mean is not known if there is only one run.
 Estimate over_runs(const EfficiencyPoint& p, Estimate mean) {
   if (p.runs < 2) mean.error = std::nan("");
   return mean;
 }
 
-/// A note on a point for the user, which also explains why a point is not part of the curve.
+/// A note for the user on a point, for example why the point is not part of the curve.
 std::string note_on(const EfficiencyPoint& p, bool usable) {
   if (!p.stable) return "blew up";
   if (!usable)
@@ -130,7 +130,7 @@ Quantity of_guidelines(const StudyReport& report) {
                    verlet < curves.size() ? " (ratio to velocity Verlet)" : "")});
 }
 
-/// The verdict on a claim, and the claim with its value.
+/// The verdict on a claim of the paper, and the claim with the value found.
 Quantity row_of(const Claim& claim) {
   const std::string value =
       claim.value ? fmt::format(": {}", with_error(claim.value->value, claim.value->error)) : "";
@@ -138,7 +138,7 @@ Quantity row_of(const Claim& claim) {
              claim.text + value);
 }
 
-/// The claims in JSON, and as rows of the text.
+/// The claims of the paper in JSON, and as rows of the text.
 Quantities of_claims(const StudyReport& report) {
   const auto& molecules = report.config.system.molecules;
   const bool of_the_paper =

@@ -23,7 +23,7 @@ struct StudyFiles {
         script(prefix + ".gp"),
         svg(prefix + ".svg"),
         png(prefix + ".png") {}
-  /// The paths of all files except the record.
+  /// The paths of all output files of a study except the record.
   std::vector<std::string> tables() const { return {points, json, script, svg, png}; }
   std::vector<std::string> all() const { return {points, runs, json, script, svg, png}; }
 };
@@ -44,7 +44,7 @@ struct StudyReport {
 };
 
 /// Performs a study and writes its record, tables and figure. An interrupted study resumes: runs in
-/// an existing record are not repeated, unless existing files are to be replaced.
+/// an existing record are not repeated, unless the user asked to replace existing files.
 /// @param prefix  prefix of the output files
 /// @throws Error  before anything is computed, if a setting is invalid, or outputs of another study
 ///   exist

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a front end was given for a study besides its settings, and the kind of study that follows.
+// The options of a study that a front end received in addition to settings, and the kind of study
+// that they select.
 #pragma once
 
 #include <string>
@@ -21,7 +22,7 @@ struct StudyRequest {
 
 /// Performs the study of the settings, or makes the tables and the figure of a record. An
 /// interrupted study resumes from its record.
-/// @param use  function of the report of either ensemble; its result is returned
+/// @param use  function that receives the report of either kind of study; its result is returned
 template <class Use>
 auto perform_study(Config config, const StudyRequest& request, OutputOptions output,
                    const Callbacks& callbacks, Workers& workers, const Use& use) {

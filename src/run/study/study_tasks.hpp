@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Functions shared by studies, between points and runs.
+// Functions that all kinds of studies use to make runs from points, and points from runs.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace polhode {
 /// Whether two time steps [ps] are equal up to round-off.
 inline bool same_step(double a, double b) { return std::abs(a - b) < 1e-12; }
 
-/// The runs of a scheme at a step, sorted by initial configuration. Sums then do not depend on
-/// which run ended first. The scheme is named as in records.
+/// The runs of a scheme at a step, sorted by initial configuration. With this order, sums do not
+/// depend on which run ended first. The scheme has the name that records use.
 template <class Run>
 std::vector<Run> runs_of(const std::string& scheme, double step, const std::vector<Run>& runs) {
   std::vector<Run> own;

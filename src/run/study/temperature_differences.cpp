@@ -43,7 +43,7 @@ Value limit_value(const std::optional<Line>& line) {
 }
 
 /// Makes a table of temperature differences.
-/// @param columns  kinds of differences
+/// @param columns  the kinds of temperature differences
 /// @param at       function that returns the differences at a point
 /// @param limits   fitted lines
 Quantities table(const std::vector<Curve>& curves, const std::vector<EquipartitionFit>& fits,

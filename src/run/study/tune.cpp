@@ -131,7 +131,7 @@ std::vector<SchemeFamily> families(const TuneSettings& settings, const Config& c
   return {hoa2_family(), gier4_family()};
 }
 
-/// Completes the settings: uses the step of the run file unless the settings give one.
+/// Completes the settings: the step of the run file is used unless the settings give a step.
 TuneSettings complete(TuneSettings settings, const Config& config) {
   try {
     single_scheme_of(config.integrator.scheme);
@@ -167,7 +167,7 @@ Quantities of_family(const Tuned& t) {
           {"scheme", "", text_of(t.scheme), "stages of the optimized scheme", "as text"}};
 }
 
-/// rms of a bracket, from the sum of its mean squares over the runs [kJ/mol].
+/// rms of an error bracket, from the sum of its mean squares over the runs [kJ/mol].
 double rms_bracket(double squares, const TuneSettings& settings) {
   return std::sqrt(squares / settings.runs);
 }

@@ -92,8 +92,8 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
            name_J + "1 to " + name_J + "3");
   for (std::size_t k = 0; k < 3; ++k) {
     const double others = J[(k + 1) % 3] + J[(k + 2) % 3];
-    // Moments often have only five digits, so flat bodies with J3 = J1 + J2 may fail because of
-    // rounding.
+    // Moments often have only five digits, so flat bodies with J3 = J1 + J2 may violate the
+    // inequality because of rounding.
     if (J[k] > others * (1 + 1e-4))
       refuse(fmt::format("{}{} = {} is larger than the sum of the other two moments, {}; no mass "
                          "distribution has such moments: correct one of the three",

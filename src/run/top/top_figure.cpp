@@ -24,7 +24,7 @@ namespace {
 using Curve = std::vector<Vec3<double>>;
 constexpr double pi = std::numbers::pi;
 
-/// The polhode: ω along a period of the loop of L. It is a single point if L is constant.
+/// The polhode: ω along a period of the loop of L. The polhode is a single point if L is constant.
 Curve polhode_of(const Vec3<double>& J, const Vec3<double>& L) {
   const ScaledTop top(J, L, 0);
   const auto omega = [&](const Vec3<double>& l) {
@@ -32,7 +32,8 @@ Curve polhode_of(const Vec3<double>& J, const Vec3<double>& L) {
   };
   if (Orbit::is_stationary(top)) return {omega(L)};
   const Orbit orbit(top);
-  // At the separatrix the period is infinite, and u from −10 to 10 covers nearly all of the loop.
+  // At the separatrix the period is infinite, and the range from −10 to 10 of the argument u covers
+  // nearly all of the loop.
   const double half = std::isinf(orbit.K) ? 10 : 2 * orbit.K;
   Curve curve;
   constexpr int points = 480;
@@ -46,7 +47,8 @@ Curve polhode_of(const Vec3<double>& J, const Vec3<double>& L) {
   return curve;
 }
 
-/// Polhodes of the same energy, with L²/2E between the moments, on all sides of the ellipsoid.
+/// Polhodes of the same energy with other L² (L²/2E between the principal moments), on all sides of
+/// the ellipsoid.
 std::vector<Curve> family(const Vec3<double>& J, double twice_E) {
   std::array<std::size_t, 3> axis{0, 1, 2};
   std::sort(axis.begin(), axis.end(), [&](std::size_t i, std::size_t j) { return J[i] < J[j]; });
@@ -91,7 +93,8 @@ std::vector<Curve> family(const Vec3<double>& J, double twice_E) {
   return curves;
 }
 
-/// Writes points in three columns. Curves are separated by a blank line, and blocks by two.
+/// Writes the points of curves in three columns. Curves are separated by a blank line, and blocks
+/// by two blank lines.
 class Points {
  public:
   explicit Points(std::ostream& out) : out_(out) {}

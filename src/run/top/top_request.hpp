@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a front end was given for a free top, or a table of them, as texts.
+// The options that a front end received for a free top or a table of free tops, as texts.
 #pragma once
 
 #include <string>
@@ -21,8 +21,8 @@ struct TopRequest {
 
   static std::vector<RequestOption<TopRequest>> options();
   /// The top that the request describes.
-  /// @throws Error  unless there are three moments and three components; the message names the
-  ///   option
+  /// @throws Error  unless the request has three moments and three components of L; the message
+  ///   names the option
   FreeTop top() const;
   /// The rotations of a table of tops, see rotate_table().
   std::string rotated_table() const;

@@ -178,7 +178,7 @@ void fields(Archive& archive, Of& c) {
 
 /// The orientations of an initial configuration, and its velocities if there are any, as text.
 /// Random velocities are omitted, because they follow from the seed. The text has nine digits,
-/// which is more than text formats have, and few enough to be the same on all processors.
+/// which is more than in text formats, but few enough to be the same on all processors.
 std::string motion_of_start(const Config& config, const System& system) {
   std::string text;
   if (config.system.initial_configuration.empty()) return text;
@@ -207,7 +207,7 @@ std::string outputs_of(const OutputSettings& output, const Topology& topology) {
   return text;
 }
 
-/// Whether all blocks have as many sums as the blocks of a new object.
+/// Whether all blocks that were read have the number of sums of a new object.
 bool fit(const TimeBlocks& blocks, const TimeBlocks& fresh) {
   const std::size_t sums = fresh.blocks.front().sum.size();
   return blocks.samples_per_block >= 1 &&
@@ -216,7 +216,7 @@ bool fit(const TimeBlocks& blocks, const TimeBlocks& fresh) {
          });
 }
 
-/// Whether a response with its first sample has as many sums as a new response, or is empty.
+/// Whether a response that was read is empty, or has the number of sums of a new response.
 bool fit(const StepResponse& read, const StepResponse& fresh) {
   return read.first.size() == (read.blocks.blocks.empty() ? 0 : fresh.first.size()) &&
          fit(read.blocks, fresh.blocks);

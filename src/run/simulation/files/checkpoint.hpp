@@ -18,17 +18,17 @@ namespace polhode {
 
 /// Positions in the output files of a run.
 struct OutputMarks {
-  FileMark energies;             ///< rows and bytes of the energies file
+  FileMark energies;             ///< number of rows and bytes in the energies file
   std::vector<FileMark> frames;  ///< position in each trajectory file
   std::size_t next_frame = 0;    ///< first step at which the next frame is written
 };
 
 /// The progress of a preparation, in addition to the RunState of its current stage.
 struct PreparationProgress {
-  std::size_t stage = 0;       ///< stage in progress, from 0; the number of stages once all are
+  std::size_t stage = 0;       ///< index of the current stage; the number of stages once all are
                                ///< done
-  double step = 0;             ///< time step of its dynamics [ps]
-  double compressibility = 0;  ///< estimated compressibility of its barostat, otherwise 0
+  double step = 0;             ///< time step of this stage [ps]
+  double compressibility = 0;  ///< estimated compressibility for the barostat, or 0
                                ///< [nm³ mol/kJ]
   Minimisation minimisation;
 };
@@ -40,19 +40,19 @@ struct Checkpoint {
   ForceNoise noise;
   std::uint64_t minimisation_evaluations = 0;      ///< number of force evaluations before the
                                                    ///< trajectory
-  std::optional<OutputMarks> outputs;              ///< positions in the outputs; empty before they
-                                                   ///< begin
+  std::optional<OutputMarks> outputs;              ///< positions in the outputs; empty before the
+                                                   ///< outputs begin
   std::optional<PreparationProgress> preparation;  ///< progress of a preparation; empty for a run
 };
 
-/// The identity of a run: a hash, followed by settings_text(). It must be the same when the run is
-/// resumed. It depends on molecules, initial configuration with velocities, forces, scheme, step
-/// and equilibration. It also depends on the kinds and intervals of outputs, but not on the length
-/// of the run.
+/// The identity of a run: a hash, followed by settings_text(). The identity must be the same when
+/// the run is resumed. The identity depends on molecules, initial configuration with velocities,
+/// forces, scheme, step and equilibration. The identity also depends on the kinds and intervals of
+/// outputs, but not on the length of the run.
 std::string run_identity(const Config& config, const System& system);
 
-/// Writes a checkpoint, completely or not at all. The newest checkpoint becomes the previous
-/// checkpoint.
+/// Writes a checkpoint, completely or not at all. The checkpoint that was the newest is kept as the
+/// previous checkpoint.
 /// @throws RunError  if the file cannot be written
 void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
                       const ProgramVersion& program);
@@ -77,13 +77,15 @@ Checkpoint read_checkpoint_of(const std::string& path, const std::string& identi
 
 struct FoundCheckpoint {
   Checkpoint checkpoint;
-  std::string note;  ///< reason why it is the previous checkpoint; empty if it is the newest
+  std::string note;  ///< reason why the previous checkpoint is used; empty for the newest
+                     ///< checkpoint
 };
 
 /// Finds the newest checkpoint of a run, or the previous one if the newest is damaged. The steps
-/// after the previous checkpoint are then computed again, to the same bits. The result is empty if
-/// there is no checkpoint.
-/// @throws Error  if both are damaged, or another run, program or instruction set wrote them
+/// after the previous checkpoint are then computed again, with bitwise identical results. The
+/// result is empty if there is no checkpoint.
+/// @throws Error  if both checkpoints are damaged, or another run, program or instruction set wrote
+///   them
 std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
                                                const std::string& identity,
                                                const ProgramVersion& reader);

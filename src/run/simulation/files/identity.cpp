@@ -33,7 +33,7 @@ std::string law_identity(const Site& site) {
                      table_identity(site.law));
 }
 
-/// The settings that the identity of a run contains in another form, or that callers add as
+/// Settings that the identity of a run contains in a different form, or that callers add as
 /// numbers.
 constexpr std::array<std::string_view, 27> stated = {
     "system.temperature",
@@ -65,7 +65,7 @@ constexpr std::array<std::string_view, 27> stated = {
     "output.massless_sites",
 };
 
-/// All other settings that differ from their defaults.
+/// The text of all other settings that differ from their defaults.
 std::string further_settings(const Config& config) {
   const auto defaults = recorded_settings(Config{});
   std::string text;
@@ -81,7 +81,8 @@ std::string_view hash_of(std::string_view run_identity) {
   return run_identity.substr(0, run_identity.find('\n'));
 }
 
-/// The other lines of an identity by their key; the checkpoint of an older program has none.
+/// The settings in the other lines of an identity, by key; checkpoints of older versions have no
+/// such lines.
 std::map<std::string, std::string> settings_of(const std::string& run_identity) {
   std::map<std::string, std::string> settings;
   std::istringstream lines(run_identity);

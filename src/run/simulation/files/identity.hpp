@@ -17,15 +17,15 @@ namespace polhode {
 std::string identity(const Config& config, const System& system,
                      std::initializer_list<double> numbers);
 
-/// The settings, other than the system, that determine a run. Each is a line such as
+/// The settings, other than the system, that determine a run. Each setting is a line such as
 /// "integrator.step = 2 fs".
 std::string settings_text(const Config& config);
 
-/// Whether two identities, each a hash followed by settings_text(), belong to the same run.
+/// Whether two identities belong to the same run; each is a hash followed by settings_text().
 bool same_run(std::string_view one, std::string_view other);
 
 /// The differences between the settings in two identities, such as "integrator.step was 2 fs and is
-/// now 1 fs". The text is empty if there are none.
+/// now 1 fs". The text is empty if there are no differences.
 std::string differences(const std::string& then, const std::string& now);
 
 }  // namespace polhode

@@ -12,7 +12,7 @@
 namespace polhode {
 namespace {
 
-/// The energies that trajectories contain in addition to atoms.
+/// The energies that are written to trajectories in addition to the atoms.
 std::vector<FrameNumber> observables(const Energies& e) {
   return {{"potential_energy", "kJ mol-1", e.potential()},
           {"kinetic_energy", "kJ mol-1", e.kinetic()},
@@ -28,8 +28,8 @@ EnergyColumns columns_of(const Config& config) {
 }
 
 /// The files that a run writes at the end, except for files that the run also reads. Existing files
-/// are removed, because they would not agree with the trajectory until the run ends, or if the run
-/// blows up.
+/// are removed, because they would not agree with the trajectory until the run ends (and never if
+/// it blows up).
 std::vector<std::string> last_files(const RunFileNames& names, const SystemSettings& inputs) {
   std::vector<std::string> files;
   for (const std::string& file : {names.final_state, names.plot}) {
@@ -76,7 +76,7 @@ void RunFiles::resume(const FoundCheckpoint& from) {
     reopen(marks);
   }
   remove_last();
-  // The intact checkpoint becomes the newest, because the damaged checkpoint must not become the
+  // The intact checkpoint replaces the damaged newest checkpoint, which must not become the
   // previous checkpoint.
   if (!from.note.empty())
     std::filesystem::rename(names_.checkpoints.previous, names_.checkpoints.newest);

@@ -13,12 +13,13 @@
 
 namespace polhode {
 
-/// The growing files of a run: energies, trajectories and checkpoints. The files begin with the
-/// first sample, after a checkpoint that records the start of the files. Every file therefore has a
+/// The growing files of a run: energies, trajectories and checkpoints. The files are created at the
+/// first sample, after a checkpoint that records their start. For every file there is therefore a
 /// checkpoint that refers to it.
 class RunFiles {
  public:
-  /// @param from  checkpoint to resume from; the files are truncated to the lengths that it records
+  /// @param from  checkpoint to resume from; the files are truncated to the lengths in the
+  ///   checkpoint
   /// @throws Error  if a file was changed; no file is modified then
   RunFiles(const RunFileNames& names, const Topology& topology, const Config& config,
            const Provenance& provenance, const std::string& identity,

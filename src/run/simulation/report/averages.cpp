@@ -25,8 +25,8 @@ std::string text_or_dash(double degrees_of_freedom, const SeriesEstimate& T) {
   return degrees_of_freedom == 0 ? "-" : text_of(T);
 }
 
-/// The reason if some printed temperatures have no error although the mean temperature has an
-/// error.
+/// The reason why some printed temperatures have no error although the mean temperature has one;
+/// empty otherwise.
 std::string missing_errors(const TemperatureEstimates& T, const DegreesOfFreedom& n) {
   if (T.all.known != Known::yes) return "";
   Known worst = n.translation > 0 ? T.translation.known : Known::yes;
@@ -35,7 +35,7 @@ std::string missing_errors(const TemperatureEstimates& T, const DegreesOfFreedom
   return worst == Known::yes ? "" : "; a missing error is " + not_known(worst);
 }
 
-/// @param label  of the mean; @param motions  of the temperatures by motion
+/// @param label  label of the mean; @param motions labels of the temperatures by motion
 Quantities of_temperatures(const TemperatureEstimates& T, const DegreesOfFreedom& n,
                            const std::string& label, const std::string& motions) {
   const auto axis = [&](std::size_t k) { return text_or_dash(n.rotation[k], T.rotation[k]); };
@@ -132,7 +132,7 @@ Quantities of_hybrid_monte_carlo(const HybridMonteCarloSummary& s) {
            "energy that the bodies received when momenta were drawn and trajectories rejected"}};
 }
 
-/// The results of the ensemble; null at constant energy.
+/// The results of thermostat, barostat and hybrid Monte Carlo; null at constant energy.
 Quantities of_ensemble(const EnsembleSummary& s) {
   if (s.settings.constant_energy()) return {{"ensemble", "", {}}};
   Quantities settings;
@@ -153,7 +153,7 @@ Quantities of_ensemble(const EnsembleSummary& s) {
   return {{"ensemble", "", std::move(list)}};
 }
 
-/// A time-step bias, followed by the average without it.
+/// A time-step bias, followed by the average without this bias.
 /// @param average  the average, in the same unit
 Quantity bias_of(std::string key, std::string unit, const SeriesEstimate& bias, double average,
                  std::string label, const std::string& of = "") {

@@ -15,9 +15,10 @@ constexpr double far = 3;                     // number of standard deviations b
                                               // acceptance rate is suspicious
 constexpr double significance_level = 0.001;  // p-value of slopes, as in other warnings of a run
 constexpr double min_volume_change = 0.005;   // smallest relevant change, relative to the mean
-                                              // volume
-// Minimum number of relaxation times of the volume. The variance of the volume then has a relative
-// error of a third, √(2τ/T).
+                                              // Minimum number of relaxation times of the volume.
+                                              // With 20 relaxation times, the variance of the
+                                              // volume has a relative error √(2τ/T) of about a
+                                              // third.
 constexpr double min_relaxation_times = 20;
 constexpr std::uint64_t min_accepted_moves = 100;  // minimum for Monte Carlo moves
 constexpr double min_acceptance = 0.5;             // minimum acceptance rate of cell rescaling, and
@@ -49,8 +50,8 @@ std::optional<Warning> volume_warning(const BarostatSummary& s, double length) {
                  "run longer, or start a new run from the final state of this run"};
 }
 
-/// Warns of a run that is too short for density and compressibility. The stated errors cannot show
-/// this, because they are computed from the same few fluctuations.
+/// Warns of a run that is too short for density and compressibility. The stated errors cannot
+/// reveal a run that is too short, because they are computed from the same few fluctuations.
 std::optional<Warning> length_warning(const BarostatSummary& s, const BarostatSettings& settings,
                                       double length) {
   const bool rescaling = std::holds_alternative<CellRescaling>(settings.type);
@@ -113,8 +114,8 @@ std::optional<Warning> acceptance_warning(const HybridMonteCarloSummary& s) {
       low ? "use a shorter step, or a scheme with a smaller error" : "use a longer step"};
 }
 
-/// Warns if the mean of exp(−ΔH/kT), or the bounded mean, deviates. The error of the first is
-/// unknown or large if a few large values dominate it.
+/// Warns if the mean of exp(−ΔH/kT), or the bounded mean, deviates from the exact value. The error
+/// of the mean of exp(−ΔH/kT) is unknown or large if a few large values dominate the mean.
 std::optional<Warning> weight_warning(const HybridMonteCarloSummary& s) {
   const auto warning = [](const SeriesEstimate& mean, double exact,
                           const char* name) -> std::optional<Warning> {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is probably wrong with a run that a thermostat, a barostat or hybrid Monte Carlo controls.
+// Warnings about probable errors in runs with a thermostat, a barostat or hybrid Monte Carlo.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,9 @@ namespace polhode {
 /// exp(−ΔH/kT) that is not 1 (docs/manual/ensembles.md, Warnings).
 std::vector<Warning> ensemble_warnings(const RunSummary& summary);
 
-/// The relaxation time of the volume [ps]. The time constant of cell rescaling holds for a system
-/// with the compressibility of the barostat settings. A softer system relaxes more slowly.
+/// The relaxation time of the volume [ps]. For cell rescaling, the relaxation time equals the time
+/// constant if the system has the compressibility of the barostat settings. A more compressible
+/// system relaxes more slowly.
 /// @param compressibility  compressibility of the system [nm³ mol/kJ]; 0 if it is not known
 double volume_relaxation(const BarostatSettings& barostat, double compressibility);
 

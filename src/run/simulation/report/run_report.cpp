@@ -21,7 +21,7 @@ namespace {
 
 double percent(double x) { return 100 * x; }
 
-/// A number that is known only under a condition; otherwise NaN.
+/// A number that is known only if a condition is true, and is NaN otherwise.
 double known_if(bool known, double value) {
   return known ? value : std::numeric_limits<double>::quiet_NaN();
 }
@@ -88,7 +88,8 @@ std::string ratio_text(const RunSummary& s) {
                                                    : missing_error(s.ratio.known));
 }
 
-/// The fluctuations of which R is the ratio, and the size of the energy drift; none without them.
+/// The two fluctuations whose ratio is R, and the size of the energy drift; empty if they are not
+/// known.
 Quantities conservation_details(const RunSummary& s) {
   if (s.samples < min_samples_reported || s.potential_fluctuation.value == 0) return {};
   return {
@@ -103,8 +104,8 @@ Quantities conservation_details(const RunSummary& s) {
                              drift_matters(s) ? "" : ", too little to matter")))};
 }
 
-/// Rows on energy conservation. There are none for hybrid Monte Carlo, which does not conserve any
-/// energy.
+/// Rows on energy conservation. For hybrid Monte Carlo the list is empty, because no energy is
+/// conserved.
 Quantities conservation_rows(const RunSummary& s) {
   if (s.ensemble.settings.hybrid_monte_carlo) return {};
   Quantities rows = conservation_details(s);
@@ -167,7 +168,7 @@ Quantities of_conservation(const RunSummary& s) {
   return list;
 }
 
-/// Of the shadow energy; nothing where it was not sampled.
+/// Results on the shadow energy; empty if the shadow energy was not sampled.
 Quantities of_shadow(const RunSummary& s) {
   if (!s.shadow) return {};
   const ShadowSummary& shadow = *s.shadow;
@@ -260,7 +261,7 @@ Quantities of_costs(const RunReport& r) {
       {"instruction_set", "", r.execution.instruction_set, "instruction set of the kernels"}};
 }
 
-/// The check of the guarantee; null if no bound was requested.
+/// The check of the accuracy guarantee; null if no bound was requested.
 Quantity of_guarantee(const std::optional<GuaranteeCheck>& k) {
   if (!k) return {"guarantee", "", {}};
   const std::string name = k->guarantee.accuracy.of == RequiredOf::ratio ? "R" : "bias";

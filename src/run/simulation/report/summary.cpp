@@ -12,9 +12,9 @@
 namespace polhode {
 namespace {
 
-/// The energy drift of the run. The conserved energy performs a random walk. If the shadow energy
-/// was sampled, its random walk gives the strength. The strength is at least the strength due to
-/// round-off. Otherwise the strength is unknown.
+/// The energy drift of the run, tested against the random walk of the conserved energy. The
+/// strength of this walk is taken from the shadow energy, if sampled, and is at least the strength
+/// due to round-off. Without a shadow energy the strength is unknown.
 Drift drift(const TrajectoryStatistics& statistics, double rounding) {
   std::vector<WalkStrength> walks = statistics.shadow.walks();
   if (walks.empty()) return statistics.energies.drift_over_walk(rounding);
@@ -22,7 +22,7 @@ Drift drift(const TrajectoryStatistics& statistics, double rounding) {
   return statistics.energies.drift(walks);
 }
 
-/// Marks R as growing if random walks contribute more than 10 % of its square.
+/// Marks R as growing with the length of the run if random walks contribute more than 10 % of R².
 /// @param rounding  variance per time of the random walk by round-off [(kJ/mol)²/ps]
 void mark_growth(RunSummary& s, double rounding) {
   constexpr double max_share = 0.1;
@@ -50,9 +50,9 @@ void add_averages(RunSummary& s, const TrajectoryStatistics& statistics) {
   s.ratio = energies.ratio_with_error();
 }
 
-/// Removes the results on energy conservation, which do not apply to hybrid Monte Carlo. New
-/// momenta and decisions change the energy. The energy errors of its trajectories add up to a
-/// random walk that causes no bias.
+/// Removes the results on energy conservation, which do not apply to hybrid Monte Carlo. In hybrid
+/// Monte Carlo, new momenta and acceptance decisions change the energy. The energy errors of the
+/// trajectories of hybrid Monte Carlo add up to a random walk that causes no bias.
 void remove_conservation(RunSummary& s) {
   constexpr SeriesEstimate none{.value = std::numeric_limits<double>::quiet_NaN(),
                                 .known = Known::not_defined};

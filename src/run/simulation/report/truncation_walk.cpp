@@ -26,7 +26,8 @@ double bernoulli(int n, double x) {
   }
 }
 
-/// Number of random orientations for an average; the mean square is then known to about 10 %.
+/// Number of random orientations for an average; with this number, the mean square has an error of
+/// about 10 %.
 constexpr int orientations = 400;
 
 /// The energies of the site pairs between two molecule types.
@@ -107,15 +108,15 @@ double curvature(const SitePairs& pairs, std::size_t i, std::size_t j, double r)
   return (slope(r + d) - slope(r - d)) / (2 * d);
 }
 
-/// The discontinuities at a given distance: the order, and a sum over pairs of sites or molecules.
-/// The terms of the sum are the squares of the jumps times ⟨|v|^{2n+3}⟩.
+/// The discontinuities at a given distance between sites or molecules: their order, and a sum over
+/// pairs. The terms of the sum are the squares of the jumps times ⟨|v|^{2n+3}⟩.
 struct Passages {
   const ForceSettings& forces;
   double kT;
   int n;
 
-  /// The moment ⟨|v|^{2n+3}⟩ of a normally distributed velocity. The variance is kT times the sum
-  /// of inverse masses.
+  /// The moment ⟨|v|^{2n+3}⟩ of a normally distributed velocity. The variance of the velocity is kT
+  /// times the sum of inverse masses.
   double moment(double inverse_masses) const {
     return std::pow(2 * kT * inverse_masses, n + 1.5) * std::tgamma(n + 2.0) / std::sqrt(units::pi);
   }
@@ -135,7 +136,7 @@ struct Passages {
 
   double sum(const Molecule& a, const Molecule& b, const SitePairs& pairs, double r) const {
     const bool shift = cutoff_treatment(forces) == CutoffTreatment::site_shift;
-    // The derivatives w^{(n+1)} at the ends of the switching range.
+    // The derivatives w^{(n+1)} of the switching function w at the ends of its range.
     const double width = forces.cutoff - forces.switch_from;
     const double jump =
         std::array{6.0, 60.0, 840.0}[static_cast<std::size_t>(n - 1)] / std::pow(width, n + 1);

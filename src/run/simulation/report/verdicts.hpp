@@ -8,8 +8,8 @@
 
 namespace polhode {
 
-/// The result of a drift test as text: "significant", "not significant", or the reason why it is
-/// not known.
+/// The result of a drift test as text: "significant", "not significant", or the reason why the
+/// significance is not known.
 std::string verdict(const Drift& drift);
 
 /// A guarantee check as text, such as "R = 0.31 ± 0.02 % over 15 ps; the accuracy guarantee is 0.4

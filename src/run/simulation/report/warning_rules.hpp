@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When a simulation is probably wrong.
+// Rules for warnings about simulations that are probably wrong.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,8 @@ namespace polhode {
 std::string line_of(const Warning& warning);
 
 /// Warns of ions without interactions beyond the cutoff: molecules have a net charge, and
-/// electrostatics are plain Coulomb or a reaction field. The value is the largest net charge [e].
+/// electrostatics are plain Coulomb or a reaction field. The value of the warning is the largest
+/// net charge [e].
 std::optional<Warning> cutoff_of_ions(const System& system);
 
 /// A warning about a molecule with a site that is too far from all other sites for a bond. The
@@ -24,22 +25,23 @@ std::optional<Warning> cutoff_of_ions(const System& system);
 std::optional<Warning> distant_sites(const System& system);
 
 /// Warns if velocities of the initial configuration do not have the temperature of the run file,
-/// and no thermostat changes it. The deviation exceeds four standard deviations of a canonical
-/// kinetic temperature, T √(2/n) for n degrees of freedom.
+/// and no thermostat changes their temperature. The warning requires a deviation of more than four
+/// standard deviations of a canonical kinetic temperature, T √(2/n) for n degrees of freedom.
 std::optional<Warning> velocities_of_file(const System& system, const Config& config);
 
-/// A step beyond max_stable_step() at the state of the system. The value is the step times the
-/// Einstein frequency of the fastest degrees of freedom.
+/// Warns of a step beyond max_stable_step() at the state of the system. The value of the warning is
+/// the step times the Einstein frequency of the fastest degrees of freedom.
 std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
                                            Workers& workers = Workers::serial());
 
-/// Warns of a truncation that is not smooth enough for scheme and step. The total energy is
-/// predicted to walk by more than 0.1 % of the fluctuation of the potential energy. The canonical
-/// fluctuation of the kinetic energy, kT √(n/2) for n degrees of freedom, is used instead. The
-/// value is the R of this walk.
+/// Warns of a truncation that is not smooth enough for scheme and step. The warning is given if the
+/// predicted random walk of the total energy exceeds 0.1 % of the fluctuation of the potential
+/// energy. This fluctuation is estimated by the canonical fluctuation of the kinetic energy, kT
+/// √(n/2) for n degrees of freedom. The value of the warning is the R of the random walk.
 std::optional<Warning> rough_truncation(const System& system, const TrajectorySettings& settings);
 
-/// Warnings of ions, the step, and the results of a run (docs/manual/outputs.md, Warnings).
+/// All warnings about ions, the time step and the results of a run (docs/manual/outputs.md,
+/// Warnings).
 std::vector<Warning> warnings(const RunSummary& summary, const System& system,
                               const TrajectorySettings& settings, const Config& config,
                               Workers& workers = Workers::serial());
@@ -48,11 +50,11 @@ std::vector<Warning> warnings(const RunSummary& summary, const System& system,
 struct TargetTemperature {
   double value = 0;      ///< [K]
   bool ignored = false;  ///< the velocities of the initial configuration were kept
-  bool kept = false;     ///< whether a thermostat or hybrid Monte Carlo holds it
+  bool kept = false;     ///< whether a thermostat or hybrid Monte Carlo controls it
 };
 
 /// The warnings that follow from results.
-/// @param target  nothing if any temperature is right
+/// @param target  target temperature; empty if any temperature is valid
 std::vector<Warning> warnings_of_results(const RunSummary& summary,
                                          const std::optional<TargetTemperature>& target);
 
@@ -60,11 +62,13 @@ std::vector<Warning> warnings_of_results(const RunSummary& summary,
 bool drift_matters(const RunSummary& summary);
 
 /// The standard deviation of the mean temperature of runs at constant energy, with momenta drawn or
-/// rescaled at a temperature T [K]. It is at most T/√(2n) for n degrees of freedom.
+/// rescaled at a temperature T [K]. This standard deviation is at most T/√(2n) for n degrees of
+/// freedom.
 ///
-/// The kinetic energy is then the mean at T, and the potential energy has the canonical variance
-/// k_B T² C. All degrees of freedom share the deviation, hence T² C k_B/(C + n k_B/2)². This is
-/// largest for C = n k_B/2, the value of harmonic oscillators.
+/// At the start, the kinetic energy is the mean at T, and the potential energy has the canonical
+/// variance k_B T² C. All degrees of freedom share the deviation, so the temperature has the
+/// variance T² C k_B/(C + n k_B/2)². The variance is largest for C = n k_B/2, the value of harmonic
+/// oscillators.
 double temperature_scatter(double temperature, double degrees_of_freedom);
 
 }  // namespace polhode

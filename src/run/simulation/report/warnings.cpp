@@ -23,8 +23,8 @@ namespace {
 /// Number of standard deviations beyond which a difference is not due to chance, if the standard
 /// deviation is known. For an estimated standard deviation, three_sigma() is used.
 constexpr double far = 3;
-/// Bounds below which a deviation is harmless even if it is significant. Each is relative to the
-/// quantity in its comment.
+/// Bounds below which a deviation is harmless even if it is significant. Each bound is relative to
+/// the quantity that its comment names.
 constexpr double min_temperature_difference = 0.01;  // relative to the requested temperature
 constexpr double min_ignored_difference = 0.02;      // relative to the requested temperature, if it
                                                      // had no effect on the run
@@ -40,8 +40,8 @@ constexpr double min_walk_ratio = 0.005;             // relative to the fluctuat
                                                      // energy
 constexpr double min_fall = 0.02;                    // relative to the kinetic energy
 constexpr double max_pressure_kbar = 5;
-/// The p-value of slopes for a warning. It is a tenth of the usual significance level, because
-/// these tests are made on every run.
+/// The p-value of slopes for a warning. This p-value is a tenth of the usual significance level,
+/// because these tests are made on every run.
 constexpr double significance_level = 0.001;
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
@@ -59,12 +59,12 @@ std::string temperature_remedy(const TargetTemperature& target) {
 std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemperature& target) {
   const double n = s.degrees_of_freedom.all();
   if (n == 0 || s.samples == 0) return std::nullopt;
-  // If the error is not known, the current temperature is used for the mean.
+  // If the error is not known, the fluctuation of the temperature is used instead.
   const double T = target.value;
   const SeriesEstimate mean = s.temperatures_at_bath.value_or(s.temperatures).all;
   const double error = mean.known == Known::yes ? three_sigma(mean) : far * T * std::sqrt(2 / n);
-  // If velocities were not drawn at T, or if a thermostat changes them, only the error of the mean
-  // is due to chance.
+  // The scatter due to the initial momenta counts only if they were drawn at T and no thermostat
+  // changes them.
   const double scatter = target.ignored || target.kept ? 0 : temperature_scatter(T, n);
   const double bound =
       std::max((target.ignored ? min_ignored_difference : min_temperature_difference) * T,
@@ -88,14 +88,15 @@ std::string conserved_energy(const RunSummary& s) {
 }
 
 /// Whether the conserved energy gives no information about the bias of averages. Hybrid Monte Carlo
-/// corrects the bias by rejections. With a bath within the steps, positions are much more accurate
-/// than momenta [leimkuhler2013].
+/// corrects the bias by rejections. With a bath within the steps, averages over positions are much
+/// more accurate than averages over momenta [leimkuhler2013].
 bool is_corrected(const RunSummary& s) {
   return s.ensemble.hybrid_monte_carlo || s.temperatures_at_bath;
 }
 
-/// The ratio R without the contribution of the random walk. This contribution grows with the length
-/// of the run. But a thermostat absorbs the energy, so averages are not biased.
+/// The ratio R without the contribution of the random walk. With a thermostat, this contribution is
+/// omitted: it grows with the length of the run, but the thermostat absorbs the energy, so averages
+/// are not biased.
 double stationary_ratio(const RunSummary& s) {
   if (s.ensemble.settings.constant_energy()) return s.ratio.value;
   return std::sqrt(std::max(0.0, std::pow(s.ratio.value, 2) - std::pow(s.ratio_of_walk(), 2)));
@@ -113,7 +114,7 @@ std::optional<Warning> ratio_warning(const RunSummary& s) {
 }
 
 /// The R that the energy drift would give without other fluctuations. The rms deviation of a
-/// straight line from its mean is the rise divided by √12.
+/// straight line from its mean is the total rise divided by √12.
 double ratio_of_drift(const RunSummary& s) { return s.relative_drift() / std::sqrt(12.0); }
 
 double drift_bound(const RunSummary& s) {
@@ -168,9 +169,9 @@ double truncation_bound(const RunSummary& s) {
   return std::max(min_truncation_share * s.ratio.value, min_truncation_ratio);
 }
 
-/// A warning about a random walk of the energy. It is given only at constant energy, because a
-/// thermostat absorbs the energy. The warning is not given if truncation explains the random walk,
-/// because truncation has a separate warning.
+/// A warning about a random walk of the energy. The warning is given only at constant energy,
+/// because a thermostat absorbs the energy. The warning is not given if truncation explains the
+/// random walk, because truncation has a separate warning.
 std::optional<Warning> walk_warning(const RunSummary& s) {
   const double walked = s.ratio_of_walk();
   const double bound = std::max(std::sqrt(min_walk_share) * s.ratio.value, min_walk_ratio);
@@ -276,9 +277,9 @@ std::optional<Warning> rough_truncation(const System& system, const TrajectorySe
 }
 
 std::optional<Warning> distant_sites(const System& system) {
-  // Largest plausible bond length [nm]. The bound lies between two lengths. The longest bonds have
-  // 0.47 nm, in coarse-grained chains. The shortest bond, 0.74 Å in H2, would be misread as 0.74
-  // nm.
+  // Largest plausible bond length [nm]. The bound separates two cases. The longest actual bonds, in
+  // coarse-grained chains, have 0.47 nm. The shortest bond, 0.74 Å in H2, would be read as 0.74 nm
+  // if ångström were mistaken for nm.
   constexpr double max_bond = 0.6;
   for (const auto& part : system.topology.parts) {
     std::vector<Site> atoms;
@@ -352,7 +353,7 @@ std::vector<Warning> warnings_of_results(const RunSummary& s,
 std::vector<Warning> warnings(const RunSummary& s, const System& system,
                               const TrajectorySettings& settings, const Config& config,
                               Workers& workers) {
-  // The velocities of a file may have any temperature, unless the run file gives one.
+  // The velocities of a file may have any temperature, unless the run file gives a temperature.
   const bool of_file = !system.new_velocities && config.run.equilibrate == 0;
   std::optional<TargetTemperature> target;
   if (config.system.temperature == 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks that a state changed from outside is possible for the molecules.
+// Checks that a state that callers have changed is physically possible for the molecules.
 #pragma once
 
 #include "polhode/model/state.hpp"

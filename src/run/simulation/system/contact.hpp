@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which two molecules are to blame for forces that are too large.
+// Finds the two molecules that cause forces that are too large.
 #pragma once
 
 #include <string>

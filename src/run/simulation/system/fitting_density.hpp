@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// At which density the molecules of a lattice no longer overlap.
+// Finds a density at which the molecules of a lattice do not overlap.
 #pragma once
 
 #include <cstdint>

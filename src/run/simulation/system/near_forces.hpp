@@ -9,21 +9,22 @@
 
 namespace polhode {
 
-/// Settings of the near forces of an inner scheme. For any full force field, the near forces are
-/// Lennard-Jones and Coulomb interactions with a molecule switch to zero. The slow forces are the
-/// rest of the full force field. Inside the switching distance they are the reaction-field term or
-/// the reciprocal-space part of PME, which vary slowly as molecules rotate.
+/// Settings of the near forces of an inner scheme. Whatever the electrostatics of the full forces,
+/// the near forces are Lennard-Jones and Coulomb interactions with a molecule switch to zero. The
+/// slow forces are the full forces minus the near forces. Inside the switching distance, the slow
+/// forces are only the reaction-field term or the reciprocal-space part of PME, which vary slowly
+/// as molecules rotate.
 /// @throws Error  if the near forces would have a longer range than the full forces
 ForceSettings near_settings(const ForceSettings& whole, const InnerScheme& inner);
 
-/// Checks that the near forces of an inner scheme fit the full forces; throws an Error with its
-/// place if not.
+/// Checks that the near forces of an inner scheme fit the full forces; throws an Error with the
+/// place of the inner scheme if they do not fit.
 void check_near(const ForceSettings& whole, const NestedScheme& scheme, const std::string& place);
 
 /// The computing time of a near-force evaluation relative to an evaluation of all forces, in the
 /// current state of the system. Energies and list builds are not included. Both evaluations are
-/// repeated several times in alternation, and the minima are used. The result is 0 without an inner
-/// scheme.
+/// repeated several times in alternation, and the minima are used. Without an inner scheme, the
+/// relative computing time is 0.
 double near_weight(const System& system, const std::optional<InnerScheme>& inner);
 
 }  // namespace polhode

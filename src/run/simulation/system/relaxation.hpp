@@ -24,11 +24,12 @@ Minimisation minimise(System& system, const MinimisationSettings& settings = {},
 MinimisationWatch watch_of(const Callbacks& callbacks);
 
 /// The result of a minimisation as text, such as "minimised in 312 steps: largest force 9.98
-/// kJ/mol/nm, largest torque 0.41 kJ/mol". If it ended early, the text gives the reason.
+/// kJ/mol/nm, largest torque 0.41 kJ/mol". If the minimisation ended early, the text gives the
+/// reason.
 std::string description(const Minimisation& minimisation);
 
 /// The largest forces [kJ/mol/nm] and torques [kJ/mol] with which dynamics can begin at a 1 fs time
-/// step. They are larger than in liquids.
+/// step. These bounds are larger than the forces and torques in liquids.
 inline constexpr double max_initial_force = 2e4, max_initial_torque = 500;
 
 /// Whether molecules of a state overlap: forces or torques exceed the bounds for initial
@@ -40,8 +41,9 @@ bool molecules_overlap(const System& system, const State& state);
 /// @throws Error  with two molecules, and a density at which the lattice does not overlap
 void check_lattice(const System& system, const Config& config);
 
-/// Minimises until forces and torques are within the bounds for initial configurations. If they are
-/// within the bounds already, as in liquids, the configuration does not change, bit for bit.
+/// Minimises until forces and torques are within the bounds for initial configurations. If forces
+/// and torques are within the bounds already, as in liquids, the configuration remains bitwise
+/// identical.
 /// @param stop  function called before every step; the minimisation ends if it returns true
 /// @return  number of steps
 /// @throws RunError  if forces are still too large after 2000 steps, as at densities above the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long a step a simulation can take, by the stability of its scheme.
+// The longest step at which the scheme of a simulation is stable.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,22 @@
 
 namespace polhode {
 
-/// The fraction of the stability limit at which a warning is given. The fastest motions of a liquid
-/// are about twice as fast as the Einstein frequency, so a warning at the limit would be too late.
+/// The fraction of the stability limit above which a warning is given. The fastest motions of a
+/// liquid are about twice as fast as the Einstein frequency, so a warning at the limit would be too
+/// late.
 inline constexpr double near_stability = 0.4;
 
-/// The step at which a run comes near the stability limit of its scheme [ps]. It is
+/// The step at which a run comes near the stability limit of its scheme [ps]. This step is
 /// `near_stability` times the limit for the fastest degrees of freedom at the positions of a state.
-/// It is infinite if nothing moves, or with an inner scheme, because the limit of nested schemes is
-/// not known.
+/// The step is infinite if nothing moves, or with an inner scheme, because the limit of nested
+/// schemes is not known.
 double max_stable_step(const System& system, const State& state, const TrajectorySettings& settings,
                        Workers& workers = Workers::serial());
 
-/// The step to try after a run blew up [ps]. This is max_stable_step() at the initial positions, as
-/// in the warning before the run. If half of the run's step is shorter, it is half of the run's
-/// step. The result is empty if molecules overlap at the initial positions, because their forces
-/// give no information about the step.
+/// The step to try after a run blew up [ps]. The step is max_stable_step() at the initial
+/// positions, as in the warning before the run. If half of the run's step is shorter, half of the
+/// run's step is the result. The result is empty if molecules overlap at the initial positions,
+/// because their forces give no information about the step.
 std::optional<double> shorter_step(const System& system, const State& start,
                                    const TrajectorySettings& settings,
                                    Workers& workers = Workers::serial());

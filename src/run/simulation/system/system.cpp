@@ -47,7 +47,8 @@ void take_topology_file(const Config& config, const Frame& start, System& system
 // Checks the required memory; call it before anything is allocated per molecule.
 void check_size(const Topology& topology) {
   check_count(topology);
-  // Memory of state, bodies, forces and list (without partners), per body and per site.
+  // Memory per body and per site for state, bodies, forces and the neighbour list (without its
+  // partners).
   constexpr double each_body = 500, each_site = 24;  // memory [bytes]
   double bytes = 0, molecules = 0;
   for (const auto& [molecule, count] : topology.parts) {
@@ -81,7 +82,7 @@ double kinetic_temperature(const System& system) {
                      degrees_of_freedom(system.topology).all());
 }
 
-// Brings the centre of mass to rest.
+// Removes the velocity of the centre of mass.
 void bring_to_rest(System& system) {
   const Vec3<double> velocity = remove_total_momentum(system.state, system.bodies);
   system.removed_velocity = norm(velocity);
@@ -90,7 +91,8 @@ void bring_to_rest(System& system) {
   system.file_temperature = kinetic_temperature(system);
 }
 
-// The momenta of a checkpoint are kept bit for bit, because its centre of mass is at rest.
+// The momenta of a checkpoint are kept bit for bit, because the centre of mass of a checkpoint is
+// already at rest.
 void take_velocities(System& system, const SystemSettings& settings) {
   if (system.new_velocities)
     draw_momenta(system, settings.seed);
@@ -100,7 +102,7 @@ void take_velocities(System& system, const SystemSettings& settings) {
     system.file_temperature = kinetic_temperature(system);
 }
 
-/// Advice on the density at which an overlapping lattice would fit.
+/// Advice on the density at which the molecules of a lattice would not overlap.
 std::string density_advice(const Config& config, const System& system) {
   if (!config.system.initial_configuration.empty()) return {};
   return fitting_density(system.topology, system.state.box, config.system.seed,

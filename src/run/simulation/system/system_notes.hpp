@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user should know of a system before it is simulated, in lines of text.
+// Notes for users on a system before its simulation, as lines of text.
 #pragma once
 
 #include <string_view>
@@ -11,13 +11,13 @@
 namespace polhode {
 
 /// Gives notes on the molecules of a topology file and on how their rigid shapes were determined. A
-/// note also gives the deviation of atoms in the initial configuration from the rigid bodies if it
-/// exceeds round-off. The deviation of massless sites is given if it exceeds the deviation of the
-/// atoms.
+/// note also gives the deviation of atoms in the initial configuration from the rigid bodies if
+/// this deviation exceeds round-off. The deviation of massless sites is also given if it exceeds
+/// the deviation of the atoms.
 void note_molecules(const System& system, const Callbacks& callbacks);
 
-/// Gives a note on the use of velocities in the initial configuration. The note requires such
-/// velocities, and a temperature or a seed in the run file.
+/// Gives a note on the use of velocities in the initial configuration. The note is given only if
+/// there are such velocities, and if the run file has a temperature or a seed.
 void note_velocities(const System& system, const Config& config, const Callbacks& callbacks);
 
 /// Gives notes on thermostat, barostat and hybrid Monte Carlo, unless the run is at constant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Detects energies or forces that are no longer meaningful, and ends the trajectory.
+// Ends a trajectory whose energies or forces are no longer meaningful.
 #pragma once
 
 #include <cstddef>
@@ -12,21 +12,21 @@
 
 namespace polhode {
 
-/// An error that ends the trajectory but keeps its results.
+/// An error that ends the trajectory but keeps the results up to this point.
 struct BlowUp : RunError {
   BlowUp(const std::string& what, std::string why) : RunError(what), cause(std::move(why)) {}
   std::string cause;
 };
 
-/// Stores the positions that a report of a blow-up needs. The initial positions give a step that
-/// would have been short enough. The positions before the last step show the molecules that
-/// collided.
+/// Stores the positions that a report of a blow-up needs. From the initial positions the report
+/// computes a step that would have been short enough. The positions before the last step show the
+/// molecules that collided.
 class BlowUpReport {
  public:
   /// Constructs the report; all arguments are kept by reference.
   BlowUpReport(const System& system, const TrajectorySettings& settings, Workers& workers);
 
-  /// Must be called before each step.
+  /// Stores the positions; must be called before each step.
   void before_step();
 
   /// Ends the trajectory with a report.
@@ -36,7 +36,7 @@ class BlowUpReport {
   [[noreturn]] void blow_up(std::size_t step, std::string cause) const;
 
   /// Ends the trajectory because an energy or a force is not finite. The report has a note if a
-  /// potential has an inner limit.
+  /// potential has a smallest distance (inner limit).
   [[noreturn]] void not_finite(std::size_t step, const std::string& cause) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Computing time of a trajectory by part.
+// The computing time of the parts of a trajectory.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 
 namespace polhode {
 
-/// Measures computing time by part of the program, and adds the time of an earlier part of the run.
+/// Measures the computing time of each part of the program; for a resumed run, the earlier time is
+/// added.
 class Clocks {
  public:
   /// @param near  near forces of an optional inner scheme

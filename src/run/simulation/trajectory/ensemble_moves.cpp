@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-/// The barostat settings with the actual interval between moves in place of the requested interval.
+/// The barostat settings with the actual interval between moves instead of the requested interval.
 BarostatSettings barostat_settings(const TrajectorySettings& settings) {
   BarostatSettings barostat = *settings.ensemble.barostat;
   barostat.every = settings.move_interval();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Operations of a run besides the steps of the scheme: the bath, moves of the box, and the draws
-// and decisions of hybrid Monte Carlo.
+// Operations of a run in addition to the steps of the scheme: the bath, moves of the box, and the
+// draws and decisions of hybrid Monte Carlo.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@
 
 namespace polhode {
 
-/// The thermostat, barostat and hybrid Monte Carlo of a run. At constant energy there is none of
-/// them.
+/// The thermostat, barostat and hybrid Monte Carlo of a run. A run at constant energy has none of
+/// the three.
 class EnsembleMoves {
  public:
   /// @param system, workers  kept by reference
-  /// @throws Error  if the scheme does not suit the ensemble, see check_ensemble()
+  /// @throws Error  if the scheme is not suitable for the ensemble, see check_ensemble()
   EnsembleMoves(const System& system, const TrajectorySettings& settings, Workers& workers);
   EnsembleMoves(const EnsembleMoves&) = delete;
   EnsembleMoves& operator=(const EnsembleMoves&) = delete;
@@ -32,17 +32,17 @@ class EnsembleMoves {
   };
   Bath bath() { return {this}; }
 
-  /// Whether energies are required after step number `steps`, counted from 1.
+  /// Whether energies are required after step number `steps` (the first step is 1).
   bool due(std::size_t steps) const { return decides(steps) || moves_box(steps); }
 
-  /// Acts before a step: draws momenta if a trajectory of hybrid Monte Carlo begins.
+  /// Draws new momenta if a trajectory of hybrid Monte Carlo begins with the next step.
   /// @param load  function that returns the forces and energies of the state
   template <class LoadOf>
   void before_step(State& state, std::size_t steps, const LoadOf& load) {
     if (hybrid_ && steps % hybrid_->steps() == 0) hybrid_->begin(state, load(), steps);
   }
 
-  /// Acts after a step for which due() was true.
+  /// Performs the operations after a step for which due() was true.
   /// @param load  load of the state, with energies; updated to the new state
   /// @return  whether positions or the box have changed
   bool after_step(State& state, std::size_t steps, Load& load, const Barostat::Evaluate& evaluate);
@@ -62,7 +62,8 @@ class EnsembleMoves {
 };
 
 /// Checks the ensemble.
-/// @throws Error  unless thermostat, barostat and hybrid Monte Carlo suit each other and the scheme
+/// @throws Error  unless thermostat, barostat and hybrid Monte Carlo can be combined with each
+///   other and with the scheme
 void check_ensemble(const TrajectorySettings& settings);
 
 }  // namespace polhode

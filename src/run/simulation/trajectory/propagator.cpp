@@ -143,7 +143,7 @@ class Propagator::Impl {
 
   std::size_t steps_of_segment() const { return steps_ - segment_.first_step; }
 
-  /// Samples are counted from the beginning of the segment, where the first sample is taken.
+  /// Whether a sample is taken after a step; the first sample is at the beginning of the segment.
   bool sampled(std::size_t step) const { return (step - segment_.first_step) % interval_ == 0; }
 
   /// Applies thermostat, barostat and hybrid Monte Carlo between steps.
@@ -178,8 +178,8 @@ class Propagator::Impl {
       report_.not_finite(steps_, "the potential energy is no longer a finite number");
   }
 
-  /// Takes a sample at the end, possibly between two regular samples. A longer trajectory would not
-  /// have this sample.
+  /// Takes a sample at the end of the trajectory, possibly between two regular samples. A longer
+  /// trajectory would not have this last sample.
   void last_sample(const Watch& watch) {
     before_last_sample_ = run_state();
     sample(watch);

@@ -12,7 +12,7 @@ namespace polhode {
 namespace {
 
 /// The allowed change of the total energy by mixed-precision round-off, as a fraction of the
-/// potential energy, for a run that begins almost at rest.
+/// potential energy, for a run that begins with almost no kinetic energy.
 constexpr double rounding_share = 1e-5;
 
 }  // namespace
@@ -102,7 +102,7 @@ void Sampler::sample_configurational(std::size_t step, const std::optional<StepE
 }
 
 /// Samples the kinetic energies of the momenta on which a bath within the steps acts. The momenta
-/// of full steps differ from these by a kick.
+/// at full steps differ from these momenta by a kick.
 void Sampler::sample_at_bath() {
   const double kick_after = settings_.scheme.kick_after_bath();
   if (kick_after == 0 || settings_.inner) return;
@@ -111,11 +111,11 @@ void Sampler::sample_at_bath() {
   statistics_.at_bath.add(energies_of(system_, half, integrator_.last_load(), workers_));
 }
 
-/// Checks the change of the energy. At constant energy, it is the change since the start. With a
-/// bath this is the change since the last sample, because the bath absorbs a drift. The change is
-/// compared with the initial kinetic energy or, if the bodies were almost at rest, with the
-/// released potential energy. Hybrid Monte Carlo needs no check, because it rejects such
-/// trajectories.
+/// Checks the change of the energy. At constant energy, the change is measured from the start. With
+/// a bath, the change is measured from the last sample, because the bath absorbs a drift. The
+/// change is compared with the initial kinetic energy or, if that is almost zero, with the released
+/// potential energy. Hybrid Monte Carlo needs no check, because it rejects trajectories with a
+/// large change of the energy.
 void Sampler::check_energy(std::size_t step, const Energies& now) {
   const Energies& first = statistics_.energies.first;
   const bool constant_energy = settings_.ensemble.constant_energy();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The samples of a trajectory: energies, and at their intervals configurational temperatures and
+// The samples of a trajectory: energies, and at separate intervals configurational temperatures and
 // the shadow energy.
 #pragma once
 
@@ -47,7 +47,8 @@ class Sampler {
   std::optional<FixedMeans> fixed_;
   double ideal_;  // ideal-gas term N kT [kJ/mol]
   TrajectoryStatistics statistics_;
-  /// Energies of the last sample [kJ/mol]; empty if it was taken before the run was resumed.
+  /// Energies of the last sample [kJ/mol]; empty if that sample was taken before the run was
+  /// resumed.
   std::optional<double> conserved_, potential_;
 };
 

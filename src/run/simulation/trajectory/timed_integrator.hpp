@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The integrator of a trajectory together with timed forces. It integrates a single scheme, or two
-// schemes for multiple time steps.
+// The integrator of a trajectory together with timed forces. The integrator uses a single scheme,
+// or two schemes for multiple time steps.
 #pragma once
 
 #include <optional>
@@ -33,7 +33,7 @@ class TimedIntegrator {
   TimedIntegrator(const TimedIntegrator&) = delete;
   TimedIntegrator& operator=(const TimedIntegrator&) = delete;
 
-  /// Calls f with the integrator.
+  /// Calls f with the integrator, which is a simple or a nested one.
   template <class F>
   decltype(auto) apply(const F& f) {
     return single_ ? f(*single_) : f(*nested_);
@@ -57,8 +57,8 @@ class TimedIntegrator {
   const Load& last_load() {
     return apply([](const auto& integrator) -> const Load& { return integrator.last_load(); });
   }
-  /// Forces and torques of the last kick. With an inner scheme these are all forces in a state,
-  /// although the outer scheme uses only the slow forces.
+  /// Forces and torques of the last kick. With an inner scheme, the result contains all forces in a
+  /// state, although the outer scheme uses only the slow forces.
   const Load& all_forces(const State& state) {
     if (!near) return last_load();
     whole.forces.forces_alone(state, complete_);

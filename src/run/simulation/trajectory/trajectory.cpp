@@ -47,7 +47,7 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
                                        .list = forces.list_memory(system.state.box)}
                             : RunState{};
   };
-  // An unfinished piece of the equilibration is repeated. The first piece begins with the
+  // A piece of the equilibration that was interrupted is repeated. The first piece begins with the
   // separation of overlapping molecules.
   RunState here = resumable();
   bool stopped = false;

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double max_steps = 0x1p53;  // largest number of steps that a double can count
 
-/// The name of a scheme with a bath, such as "hoa2-ends", if the name is short enough. It is empty
-/// for stages without a name.
+/// The name of a scheme with a bath, such as "hoa2-ends", if the name is short enough. The name is
+/// empty for a scheme given only by stages.
 std::string name_with_bath(const Scheme& scheme) {
   if (!scheme.in_table() && !scheme.has_own_name()) return "";
   if (scheme.name() == "velocity-verlet") return "obabo";
@@ -62,7 +62,7 @@ std::size_t TrajectorySettings::steps_per_trajectory() const {
 }
 
 // Within a trajectory of hybrid Monte Carlo, a barostat move would change the energy on which
-// acceptance depends, and a rejection would undo the move.
+// acceptance depends; moreover, a rejection would undo the move.
 std::size_t TrajectorySettings::steps_per_move() const {
   const std::size_t whole = steps_per_trajectory();
   const double trajectories =
