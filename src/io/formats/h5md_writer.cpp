@@ -113,7 +113,7 @@ class H5mdWriter : public FrameWriter {
   }
 
   // Reading while writing requires the latest file format. Data are written immediately, because a
-  // chunk cache would grow with every short row and save no time.
+  // chunk cache would only grow by the bytes of each short row.
   Handle access_properties() const {
     Handle access = make_handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST));
