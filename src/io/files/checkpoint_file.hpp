@@ -3,8 +3,8 @@
 // written by another program is recognized before its data are used.
 //
 // A file consists of: 16 bytes that identify the format; the version of the format; the length of
-// the file; the program's version and instruction set; the contents; and a CRC-64 of all these
-// except the length. Integers have 64 bits in the byte order of the processor.
+// the file; the program's version and instruction set; the contents; and a CRC-64 of all but the
+// length. Integers have 64 bits in the byte order of the processor.
 #pragma once
 
 #include <cstdint>
