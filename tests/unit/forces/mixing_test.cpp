@@ -108,7 +108,7 @@ TEST_CASE("impossible pairs are refused") {
   refuse({{"watr.O", "a.X", 0.3, 1}}, {"no site 'watr.O' in this system; did you mean 'water.O'?"});
   refuse({{"a.X", "O", 0.3, 1}},
          {"no site 'O' in this system", "written as molecule.site", "water.O, a.X"});
-  refuse({{"water.H", "a.X", 0.3, 1}}, {"'water.H' has no short-range law", "molecule file"});
+  refuse({{"water.H", "a.X", 0.3, 1}}, {"'water.H' has no short-range potential", "molecule file"});
   refuse({{"water.O", "a.X", 0.3, -1}}, {"'water.O' and 'a.X'", "epsilon -1 kJ/mol", "0 or more"});
   refuse({{"water.O", "a.X", NAN, 1}}, {"sigma is nan nm", "finite"});
   refuse({{"water.O", "a.X", 0, 1}}, {"sigma is 0", "needs both"});
@@ -118,7 +118,7 @@ TEST_CASE("impossible pairs are refused") {
         check({.pairs = {{"w.H", "w.H", 0.3, 1}}},
               {{{rigid_molecule("w", {{.name = "H", .mass = 1}}), 1}}});
       },
-      {"'w.H' has no short-range law"});
+      {"'w.H' has no short-range potential"});
   check({.pairs = {{"water.O", "a.X", 0.3, 1}, {"a.X", "a.X", 0.3, 0}}}, topology);
 }
 

@@ -302,7 +302,7 @@ TEST_CASE("the mixing rule is read, and pairs are given by molecule and site") {
              {"no site 'tip4.OW' in this system; did you mean 'tip4p.OW'?",
               "water.toml:5, pair[0].sites"});
   check_text("[[pair]]\nsites = [\"tip4p.OW\", \"tip4p.HW1\"]\n" + numbers,
-             {"'tip4p.HW1' has no short-range law"});
+             {"'tip4p.HW1' has no short-range potential"});
   check_text(pair + numbers + pair + numbers, {"is given twice", "water.toml:9, pair[1].sites"});
 }
 

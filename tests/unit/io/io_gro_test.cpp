@@ -118,7 +118,7 @@ TEST_CASE("atoms that do not match the model are refused") {
     check_error([&] { fit_state(parse_gro(text, "a.gro"), {{{tip4p, count}}}); }, parts);
   };
   check_fit(replaced(water, " OW ", "  N "), 1,
-            {"atom 1 (1 SOL) is 'N' where site 'OW' of molecule 'tip4p' must be", "a.gro"});
+            {"atom 1 (1 SOL) is 'N', but site 'OW' of molecule 'tip4p' must be there", "a.gro"});
   check_fit(water, 2, {"the 3 atoms form only 1 of 2 molecules", "set the number of molecules"});
   check_fit(water, 0, {"the file has 3 atoms, but the 0 molecules have 0"});
   check_fit(
