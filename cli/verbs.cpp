@@ -53,7 +53,8 @@ const std::vector<VerbGroup>& verb_groups() {
         {"settings", "list the settings of run files, or the values in one run file",
          settings_verb},
         {"top", "rotate one free top, or all tops in a table", top_verb},
-        {"bench", "measure the speed of this computer on water, and what limits it", bench_verb}}}};
+        {"bench", "measure how fast this computer simulates water, and what limits the speed",
+         bench_verb}}}};
   return groups;
 }
 

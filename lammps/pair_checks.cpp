@@ -48,8 +48,8 @@ void PairPolhode::check_inputs() const {
                "leaves some pairs out; remove neigh_modify exclude");
   if (atom->firstgroupname != nullptr)
     error->all(FLERR,
-               "pair_style polhode needs all molecules near a process, but with 'atom_modify first "
-               "{}' LAMMPS communicates only some atoms; remove this command",
+               "pair_style polhode needs all molecules near the subdomain of a process, but with "
+               "'atom_modify first {}' LAMMPS communicates only some atoms; remove this command",
                atom->firstgroupname);
   const bool mesh = settings_.electrostatics == Electrostatics::pme;
   if (mesh && fix_->has_particles())

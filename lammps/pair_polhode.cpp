@@ -183,8 +183,8 @@ Vec3<double> PairPolhode::period(const Topology& topology) const {
 void PairPolhode::arrange() {
   if (comm->get_comm_cutoff() < range_ + neighbor->skin)
     error->all(FLERR,
-               "pair_style polhode: the communication cutoff is {}, too short for molecules at the "
-               "cutoff of the forces; set 'comm_modify cutoff {:.4g}' or more",
+               "pair_style polhode: the communication cutoff is {}, too short for the molecules "
+               "within the cutoff of the forces; set 'comm_modify cutoff {:.4g}' or more",
                comm->get_comm_cutoff(), range_ + neighbor->skin);
   const std::vector<Kind>& kinds = fix_->kinds();
   Topology own, ghosts;

@@ -34,8 +34,7 @@ double dielectric(Arguments& arguments) {
   double value = 0;
   const auto [end, status] = from_chars(word.data(), word.data() + word.size(), value);
   if (status != std::errc() || end != word.data() + word.size())
-    throw Error("dielectric is '" + std::string(word) +
-                "'; it must be a number of 1 or more, or infinite");
+    throw Error("dielectric is '" + std::string(word) + "'; it must be 1 or more, or infinite");
   return value;
 }
 

@@ -47,6 +47,6 @@ void lammpsplugin_init(void* lammps, void* handle, void* add) {
   };
   add_style("fix", "rigid molecules: exact free rotation and optimized splitting schemes",
             {.fix = &create_fix});
-  add_style("pair", "forces on the molecules of fix polhode, truncated smoothly",
+  add_style("pair", "smoothly truncated forces on the molecules of fix polhode",
             {.pair = &create_pair});
 }

@@ -25,7 +25,7 @@ int write_run_file(Options& o) {
   if (o.nvt + o.npt + static_cast<bool>(ensemble) > 1)
     throw Error("--ensemble, --nvt and --npt exclude each other; give only one of these options");
   if (o.nvt || o.npt) ensemble.text = o.npt ? "npt" : "nvt";
-  fmt::print("{0} is written; edit the file, then start: polhode run {0}\n",
+  fmt::print("{0} was written; edit the file, then start the run: polhode run {0}\n",
              new_run_file(o.kind, o.file, o.request, console()));
   return 0;
 }

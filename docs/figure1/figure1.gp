@@ -20,7 +20,7 @@ array open[3]
 open[1] = 6
 open[2] = 4
 open[3] = 8
-caption = 'Lower and further left is better; R = 0 is exact dynamics. 512 tip4p; 10 runs of 15 ps per point.'
+caption = 'Points further left and lower are better; R = 0 is exact dynamics. 512 tip4p; 10 runs of 15 ps per point.'
 some_end = 1
 some_rounded = 0
 cost_low = 100.0000000

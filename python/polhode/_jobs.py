@@ -321,8 +321,8 @@ def study(source: Source = None, *, schemes: Texts | None = None,
         configurational_sample: interval between values of the configurational temperatures: "20 fs".
         ensemble (str): measure of accuracy, R or the bias of canonical averages: nve, nvt.
         quick (bool): small study, which takes one to three minutes on two cores.
-        from_record: record of an earlier study, of any version, from which tables and figure are made without
-            new runs.
+        from_record: record of an earlier study by any version of polhode; makes tables and figure from this
+            record without new runs.
         output: prefix of the output files; default: study.
         force (bool): overwrite output files that exist.
         threads (int): number of simultaneous runs; default: one for each available core.
@@ -422,7 +422,7 @@ def _processor():
 def bench(*, quick: bool = False, sizes: Sequence[SupportsIndex] | None = None,
           precision: str | None = None, threads: int | None = None, progress: Progress = None,
           messages: Messages = None) -> Report:
-    """Measures the speed of this computer on water, as ``polhode bench``.
+    """Measures how fast this computer simulates water, and what limits the speed, as ``polhode bench``.
 
     Args:
         quick (bool): measure only 512 waters with fewer and shorter repeats, in a few seconds.

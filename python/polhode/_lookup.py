@@ -95,7 +95,7 @@ def verify(scheme: Scheme | str, *, order: int = 0, lambda_: float | None = None
 
     Returns:
         Report: "measured_order", "declared_order", "holds" (None without a declared order), and
-        "points": step [ps], and energy error relative to the kinetic energy.
+        "points": step [ps], and energy error, divided by the initial kinetic energy.
     """
     text = scheme.text if isinstance(scheme, Scheme) else scheme
     given = {"order": str(order)} if isinstance(order, bool) or order != 0 else {}

@@ -52,8 +52,8 @@ ConstantTerms constant_terms_of(const Topology& topology, const ForceSettings& s
 const ForceSettings& without_other_mesh(const ForceSettings& settings) {
   if (settings.ewald_alpha)
     throw Error(
-        "ewald_alpha is only for DomainForces, where another program computes the Ewald mesh; "
-        "leave ewald_alpha out");
+        "ewald_alpha is only for DomainForces, where another program computes the mesh part of the "
+        "Ewald sum; leave ewald_alpha out");
   return settings;
 }
 

@@ -265,7 +265,7 @@ void RadialDistribution::add(const State& state, Workers& workers,
   if (cutoff_ > state.box.shortest_edge() / 2 * (1 + 1e-6))
     throw Error(fmt::format(
         "the maximum distance of {:g} nm is more than half of the shortest box edge ({:.4f} nm) at "
-        "{:g} ps; give a shorter distance, with a margin of 5 % if a barostat moves the box",
+        "{:g} ps; give a shorter distance, with a margin of 5 % if a barostat changes the box",
         cutoff_, state.box.shortest_edge(), state.time));
   std::vector<WrappedSite> placed;
   std::size_t i = 0;

@@ -25,8 +25,8 @@ void check_outputs(const std::vector<std::string>& files, ExistingFiles existing
 void check_prefix(const std::string& prefix, const std::vector<std::string>& files) {
   if (prefix.empty() || prefix.back() == '/')
     throw Error(
-        fmt::format("the prefix '{0}' has no beginning for the names of the output files; write "
-                    "for example '{0}run'",
+        fmt::format("the prefix '{0}' must not be empty or end in '/', since the names of output "
+                    "files begin with it; write for example '{0}run'",
                     prefix));
   for (const std::string& file : files) check_length_of_name(file);
 }

@@ -147,8 +147,8 @@ HybridAdviserSettings AdviceRequest::hybrid_settings(const Config& config,
 std::vector<RequestOption<StudyRequest>> StudyRequest::options() {
   using R = StudyRequest;
   return {{"from_record", &R::from_record,
-           "record of an earlier study, of any version, from which tables and figure are made "
-           "without new runs"},
+           "record of an earlier study by any version of polhode; makes tables and figure from "
+           "this record without new runs"},
           {"output", &R::output, "prefix of the output files; default: " + R{}.prefix()}};
 }
 

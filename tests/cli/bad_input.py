@@ -52,7 +52,7 @@ RUN_FILE = [
     ("no inner steps", [('"hoa2"', '"hoa2 / hoa2 x 0 within 0.5 nm"')], ["outer scheme is 0", "from 1 to 1000", "run.toml:10"]),
     ("near forces without a unit", [('"hoa2"', '"hoa2 / hoa2 x 2 within 0.5"')], ["hoa2 x 2 within 0.5", "run.toml:10"]),
     ("near forces with a switching distance beyond their cutoff", [('"hoa2"', '"hoa2 / hoa2 x 2 within 0.6 to 0.5 nm"')],
-     ["0.6 to 0.5 nm", "and a longer cutoff", "run.toml:10"]),
+     ["0.6 to 0.5 nm", "the second must be longer", "run.toml:10"]),
     ("unknown molecule", [('"argon"', '"argn"')], ["'argn'", "'argon'", "run.toml:2"]),
     ("unknown study scheme", [('"velocity-verlet"', '"velocity-verlett"')],
      ["'velocity-verlett'", "'velocity-verlet'", "run.toml", "study.schemes"]),
@@ -239,7 +239,7 @@ class BadInput(Sandbox):
     def test_nested_schemes_where_error_brackets_are_needed(self):
         nested = ('"hoa2"', '"hoa2 / hoa2 x 1 within 0.5 nm"')
         self.write("run.toml", edited(SMALL, nested, ('"0.02 ps"\n\n[output]', '"0.02 ps"\nshadow_sample = "10 fs"\n\n[output]')))
-        self.refused(("run", "run.toml"), ["shadow_sample is 10 fs", "hoa2 x 1 within", "near and slow", "a single scheme"], "shadow")
+        self.refused(("run", "run.toml"), ["shadow_sample is 10 fs", "hoa2 x 1 within", "has an inner scheme", "a single scheme"], "shadow")
         self.write("run.toml", edited(SMALL, nested))
         self.refused(("tune-scheme", "run.toml"), ["hoa2 x 1 within", "single schemes", "run.toml"], "tune-scheme")
 

@@ -77,7 +77,7 @@ class Room(Sandbox):
             self.clear()
             process = self.limited(resource.RLIMIT_NOFILE, amount, "run", "run.toml")
             if process.returncode != 0:
-                self.assertIn(f"this process may have {amount} files open at once: raise the limit", process.err)
+                self.assertIn(f"this process may have at most {amount} files open: raise this limit", process.err)
                 self.assertNotIn("check", process.err.split("error:")[-1].replace("checkpoint", ""))
 
     def test_drafts_of_killed_processes_are_removed(self):

@@ -64,7 +64,7 @@ class Shadow(Sandbox):
             self.write("run.toml", edited(SHADOW, ('"20 fs"', f'"{value}"')))
             self.refused(("run", "run.toml"), ["run.toml:15", "run.shadow_sample", *words])
         self.write("run.toml", SHADOW)
-        self.refused(("run", "run.toml", "--scheme", "gier4"), ["shadow_sample is 20 fs", "gier4", "leave it out", "hoa2"])
+        self.refused(("run", "run.toml", "--scheme", "gier4"), ["shadow_sample is 20 fs", "gier4", "leave shadow_sample out", "hoa2"])
         self.refused(("run", "run.toml", "--scheme", "B(1) A(1)"), ["palindrome", "hoa2"])
 
     def test_tuning(self):

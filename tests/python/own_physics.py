@@ -62,7 +62,7 @@ class Forces(unittest.TestCase):
                                step="2 fs", sample="2 fs", shadow_sample="0 fs")
         with self.assertRaises(polhode.RunError) as caught:
             s.run("0.5 ps")
-        self.assertIn("the total energy went from", str(caught.exception))
+        self.assertIn("the total energy changed from", str(caught.exception))
 
     def test_forces_are_added_to_the_force_field(self):
         plain = polhode.Simulation(WATER)

@@ -66,10 +66,11 @@ Fault fault_of_electrostatics(const ForceSettings& s) {
                         "must be 1 (vacuum) or more, or \"infinite\""};
   if (s.electrostatics == Electrostatics::damped_shifted_force &&
       !(s.damping >= 0 && s.damping * s.cutoff <= max_damping))
-    return SettingFault{"damping", fmt::format("{:g} 1/nm", s.damping),
-                        fmt::format("must be from 0 to {:g} / cutoff = {:.4g} 1/nm, where charges "
-                                    "are already screened completely; {:g} 1/nm is usual",
-                                    max_damping, max_damping / s.cutoff, ForceSettings{}.damping)};
+    return SettingFault{
+        "damping", fmt::format("{:g} 1/nm", s.damping),
+        fmt::format("must be from 0 to {:g} / cutoff = {:.4g} 1/nm, since this maximum already "
+                    "screens charges completely; {:g} 1/nm is usual",
+                    max_damping, max_damping / s.cutoff, ForceSettings{}.damping)};
   if (s.coulomb_cutoff && s.electrostatics != Electrostatics::pme)
     return SettingFault{"coulomb_cutoff", in_nm(*s.coulomb_cutoff),
                         fmt::format("has no meaning without electrostatics = \"{}\"; leave it out",
@@ -82,8 +83,8 @@ Fault fault_of_electrostatics(const ForceSettings& s) {
   if (!(s.pme_accuracy >= min_pme_accuracy && s.pme_accuracy <= max_pme_accuracy))
     return SettingFault{
         "pme_accuracy", fmt::format("{:g}", s.pme_accuracy),
-        fmt::format("must be from {:g} to {:g}, the rms error of electrostatic forces relative to "
-                    "their rms; {:g} is usual",
+        fmt::format("must be from {:g} to {:g} (rms error of the electrostatic forces, divided by "
+                    "the rms force); {:g} is usual",
                     min_pme_accuracy, max_pme_accuracy, ForceSettings{}.pme_accuracy)};
   if (s.precision == Precision::mixed && s.pme_accuracy < min_pme_accuracy_in_mixed)
     return SettingFault{

@@ -65,7 +65,7 @@ Match take_molecule(std::span<const Atom>& atoms, const Molecule& molecule, cons
     if (!here)
       throw Error(
           fmt::format(
-              "{} is {}, but site '{}' of molecule '{}' must be there; atoms must have the order "
+              "{} is {} instead of site '{}' of molecule '{}'; atoms must have the order "
               "of the sites in the model, and only massless sites may be missing",
               place(),
               atoms.empty() ? "reached" : fmt::format("'{}'", frame.kind(atoms.front()).name),

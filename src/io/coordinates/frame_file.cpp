@@ -263,7 +263,7 @@ Frame read_start(const std::string& name_or_path) {
   if (is_data_file(name_or_path)) return frame_of(read_lammps_data(name_or_path));
   Frame frame;
   if (!open_frames(name_or_path)->next(frame))
-    throw Error("the file ends where its first frame must be", name_or_path + ":1");
+    throw Error("the file ends before its first frame", name_or_path + ":1");
   if (!frame.atoms.empty() && frame.kind(frame.atoms.front()).name.empty())
     throw Error(
         "the dump file has no column 'element', but an initial configuration needs one; write the "

@@ -127,7 +127,7 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
 
 std::string_view CheckpointReader::take(std::size_t n) {
   if (n > rest_.size())
-    throw DamagedCheckpoint(fmt::format("the checkpoint '{}' contains too few data", path_));
+    throw DamagedCheckpoint(fmt::format("the checkpoint '{}' contains too little data", path_));
   const std::string_view taken = rest_.substr(0, n);
   rest_.remove_prefix(n);
   return taken;
@@ -165,7 +165,7 @@ template void CheckpointReader::columns(QuaternionColumn&, std::size_t);
 
 void CheckpointReader::end() const {
   if (!rest_.empty())
-    throw DamagedCheckpoint(fmt::format("the checkpoint '{}' contains too many data", path_));
+    throw DamagedCheckpoint(fmt::format("the checkpoint '{}' contains too much data", path_));
 }
 
 }  // namespace polhode

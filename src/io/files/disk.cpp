@@ -37,7 +37,7 @@ std::string remedy_of(int error) {
     rlimit files{};
     ::getrlimit(RLIMIT_NOFILE, &files);
     return fmt::format(
-        "this process may have {} files open at once: raise the limit with 'ulimit -n'",
+        "this process may have at most {} files open: raise this limit with 'ulimit -n'",
         files.rlim_cur);
   }
   if (error == ENFILE) return "the whole system has too many files open: end other programs";

@@ -55,7 +55,7 @@ double FieldLine::number(std::size_t k, std::string_view what) const {
   if (status == std::errc::result_out_of_range || (status == std::errc() && !std::isfinite(value)))
     refuse(fmt::format("the {} is {}; it must be a finite number", what, abbreviate(field)));
   if (status != std::errc() || end != last)
-    refuse(fmt::format("found '{}' where the {} must be a number", abbreviate(field), what));
+    refuse(fmt::format("found '{}' for the {}, which must be a number", abbreviate(field), what));
   return value;
 }
 
@@ -66,7 +66,7 @@ std::int64_t FieldLine::integer(std::size_t k, std::string_view what, std::int64
   const char* const last = field.data() + field.size();
   const auto [end, status] = from_chars(field.data(), last, value);
   if (status != std::errc() || end != last || value < minimum || value > maximum)
-    refuse(fmt::format("found '{}' where the {} must be a whole number from {} to {}",
+    refuse(fmt::format("found '{}' for the {}, which must be a whole number from {} to {}",
                        abbreviate(field), what, minimum, maximum));
   return value;
 }

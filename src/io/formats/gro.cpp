@@ -69,7 +69,7 @@ AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines)
   const auto residue = parsed<int>(line.substr(0, 5));
   if (!residue)
     lines.refuse(
-        fmt::format("found '{}' where the residue number must be, in the first five characters",
+        fmt::format("found '{}' instead of the residue number in the first five characters",
                     trimmed(line.substr(0, 5))));
   atom.residue = *residue;
   const std::size_t written = line.find_last_not_of(" \t") + 1;
@@ -77,8 +77,8 @@ AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines)
   const std::size_t needed = first_number + (result.has_velocity ? 6 : 3) * width;
   if (written < needed)
     lines.refuse(fmt::format(
-        "the line ends after {} characters; with three {} of {} characters each after the names, "
-        "it must have {} characters",
+        "the line ends after {} characters; three {} of {} characters each follow the names, so "
+        "the line must have {} characters",
         written, result.has_velocity ? "coordinates and three velocities" : "coordinates", width,
         needed));
   for (std::size_t k = 0; k < 3; ++k)
@@ -95,12 +95,12 @@ Box read_box(std::string_view line, const Lines& lines) {
     edges.push_back(lines.number(word, "box edge"));
   if (edges.size() != 3 && edges.size() != 9)
     lines.refuse(
-        fmt::format("found '{}' where the box must be; write three edges in nm", trimmed(line)));
+        fmt::format("found '{}' instead of the box; write three edges in nm", trimmed(line)));
   for (std::size_t k = 3; k < edges.size(); ++k)
     if (edges[k] != 0)
       lines.refuse(
           "the box is triclinic, and only rectangular (orthorhombic) boxes are supported; build "
-          "the system in one, for example with gmx solvate -box 3 3 3");
+          "the system in a rectangular box, for example with gmx solvate -box 3 3 3");
   for (std::size_t k = 0; k < 3; ++k)
     if (edges[k] <= 0)
       lines.refuse(fmt::format("a box edge is {} nm; it must be longer than 0 nm", edges[k]));
@@ -185,10 +185,10 @@ class GroReader : public FrameReader {
     line = lines_.next();
     while (frame.title.empty() && line && trimmed(*line).empty()) line = lines_.next();
     if (frame.title.empty() && !line) return false;  // these are blank lines at the end
-    if (!line) lines_.refuse("the file ends where the number of atoms must be");
+    if (!line) lines_.refuse("the file ends before the number of atoms");
     const auto count = parsed<std::size_t>(*line);
     if (!count)
-      lines_.refuse(fmt::format("found '{}' where the number of atoms must be, in the second line",
+      lines_.refuse(fmt::format("found '{}' instead of the number of atoms in the second line",
                                 trimmed(*line)));
     read_atoms(frame, *count);
     return true;
@@ -206,14 +206,14 @@ class GroReader : public FrameReader {
       };
       const std::string_view line = lines_.next(here);
       if (line.size() < first_number || line.find('.') < first_number)
-        lines_.refuse(fmt::format("found '{}' where {} must be", trimmed(line), here()));
+        lines_.refuse(fmt::format("found '{}' instead of {}", trimmed(line), here()));
       if (i == 0) width = column_width(line, lines_);
       auto [atom, has_velocity] = read_atom(line, width, lines_);
       atom.kind = kind_of(line, kinds, lines_);
       if (i == 0) frame.has_velocities = has_velocity;
       if (has_velocity != frame.has_velocities)
         lines_.refuse(
-            fmt::format("this atom has {} velocity, but the previous atoms have {}; either all "
+            fmt::format("this atom has {} velocity, but each previous atom has {}; either all "
                         "atoms or no atoms must have velocities",
                         has_velocity ? "a" : "no", has_velocity ? "none" : "one"));
       frame.atoms.push_back(atom);
@@ -222,7 +222,7 @@ class GroReader : public FrameReader {
     const auto point = box.find('.');
     if (point != box.npos && point >= first_number)
       lines_.refuse(
-          fmt::format("found another atom where the box must be; according to the second line the "
+          fmt::format("found another atom instead of the box; according to the second line, the "
                       "frame has {} atoms",
                       count));
     frame.box = read_box(box, lines_);
@@ -233,8 +233,7 @@ class GroReader : public FrameReader {
 
 Frame first_frame(std::istream& in, const std::string& file) {
   Frame frame;
-  if (!GroReader(in, file).next(frame))
-    throw Error("the file ends where the title must be", file + ":1");
+  if (!GroReader(in, file).next(frame)) throw Error("the file ends before its title", file + ":1");
   return frame;
 }
 

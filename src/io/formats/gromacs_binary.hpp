@@ -18,7 +18,7 @@ Box take_box(BinaryInput& in) {
     if (k % 4 != 0 && m[k] != 0)
       in.refuse(
           "the box is triclinic, and only rectangular (orthorhombic) boxes are supported; build "
-          "the system in one, for example with gmx solvate -box 3 3 3");
+          "the system in a rectangular box, for example with gmx solvate -box 3 3 3");
     if (k % 4 == 0 && !(m[k] > 0))
       in.refuse(fmt::format("a box edge is {} nm; it must be longer than 0 nm", m[k]));
   }

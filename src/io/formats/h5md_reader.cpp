@@ -294,7 +294,7 @@ class H5mdReader : public FrameReader {
   Box box_at(hsize_t number) {
     const auto place = edges_.place(number);
     if (!place)
-      refuse(fmt::format("frame {} has no box at its step or time; every frame must have one",
+      refuse(fmt::format("frame {} has no box at its step or time; every frame must have a box",
                          number + 1));
     take(edges_, *place, values_);
     if (values_.size() == 9) {
@@ -302,7 +302,7 @@ class H5mdReader : public FrameReader {
         if (k % 4 != 0 && values_[k] != 0)
           refuse(
               "the box is triclinic, and only rectangular (orthorhombic) boxes are supported; "
-              "build the system in one");
+              "build the system in a rectangular box");
       values_ = {values_[0], values_[4], values_[8]};
     }
     for (const double edge : values_)

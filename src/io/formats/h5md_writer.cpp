@@ -187,8 +187,8 @@ class H5mdWriter : public FrameWriter {
     Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, hdf5::reading_access()),
                 H5Fclose);
     if (!file.is_open())
-      throw Error(
-          fmt::format("there is no H5MD file '{}' to append to; restore it or start over", path_));
+      throw Error(fmt::format(
+          "there is no H5MD file '{}' to append to; restore the file, or start over", path_));
     return file;
   }
 
@@ -410,7 +410,7 @@ class H5mdWriter : public FrameWriter {
     hsize_t expected = 1;
     for (const hsize_t extent : series->second.row) expected *= extent;
     if (expected != values.size())
-      throw std::logic_error("a frame has a different number of atoms");
+      throw std::logic_error("a frame differs from the earlier frames in its number of atoms");
     put(series->second, H5T_NATIVE_DOUBLE, values.data());
   }
 

@@ -90,9 +90,10 @@ class LammpsDumpReader : public FrameReader {
         read_atoms(frame, *count, item.substr(11));
         return true;
       } else {
-        lines_.refuse(fmt::format(
-            "found '{}' where a section of a LAMMPS dump file must begin, such as ITEM: TIMESTEP",
-            item));
+        lines_.refuse(
+            fmt::format("found '{}' instead of the beginning of a section of a LAMMPS dump file, "
+                        "such as ITEM: TIMESTEP",
+                        item));
       }
     }
   }
@@ -120,14 +121,14 @@ class LammpsDumpReader : public FrameReader {
       return;
     }
     lines_.refuse(
-        fmt::format("the units are {}; they must be real, metal or nano, since other units have no "
-                    "known length",
+        fmt::format("the units are {}; they must be real, metal or nano, since the lengths of "
+                    "other units are not known in nm",
                     name));
   }
 
   std::size_t atoms_in(std::string_view text) const {
     const auto count = parsed<std::size_t>(text);
-    if (!count) lines_.refuse(fmt::format("found '{}' where the number of atoms must be", text));
+    if (!count) lines_.refuse(fmt::format("found '{}' instead of the number of atoms", text));
     return *count;
   }
 
@@ -279,7 +280,7 @@ class LammpsDumpReader : public FrameReader {
 
   int whole(std::string_view word) const {
     const auto number = parsed<int>(word);
-    if (!number) lines_.refuse(fmt::format("found '{}' where a number must be", word));
+    if (!number) lines_.refuse(fmt::format("found '{}' instead of a number", word));
     return *number;
   }
 

@@ -52,7 +52,7 @@ class Lines {
   template <class Expected>
   std::string_view next(const Expected& expected) {
     const auto line = next();
-    if (!line) refuse(fmt::format("the file ends where {} must be", expected()));
+    if (!line) refuse(fmt::format("the file ends before {}", expected()));
     return *line;
   }
   [[noreturn]] void refuse(const std::string& what) const {
@@ -64,7 +64,8 @@ class Lines {
   double number(std::string_view field, const char* what, const char* hint = "") const {
     const auto value = parsed<double>(field);
     if (!value)
-      refuse(fmt::format("found '{}' where the {} must be a number{}", trimmed(field), what, hint));
+      refuse(fmt::format("found '{}' for the {}, which must be a number{}", trimmed(field), what,
+                         hint));
     if (!std::isfinite(*value))
       refuse(fmt::format("the {} is {}; it must be a finite number", what, trimmed(field)));
     return *value;

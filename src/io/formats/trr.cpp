@@ -52,7 +52,8 @@ class TrrReader : public FrameReader {
     in_.take<std::int32_t>("the length of the version");
     const auto letters = in_.take<std::int32_t>("the length of the version");
     if (letters != static_cast<std::int32_t>(version.size()))
-      in_.refuse(fmt::format("the version has {} letters; it must be {}", letters, version));
+      in_.refuse(fmt::format("the version name in the file has {} letters; the version must be {}",
+                             letters, version));
     in_.block(version.size(), "the version");
     for (std::int32_t& bytes : length_) bytes = in_.take<std::int32_t>("a frame's head");
     count_ = take_count(in_);

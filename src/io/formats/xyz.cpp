@@ -110,8 +110,9 @@ class XyzReader : public FrameReader {
     if (!count_line) return false;
     const auto count = parsed<std::size_t>(*count_line);
     if (!count)
-      lines_.refuse(fmt::format("found '{}' where the number of atoms must be, alone on its line",
-                                trimmed(*count_line)));
+      lines_.refuse(
+          fmt::format("found '{}' instead of the number of atoms, which must be alone on its line",
+                      trimmed(*count_line)));
     frame.source = lines_.file();
     frame.title.clear();
     read_comment(frame);
@@ -201,7 +202,7 @@ class XyzReader : public FrameReader {
       const auto words = parsed<std::size_t>(part[2]);
       if (!words || *words == 0)
         lines_.refuse(
-            fmt::format("the Properties have '{}' where the number of columns of '{}' must be; "
+            fmt::format("the Properties have '{}' instead of the number of columns of '{}'; "
                         "Properties must be triples such as species:S:1",
                         part[2], part[0]));
       const auto any_of = [&](std::initializer_list<std::string_view> names) {
@@ -257,8 +258,7 @@ class XyzReader : public FrameReader {
   int residue(std::string_view field) const {
     const auto number = parsed<int>(field);
     if (!number)
-      lines_.refuse(
-          fmt::format("found '{}' where the number of the atom's molecule must be", field));
+      lines_.refuse(fmt::format("found '{}' instead of the number of the atom's molecule", field));
     return *number;
   }
   std::string_view word(std::string_view& rest) const {

@@ -82,7 +82,7 @@ class Shapes {
                   text_of(molecule.obstacle_place));
     if (atoms > max_atoms)
       throw Error(
-          fmt::format("molecule type '{}' has {} atoms; a rigid molecule may have {} at most",
+          fmt::format("molecule type '{}' has {} atoms; a rigid molecule may have at most {}",
                       molecule.name, atoms, max_atoms),
           text_of(molecule.place));
     if (const auto given = settings_.shapes.find(molecule.name); given != settings_.shapes.end())

@@ -90,7 +90,7 @@ void Translation::list(const char* key, std::string_view option, const char* par
 void Translation::system() {
   text_ += "[system]\n";
   line("topology", toml_text(toml::value(files_.topology)),
-       "defines molecules, charges, laws and mixing rule");
+       "defines molecules, charges, short-range potentials and mixing rule");
   line("initial_configuration", toml_text(toml::value(files_.coordinates)),
        "contains positions, box, and velocities if there are any");
   list("include", "-I", "include");
@@ -110,9 +110,9 @@ void Translation::system() {
   const double seed = mdp_.number("gen-seed", -1);
   const bool whole = seed >= 0 && seed < 1e15 && seed == std::floor(seed);
   line("seed", whole ? fmt::format("{:.0f}", seed) : "1",
-       whole ? "gen-seed" : "seed of all random numbers; another seed gives another run");
+       whole ? "gen-seed" : "seed of all random numbers; a different seed gives a different run");
   if (!whole && !mdp_.text("gen-seed").empty())
-    mdp_.differs("gen-seed", "runs are reproducible: the seed is 1 unless another is given");
+    mdp_.differs("gen-seed", "runs are reproducible: the seed is 1 unless another seed is given");
 }
 
 void Translation::truncation() {
@@ -155,7 +155,8 @@ void Translation::electrostatics() {
                : "epsilon-rf");
     const double cutoff = mdp_.number("rcoulomb", 1);
     if (cutoff != mdp_.number("rvdw", 1))
-      mdp_.differs("rcoulomb", "a reaction field uses the cutoff of the short-range laws", "1");
+      mdp_.differs("rcoulomb", "a reaction field uses the cutoff of the short-range potentials",
+                   "1");
     if (!plain && !any({"reaction-field"}))
       mdp_.differs("coulombtype", "not available: coulombtype = Reaction-Field is used instead");
   } else {
@@ -171,7 +172,7 @@ void Translation::electrostatics() {
   if (const double r = mdp_.number("epsilon-r", 1); r != 1)
     mdp_.differs("epsilon-r", "charges interact in vacuum: scale all charges by 1/sqrt(epsilon-r)");
   if (mdp_.number("epsilon-surface", 0) != 0)
-    mdp_.differs("epsilon-surface", "the surroundings of the periodic images are conducting");
+    mdp_.differs("epsilon-surface", "the periodic images are surrounded by a conductor");
   if (!mdp_.is("ewald-geometry", "3d", "3d"))
     mdp_.differs("ewald-geometry", "the Ewald sum is periodic in three dimensions");
 }
@@ -197,7 +198,7 @@ void Translation::integrator() {
                  "Brownian dynamics is not available: Langevin dynamics is used instead");
   else if (!minimises() && !stochastic() && !mdp_.is("integrator", "md", "md") &&
            !mdp_.is("integrator", "md-vv", "md") && !mdp_.is("integrator", "md-vv-avek", "md"))
-    mdp_.differs("integrator", "not available: the run performs molecular dynamics");
+    mdp_.differs("integrator", "not available: molecular dynamics is used instead");
   if (!mdp_.is("comm-mode", "linear", "linear"))
     mdp_.differs("comm-mode", "the centre of mass is at rest, but the system may rotate");
 }

@@ -87,7 +87,7 @@ constexpr auto reasons = std::to_array<Reason>({
     {"tinit", "runs begin at 0 ps"},
     {"initstep", "runs begin at 0 ps"},
     {"simulationpart", "runs begin at 0 ps"},
-    {"rcoulombswitch", "the switching distance of the short-range potentials applies"},
+    {"rcoulombswitch", "charges use the switching distance of the short-range potentials"},
 });
 
 /// Whether a value is a word that switches a parameter off.
@@ -112,8 +112,8 @@ MdpParameters::MdpParameters(std::string_view text, const std::string& file) {
     const auto equals = line.find('=');
     const std::string name(trimmed(line.substr(0, equals)));
     if (equals == line.npos || normal(name).empty() || name.size() > max_name_length)
-      throw Error(fmt::format("found '{}' where a parameter must be; write \"name = value\", and "
-                              "comments after a semicolon",
+      throw Error(fmt::format("found '{}' instead of a parameter; write \"name = value\", and "
+                              "begin comments with a semicolon",
                               line.substr(0, max_name_length)),
                   text_of(place));
     if (!index_.emplace(normal(name), parameters_.size()).second)

@@ -63,7 +63,8 @@ class Distances {
                          a + 1, b + 1),
              r.place);
     if (!(length > 0))
-      refuse(fmt::format("the distance is {} nm; it must be above 0 nm", length), r.place);
+      refuse(fmt::format("the length of the constraint is {} nm; it must be above 0 nm", length),
+             r.place);
     list.push_back({index_[a], index_[b], length});
     first_.try_emplace(std::minmax(index_[a], index_[b]), length);
   }

@@ -317,9 +317,9 @@ void Parser::atom(const FieldLine& line) {
   line.require(6, "number, type, residue number, residue, atom name, charge group");
   const auto expected = static_cast<std::int64_t>(molecule.atoms.size()) + 1;
   if (line.integer(0, "atom number", 1, any) != expected)
-    line.refuse(fmt::format(
-        "found atom {} where atom {} must be; atoms must be numbered consecutively from 1", line[0],
-        expected));
+    line.refuse(
+        fmt::format("found atom {} instead of atom {}; atoms must be numbered consecutively from 1",
+                    line[0], expected));
   const auto type = topology_.types.find(line.word(1));
   if (type == topology_.types.end())
     line.refuse(

@@ -25,15 +25,15 @@ void check_forces(const LammpsData& data) {
   if (style.find("tip4p") != style.npos)
     throw Error(
         fmt::format(
-            "the pair style is '{}', but its site M is not in the data file; add for example "
+            "the pair style is '{}', whose site M is not in the data file; add for example "
             "molecules = [{{ model = \"tip4p\", count = {} }}] next to this initial_configuration",
             style, data.kinds.front().count),
         data.file);
   const auto law = law_of_pair_style(style);
   if (!law)
-    throw Error(fmt::format("the pair style '{}' is not supported; use mie/cut, lj/cut or buck, "
-                            "the last two also with charges (coul/cut, debye, dsf, long, msm or "
-                            "wolf); for a table write a molecule file with law = \"tabulated\"",
+    throw Error(fmt::format("the pair style '{}' is not supported; use mie/cut, lj/cut or buck; "
+                            "lj/cut and buck may include charges (coul/cut, debye, dsf, long, msm "
+                            "or wolf); for a table write a molecule file with law = \"tabulated\"",
                             style),
                 data.file);
   if (law == LammpsLaw::buckingham && leaves_pairs_open(data))
@@ -44,7 +44,7 @@ void check_forces(const LammpsData& data) {
   for (const LammpsData::Atom& atom : data.atoms)
     if (!data.types.at(atom.type).has_pair_coefficients)
       throw Error(fmt::format("atom type {} has no short-range parameters; the section Pair Coeffs "
-                              "must have them, as written by write_data",
+                              "must contain these parameters, as written by write_data",
                               atom.type),
                   data.file);
 }

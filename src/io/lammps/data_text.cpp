@@ -148,22 +148,23 @@ void Parser::header(const FieldLine& line) {
       if (line.number(k, "tilt") != 0)
         line.refuse(
             "the box is triclinic, and only rectangular (orthorhombic) boxes, with tilts of 0, are "
-            "supported; build the system in one, for example with 'region box block' in LAMMPS");
+            "supported; build the system in a rectangular box, for example with 'region box block' "
+            "in LAMMPS");
     return;
   }
   if (ends_with({"avec"}) || ends_with({"bvec"}) || ends_with({"cvec"}))
     line.refuse(
         "the box is general triclinic, and only rectangular (orthorhombic) boxes, given by 'xlo "
-        "xhi', are supported; build the system in one, for example with 'region box block' in "
-        "LAMMPS");
+        "xhi', are supported; build the system in a rectangular box, for example with 'region box "
+        "block' in LAMMPS");
   if (line.size() == 2 && line[1] == "atoms")
     atoms_ = line.integer(0, "number of atoms", 0, any);
   else if (ends_with({"atom", "types"}))
     types_ = line.integer(0, "number of atom types", 0, any);
   else if (line.size() < 2 || std::isdigit(static_cast<unsigned char>(line[0].front())) == 0)
     line.refuse(
-        fmt::format("found '{}' in the header, where a number and its meaning must be, or the name "
-                    "of a section",
+        fmt::format("found '{}' in the header instead of a number with its meaning, such as '648 "
+                    "atoms', or the name of a section",
                     line[0].substr(0, 40)));
 }
 
@@ -289,7 +290,8 @@ void Parser::finish() {
   for (const LammpsData::Atom& atom : atoms)
     if (const auto known = data_.types.find(atom.type);
         known == data_.types.end() || known->second.mass == 0)
-      refuse(fmt::format("atom type {} has no mass; the section Masses must have it", atom.type));
+      refuse(fmt::format("atom type {} has no mass; the section Masses must contain the mass",
+                         atom.type));
   for (auto& [number, type] : data_.types)
     if (type.mass <= lammps_massless) type.mass = 0;
   std::sort(atoms.begin(), atoms.end(), [](const auto& a, const auto& b) { return a.id < b.id; });

@@ -48,7 +48,8 @@ class PairLaw {
       default:
         throw Error(
             "forces.truncation = \"molecule-switch\" depends on the distance between centres of "
-            "mass, but no pair style of LAMMPS does; use --pair-style polhode, or choose "
+            "mass, but no pair style of LAMMPS uses this distance; use --pair-style polhode, or "
+            "choose "
             "\"site-switch\" or \"site-shift\"");
     }
   }

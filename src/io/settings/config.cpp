@@ -81,8 +81,8 @@ void set_precision(Config& config, Precision precision) {
         precision == Precision::mixed ? lambda_in_mixed : IntegratorSettings{}.lambda;
   if (precision == Precision::mixed && integrator.lambda < min_lambda_in_mixed)
     throw Error(fmt::format("lambda = {:g} is below {:g}, the minimum in mixed precision, since a "
-                            "small lambda amplifies the rounding error of the forces; leave it out "
-                            "(default: {:g}), or use precision = \"double\"",
+                            "small lambda amplifies the rounding error of the forces; leave lambda "
+                            "out (default: {:g}), or use precision = \"double\"",
                             integrator.lambda, min_lambda_in_mixed, lambda_in_mixed),
                 config.place("integrator.lambda"));
 }

@@ -178,7 +178,8 @@ SettingTable hybrid_monte_carlo_table() {
   return {
       "hybrid_monte_carlo",
       {row("steps", hybrid(&H::steps), between(1, 1e6, "; 5 to 50 are usual"),
-           "number of steps of a trajectory, between two acceptance decisions"),
+           "number of steps of a hybrid Monte Carlo trajectory, after which the trajectory is "
+           "accepted or rejected"),
        row("refresh", hybrid(&H::refresh), SettingUnit{Dimension::fraction, "%"}, above_to(0, 100),
            "fraction of the momenta that is drawn again for each trajectory")},
       [](TomlTable&, Config& config) { config.ensemble.hybrid_monte_carlo.emplace(); }};

@@ -129,12 +129,12 @@ SettingTable forces_table() {
            More{.read = read_cutoff}),
        row("switch", forces(&ForceSettings::switch_from), nm, in_library(above(0)),
            "distance at which the switching function begins, shorter than the cutoff; `site-shift` "
-           "does not use it",
+           "does not use this distance",
            More{.fallback = "0.85 of the cutoff"}),
        row("smoothness", forces(&ForceSettings::smoothness), in_library(between(1, 3)),
            "number of continuous derivatives of the switching function"),
        row("skin", forces(&ForceSettings::skin), nm, in_library(above(0)),
-           "skin of the neighbour list; affects the speed, but results only by rounding"),
+           "skin of the neighbour list; affects the speed, and the results only by rounding"),
        row("dielectric", only(reaction_field, &ForceSettings::dielectric), in_library(from(1)),
            "relative permittivity outside the cutoff, for the reaction field; may be "
            "`\"infinite\"`",

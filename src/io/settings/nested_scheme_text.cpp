@@ -66,10 +66,10 @@ InnerScheme inner_scheme_of(const std::string& text) {
   inner.cutoff = length(part[4].str());
   inner.switch_from = part[3].matched ? length(part[3].str()) : default_near_switch * inner.cutoff;
   if (!(inner.switch_from > 0) || !(inner.switch_from < inner.cutoff))
-    throw Error(
-        fmt::format("near forces switched from {:g} to {:g} nm need a switching distance above 0 "
-                    "nm and a longer cutoff; write for example \"within 0.35 to 0.5 nm\"",
-                    inner.switch_from, inner.cutoff));
+    throw Error(fmt::format(
+        "near forces are switched from {:g} to {:g} nm; the first distance must be above 0 nm, and "
+        "the second must be longer; write for example \"within 0.35 to 0.5 nm\"",
+        inner.switch_from, inner.cutoff));
   return inner;
 }
 
@@ -94,7 +94,7 @@ std::string joined(const std::string& outer, const std::string& inner, int steps
 
 NestedScheme nested_scheme_of(std::string_view text) {
   if (text.size() > max_text)
-    throw Error(fmt::format("the text of the scheme has {} characters; it must have {} at most",
+    throw Error(fmt::format("the text of the scheme has {} characters; the maximum is {}",
                             text.size(), max_text));
   const std::size_t at = slash(text);
   const NestedScheme scheme = at == std::string_view::npos

@@ -89,7 +89,7 @@ void read_formats(TomlTable& table, const SettingRow& row, Config& config) {
   for (const std::string_view format : writable_formats()) known.emplace_back(format);
   for (const std::string& format : config.output.formats) {
     table.require(std::find(known.begin(), known.end(), format) != known.end(), row.key,
-                  fmt::format("has the unknown format '{}'{}; there are: {}", format,
+                  fmt::format("has the unknown format '{}'{}; the formats are: {}", format,
                               did_you_mean(format, known), join_names(known)));
     table.require(format != "h5md" || h5md_missing.empty(), row.key,
                   fmt::format("has the format 'h5md': {}", h5md_missing));

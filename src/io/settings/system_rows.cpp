@@ -289,9 +289,9 @@ SettingTable system_table() {
            "contains the initial state to the last bit",
            More{.read = read_checkpoint_key, .free = true}),
        row("density", system(&S::density), SettingUnit{Dimension::density, "g/cm3", "1 g/cm3"},
-           above_to(
-               0, 22.6,
-               ", the density of osmium, the densest element; is it in kg/m3? Water has 1 g/cm3"),
+           above_to(0, 22.6,
+                    ", the density of osmium, the densest element; is your density in kg/m3? Water "
+                    "has 1 g/cm3"),
            "density of the initial lattice in a cubic box; cannot be combined with `box` or "
            "`initial_configuration`",
            More{.free = true}),

@@ -52,10 +52,10 @@ std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
     if (pair.epsilon < 0)
       refuse("the pair has only one of C6 and C12; sigma and epsilon need both or neither");
     if (bare)
-      refuse(
-          fmt::format("the pair of atom types '{}' and '{}' has a short-range potential, but one "
-                      "of these types has no potential with itself; both types must have one",
-                      pair.first, pair.second));
+      refuse(fmt::format(
+          "the pair of atom types '{}' and '{}' has a short-range potential, but one of these "
+          "types has none for pairs of the same type; both types must have one",
+          pair.first, pair.second));
     for (const std::string& a : first->second.sites)
       for (const std::string& b : second->second.sites) {
         for (const std::string& site : {a, b})

@@ -61,7 +61,8 @@ Site read_site(TomlTable table, const std::string& file) {
                                          site.name));
   site.r = *position;
   site.mass = table.quantity("mass", Dimension::mass).value_or(0);
-  table.require(site.mass >= 0, "mass", "must be 0 or more; leave it out if the site has none");
+  table.require(site.mass >= 0, "mass",
+                "must be 0 or more; leave the mass out if the site has none");
   site.charge = table.quantity("charge", Dimension::charge).value_or(0);
   const ShortRangeKeys keys = read_short_range(table, LawOwner::site, file);
   site.sigma = keys.sigma, site.epsilon = keys.epsilon, site.law = keys.law;
@@ -86,7 +87,7 @@ Molecule read_molecule_table(TomlTable table, const std::string& file) {
   const auto site_tables = table.tables("site");
   table.refuse_unknown();
   if (!site_tables || site_tables->empty())
-    throw Error("there is no site; add at least one table [[site]]", table.where(""));
+    throw Error("the molecule has no site; add at least one table [[site]]", table.where(""));
   std::vector<Site> sites;
   for (const TomlTable& site : *site_tables) sites.push_back(read_site(site, file));
   try {

@@ -182,7 +182,7 @@ Quantities obstacles(const AdviceReport& r) {
                                                           percent(point.ratio()), bound(point))))));
   for (const auto& [c, point] : advice.surpassed)
     lines.push_back(
-        detail(row("", fmt::format("confirmed before longer steps were tried: {}, bound {}",
+        detail(row("", fmt::format("confirmed, but then a longer step was found: {}, bound {}",
                                    at(c, point), bound(point)))));
   return lines;
 }
@@ -218,7 +218,7 @@ Quantities of_best(const AdviceReport& r) {
                             p.runs.size(), p.length)),
        row(of_R ? "a new run" : std::string(name.substr(0, name.find(" of "))),
            fmt::format(
-               "{} {} with a probability of {:g} %; this bound is {:.2g} of the requested bound",
+               "{} {} with a probability of {:g} %; this bound is {:.2g} times the requested bound",
                of_R ? "has R below" : "is smaller than", bound_text(criterion.quality, p.bound),
                100 * guarantee_probability, p.bound / criterion.bound)),
        row("energy drift", with_error(in_kJ_per_ns(drift.value), in_kJ_per_ns(drift.error)) +

@@ -168,7 +168,7 @@ class Adviser {
     const ResponseRuns runs{
         step,
         std::max(affordable(budget(response_share), choosing, cost / step), 10 * min_length())};
-    const auto count = counting_stop(cost, "measuring the response to the temperature");
+    const auto count = counting_stop(cost, "measuring how averages depend on the temperature");
     conversion_ = bias_conversion(config_, starts_, runs, callbacks_, count, workers_);
   }
 

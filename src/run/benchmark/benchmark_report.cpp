@@ -106,7 +106,7 @@ Quantities of_step(const StepTiming& t) {
           {"step_us", "", of_timing(t.all, units::us_per_s, "a step", "[us]"), "time of a step"},
           {"parts_us", "", parts, "time of each part of a step"},
           {"non_force_share", "", non_force_share(t),
-           "fraction of the time that is not spent on forces"},
+           "fraction of the time of a step that is not spent on forces"},
           {"rebuilds_per_step", "", t.rebuilds, "number of neighbour-list rebuilds per step"},
           {"ns_per_day", "", t.ns_per_day(), "speed", "ns/day"}};
 }
@@ -174,7 +174,7 @@ std::vector<std::string> verdict(const Benchmark& b) {
         if (one.molecules == molecules && one.precision == s.precision && one.threads == 1)
           add(
               fmt::format("{} compute forces {:.2f}x as fast as one thread in {} precision, and "
-                          "steps {:.2f}x as fast",
+                          "whole steps {:.2f}x as fast",
                           threads_text(s.threads), one.evaluations[0].forces.best / e.forces.best,
                           precision, one.steps[0].all.best / hoa2.all.best));
     }
@@ -184,12 +184,11 @@ std::vector<std::string> verdict(const Benchmark& b) {
   const double spread = b.spread();
   lines.push_back(
       spread > noisy
-          ? fmt::format(
-                "the computer was busy, or its clock rate changed: medians are up to {:.0f} % "
-                "above the best repeats; measure again before relying on the ratios",
-                percent(spread))
-          : fmt::format("the computer was otherwise idle: medians are at most {:.1f} % above the "
-                        "best repeats",
+          ? fmt::format("the computer was busy, or its clock rate changed: median times are up to "
+                        "{:.0f} % above the best times; measure again before relying on the ratios",
+                        percent(spread))
+          : fmt::format("the computer was otherwise idle: median times are at most {:.1f} % above "
+                        "the best times",
                         percent(spread)));
   return lines;
 }

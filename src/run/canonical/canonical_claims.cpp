@@ -48,8 +48,8 @@ std::string sentence(const CanonicalClaim& claim, BiasCriterion criterion,
   std::string text = claim.scheme;
   if (claim.accurate)
     text += fmt::format(
-        ": all biases are below their bounds up to {}, at {:.0f} force evaluations "
-        "per ps",
+        ": all biases are below their bounds for steps up to {}, at {:.0f} force evaluations per "
+        "ps",
         step_text(points[*claim.accurate]), points[*claim.accurate].method.cost());
   else
     text += ": no time step is shown to have all biases below their bounds";

@@ -40,7 +40,8 @@ std::size_t field_count<CanonicalRun>(std::string_view head, const Lines& lines)
   if (head == record_head<CanonicalRun>())
     return first_column + record_columns<CanonicalRun>().size();
   lines.refuse(
-      "a canonical study of this version writes other columns; give another output, or start over");
+      "these are not the columns that a canonical study of this version of polhode writes; give "
+      "another output, or start over");
 }
 
 template class RunRecord<CanonicalRun>;

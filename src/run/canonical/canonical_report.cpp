@@ -81,7 +81,7 @@ Quantities of_point(const CanonicalPoint& p) {
           {"correlation_time", "ps", nested(p.correlation_time),
            "integrated autocorrelation time of U"},
           {"force_evaluations_per_sample", "", nested(p.evaluations_per_sample()),
-           "force evaluations per independent sample of U", "cost/sample", "",
+           "force evaluations per independent sample of the potential energy U", "cost/sample", "",
            "evaluations_per_sample"},
           {"", "", p.acceptance.value, "", "", "", "acceptance"},
           {acceptance, "", nested(p.acceptance), "acceptance of proposals", "", "", "-"},
@@ -106,7 +106,7 @@ Quantity of_findings(const char* key, const CanonicalReport& report,
                           std::string_view(q.unit) == "1" ? "" : q.unit);
   return {
       key, "", canonical_sentences(findings, report.points),
-      fmt::format("conclusions from the points with the {} bounds", in_words(findings.criterion)),
+      fmt::format("conclusions about the biases, by the {} bounds", in_words(findings.criterion)),
       fmt::format("{} bounds:{}; with 95 % confidence", in_words(findings.criterion), bounds)};
 }
 
@@ -140,8 +140,9 @@ CanonicalFigure figure(const CanonicalReport& report, const std::string& csv) {
     figure.schemes.back().last = row;
   }
   figure.caption = fmt::format(
-      "Shaded: the strict and the loose bounds. Points of one cost are drawn side by side. Hybrid "
-      "Monte Carlo (hmc) is exact, and the reference. {} runs of {:g} ps per point, standard "
+      "Shaded: the strict and the loose bounds. Points with equal cost are drawn side by side. "
+      "Hybrid Monte Carlo (hmc) is exact and serves as the reference. {} runs of {:g} ps per "
+      "point, standard "
       "errors.",
       report.config.study.runs, report.config.study.length);
   return figure;
@@ -194,7 +195,8 @@ std::string canonical_conditions(const Config& config) {
   bath.thermostat = config.ensemble.thermostat.value_or(ThermostatSettings{});
   const auto hybrid = config.ensemble.hybrid_monte_carlo.value_or(HybridMonteCarloSettings{});
   return fmt::format(
-      "at most {} runs of {:g} ps, whose first {:g} ps are left out; every scheme starts from the "
+      "at most {} runs of {:g} ps, of which the first {:g} ps are left out; every scheme starts "
+      "from the "
       "same "
       "canonical configurations; schemes with a bath: {}; hybrid Monte Carlo: {} steps per "
       "trajectory; the reference is {:g} K for temperatures, and hybrid Monte Carlo for other "

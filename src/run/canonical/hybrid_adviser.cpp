@@ -208,7 +208,8 @@ std::vector<Quantities> records_of(const std::vector<HybridChoice>& choices) {
          {"acceptance", "%", known(c.acceptance), "acceptance of proposals", "acceptance"},
          {"exp_dH", "", known(c.weight), "mean of exp(-dH/kT)", "<exp(-dH/kT)>"},
          {"force_evaluations_per_sample", "", cost ? Value(nested(*cost)) : Value(),
-          "force evaluations per independent sample of U", "evaluations/sample"},
+          "force evaluations per independent sample of the potential energy U",
+          "evaluations/sample"},
          row("remark", stable ? "" : "a run blew up")});
   }
   return records;
@@ -236,17 +237,19 @@ HybridAdvice advise_hybrid(const Config& config, const HybridAdviserSettings& se
 
 std::string answer(const HybridAdvice& advice) {
   if (advice.finalists.empty())
-    return "all runs are too short for an autocorrelation time of U; use longer runs";
+    return "all runs are too short to determine the autocorrelation time of the potential energy "
+           "U; use longer runs";
   const HybridChoice& best = advice.finalists.front();
   const Estimate& cost = *best.evaluations_per_sample;
   std::string text = fmt::format(
-      "hybrid Monte Carlo with {}: {}, acceptance {:.0f} %, {} force evaluations per "
-      "independent sample of U",
+      "hybrid Monte Carlo with {}: {}, acceptance {:.0f} %, {} force evaluations per independent "
+      "sample of the potential energy U",
       advice.scheme, choice_text(best), 100 * best.acceptance.value,
       with_error(cost.value, cost.error));
   for (const std::size_t k : advice.equal)
     text += fmt::format(
-        "{}{}", k == advice.equal.front() ? "; not distinguishable from this choice: " : ", ",
+        "{}{}",
+        k == advice.equal.front() ? "; not distinguishable in cost from this choice: " : ", ",
         choice_text(advice.finalists[k]));
   const bool longer_steps = std::any_of(advice.pilots.begin(), advice.pilots.end(),
                                         [&](const auto& c) { return c.step > best.step; });
@@ -259,7 +262,7 @@ Quantities quantities(const HybridAdvice& advice) {
   Quantities list = {
       {"scheme", "", advice.scheme, "scheme of the proposals"},
       detail({"pilots", "", records_of(advice.pilots),
-              "short runs of all combinations of step and length", "pilot runs"}),
+              "short runs of all combinations of time step and trajectory length", "pilot runs"}),
       detail({"finalists", "", records_of(advice.finalists),
               "longer runs of the best combinations; the first is the recommended combination",
               "independent, longer runs of the best combinations"}),

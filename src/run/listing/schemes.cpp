@@ -35,8 +35,7 @@ Quantities of_stage(const Stage& s) {
 /// The error terms of a scheme as text: "alpha 0.01, beta -0.02", "none", or a note that the scheme
 /// is not a palindrome.
 std::string error_text(const Scheme& scheme) {
-  if (!scheme.palindromic())
-    return "in general of order h, since the scheme is not time-reversible";
+  if (!scheme.palindromic()) return "in general of order h (the scheme is not time-reversible)";
   const ErrorTerms error = error_terms(scheme);
   constexpr double rounding = 1e-14;  // round-off of coefficients with 15 digits
   return (std::hypot(error.alpha, error.beta) < rounding

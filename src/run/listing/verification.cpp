@@ -44,7 +44,8 @@ Quantities quantities(const Verification& v) {
     points.push_back(
         {{"step", "[ps]", p.step, "time step"},
          {"", "fs", p.step * units::fs_per_ps, "", "step"},
-         {"error", "", p.error, "error relative to the initial kinetic energy", "energy error"},
+         {"error", "", p.error, "energy error, divided by the initial kinetic energy",
+          "energy error"},
          row("order",
              i == 0 ? "" : fmt::format("{:.2f}", std::log2(measured[i - 1].error / p.error)))});
   }

@@ -32,7 +32,7 @@ RecordFields::RecordFields(std::string_view line, std::size_t count, const Lines
 double RecordFields::number(std::size_t k, const char* what) const {
   const auto value = parsed<double>(field_[k]);
   if (!value || !std::isfinite(*value))
-    refuse(fmt::format("found '{}' where the {} must be a finite number", field_[k], what));
+    refuse(fmt::format("found '{}' for the {}, which must be a finite number", field_[k], what));
   return *value;
 }
 
@@ -45,13 +45,14 @@ double RecordFields::amount(std::size_t k, const char* what) const {
 int RecordFields::index(std::size_t k, const char* what) const {
   const auto value = parsed<int>(field_[k]);
   if (!value || *value < 0)
-    refuse(fmt::format("found '{}' where the {} must be a whole number from 0", field_[k], what));
+    refuse(fmt::format("found '{}' for the {}, which must be a whole number of 0 or more",
+                       field_[k], what));
   return *value;
 }
 
 bool RecordFields::yes(std::size_t k, const char* what) const {
   if (field_[k] != "0" && field_[k] != "1")
-    refuse(fmt::format("found '{}' where {} must be 1 or 0", field_[k], what));
+    refuse(fmt::format("found '{}' for {}, which must be 1 or 0", field_[k], what));
   return field_[k] == "1";
 }
 

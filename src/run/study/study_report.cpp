@@ -50,8 +50,8 @@ Quantities of_point(const EfficiencyPoint& p, bool usable) {
       {"runs", "", p.runs, "number of independent runs", "runs"},
       {"stable", "", p.stable, "whether no run blew up"},
       {"usable", "", usable,
-       "whether the step is within the curve, which ends where the energy drifts at all longer "
-       "steps"},
+       "whether the point belongs to the curve; beyond the end of a curve, the energy drifts at "
+       "every step"},
       {"R", "%", over_runs(p, p.ratio),
        "rms fluctuation of the total energy, divided by the rms fluctuation of the potential "
        "energy; `R_error` is the standard error",
@@ -167,7 +167,8 @@ std::string caption(const Config& config) {
     molecules +=
         fmt::format("{}{} {}", molecules.empty() ? "" : ", ", component.count, component.model);
   return fmt::format(
-      "Lower and further left is better; R = 0 is exact dynamics. {}; {} runs of {:g} ps per "
+      "Points further left and lower are better; R = 0 is exact dynamics. {}; {} runs of {:g} ps "
+      "per "
       "point.",
       molecules.empty() ? config.source : molecules, config.study.runs, config.study.length);
 }

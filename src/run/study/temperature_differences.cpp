@@ -23,15 +23,16 @@ std::vector<std::optional<SeriesEstimate>> list_of(const auto& estimates) {
 Quantities of_limit(const EquipartitionFit& fit, Value axis, const Line& line) {
   return {{"scheme", "", fit.scheme, "name of the scheme"},
           {"axis", "", std::move(axis), "principal axis; null for translation"},
-          {"order", "", fit.order, "order k of the fit a + b h^k"},
+          {"order", "", fit.order, "order k of the fitted function a + b h^k of the time step h"},
           {"without_step", "K", line.intercept,
-           "a of the fit; `without_step_error` is the standard error [K]"},
+           "fitted temperature difference a at time step 0; `without_step_error` is its standard "
+           "error [K]"},
           {"slope", "K/ps to the order", line.slope,
-           "b of the fit; `slope_error` is the standard error"},
+           "fitted coefficient b of h^k; `slope_error` is its standard error"},
           {"degrees_of_freedom", "", line.degrees_of_freedom,
            "number of degrees of freedom of the standard errors"},
           {"without_step_p_value", "", p_value(line.intercept, line.degrees_of_freedom),
-           "probability that chance gives an a of at least this size"}};
+           "probability that chance alone gives a fitted a of at least this size"}};
 }
 
 /// The fitted limit for h = 0, with a p-value if it differs from 0.

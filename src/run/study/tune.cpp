@@ -143,7 +143,8 @@ TuneSettings complete(TuneSettings settings, const Config& config) {
                                       // quantities
   if (settings.length < min_repeats * settings.sample)
     throw Error(fmt::format(
-        "length {:g} fs is shorter than {:g} samples of the error brackets, {:g} fs apart; use "
+        "the length of {:g} fs is shorter than {:g} intervals between samples of the error "
+        "brackets, {:g} fs each; use "
         "longer runs, or a shorter interval between samples",
         settings.length * units::fs_per_ps, min_repeats, settings.sample * units::fs_per_ps));
   return settings;

@@ -138,8 +138,8 @@ Quantities quantities(const TopTrajectory& top) {
     }
   }
   return {{"", "", samples, "",
-           fmt::format("step {:.6g}, in which the top initially turns by {:.3g} rad\nL is from the "
-                       "closed form. Errors of the step-by-step rotations: energy and |L| "
+           fmt::format("step {:.6g}, in which the top initially turns by {:.3g} rad\nL is computed "
+                       "from the closed form. Errors of the step-by-step rotations: energy and |L| "
                        "relative,\norientation as the angle [rad] to the closed form",
                        top.step, top.angle)}};
 }

@@ -58,7 +58,7 @@ TEST_CASE("a step plays the stages of its scheme in order, each for its part of 
 TEST_CASE("flows that lack a stage of the scheme are refused before they move") {
   PlainRecord record;
   check_error([&] { step(scheme_of("gier4"), record, 1.0); },
-              {"has gradient kicks", "a scheme without xi"});
+              {"has gradient kicks", "a scheme without gradient kicks"});
   check_error([&] { step(scheme_of("B(1/2) A(1/2) O(1) A(1/2) B(1/2)"), record, 1.0); },
               {"has a bath", "leave the stages O out"});
   CHECK(record.calls.empty());

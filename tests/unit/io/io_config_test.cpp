@@ -316,7 +316,7 @@ TEST_CASE("the default of lambda in mixed precision is 1") {
   CHECK(read(mixed).integrator.lambda == 1);
   CHECK(read(mixed + "[integrator]\nlambda = 0.1").integrator.lambda == 0.1);
   check_text(mixed + "[integrator]\nlambda = 0.09",
-             {"lambda = 0.09 is below 0.1", "leave it out", "precision = \"double\"",
+             {"lambda = 0.09 is below 0.1", "leave lambda out", "precision = \"double\"",
               "water.toml:7, integrator.lambda"});
   check_text("[forces]\nprecision = \"single\"", {"must be one of: double, mixed"});
 

@@ -62,34 +62,35 @@ TEST_CASE("GRO files with any number of decimals are read") {
 }
 
 TEST_CASE("errors in GRO files give the line, what was found and what was expected") {
-  check_text("", {"the file ends where the title must be", "a.gro:1"});
-  check_text("water\n", {"the file ends where the number of atoms must be", "a.gro:2"});
-  check_text(replaced(water, "\n3\n", "\nthree\n"), {"found 'three' where the number of", ":2"});
-  check_text(replaced(water, "\n3\n", "\n-3\n"), {"found '-3' where the number of atoms"});
+  check_text("", {"the file ends before its title", "a.gro:1"});
+  check_text("water\n", {"the file ends before the number of atoms", "a.gro:2"});
+  check_text(replaced(water, "\n3\n", "\nthree\n"),
+             {"found 'three' instead of the number of", ":2"});
+  check_text(replaced(water, "\n3\n", "\n-3\n"), {"found '-3' instead of the number of atoms"});
   check_text(replaced(water, "\n3\n", "\n4\n"),
-             {"where atom 4 of 4 (the number in the second line) must be", "a.gro:6"});
+             {"instead of atom 4 of 4 (the number in the second line)", "a.gro:6"});
   check_text(replaced(water, "\n3\n", "\n2\n"),
              {"another atom", "the frame has 2 atoms", "a.gro:5"});
-  check_text("water\n3\n" + atoms, {"the file ends where the box must be", "a.gro:6"});
+  check_text("water\n3\n" + atoms, {"the file ends before the box", "a.gro:6"});
   check_text("water\n3\n" + atoms.substr(0, 90),
-             {"the file ends where atom 3 of 3 (the number in the second line) must", "a.gro:5"});
+             {"the file ends before atom 3 of 3 (the number in the second line)", "a.gro:5"});
   check_text("water\n3\n" + atoms.substr(0, 87),
-             {"the line ends after 42 characters; with three coordinates of 8 characters each",
+             {"the line ends after 42 characters; three coordinates of 8 characters each",
               "must have 44 characters", "a.gro:4"});
   check_text(replaced(water, "0.200   0.300\n", "0.200   0.300  0.1\n"),
-             {"ends after 49 characters; with three coordinates and three velocities",
+             {"ends after 49 characters; three coordinates and three velocities",
               "must have 68 characters"});
   check_text(replaced(water, "0.067", "  nan"), {"x coordinate is nan", "finite", "a.gro:5"});
-  check_text(replaced(water, "0.067", "0.O67"), {"found '0.O67' where the x coordinate"});
+  check_text(replaced(water, "0.067", "0.O67"), {"found '0.O67' for the x coordinate"});
   check_text(replaced(water, "    1SOL    HW2", "    xSOL    HW2"),
-             {"found 'x' where the residue number", "a.gro:5"});
+             {"found 'x' instead of the residue number", "a.gro:5"});
   check_text(replaced(water, "    1SOL    HW2", "    1SOL       "), {"no atom name", "a.gro:5"});
   check_text(replaced(water, "   0.200   0.300\n", "   0.200\n"), {"before its third coordinate"});
   check_text(replaced(water, "   0.200   0.300\n", "   0.200    0.300\n"),
              {"8 and 9 characters apart", "a.gro:3"});
   check_text(replaced(water, "0.294   0.300\n", "0.294   0.300  0.1000  0.1000  0.1000\n"),
              {"either all atoms or no atoms must have velocities", "a.gro:5"});
-  check_text("w\n3\n" + atoms + " 2 2\n", {"found '2 2' where the box must be", "three edges"});
+  check_text("w\n3\n" + atoms + " 2 2\n", {"found '2 2' instead of the box", "three edges"});
   check_text("w\n3\n" + atoms + " 2 2 0\n", {"box edge is 0 nm", "longer than 0 nm"});
   check_text("w\n3\n" + atoms + " 2 2 inf\n", {"the box edge is inf", "finite"});
   check_text("w\n3\n" + atoms + " 2 2 2 0 0 1 0 0 0\n", {"triclinic", "orthorhombic"});
@@ -118,7 +119,7 @@ TEST_CASE("atoms that do not match the model are refused") {
     check_error([&] { fit_state(parse_gro(text, "a.gro"), {{{tip4p, count}}}); }, parts);
   };
   check_fit(replaced(water, " OW ", "  N "), 1,
-            {"atom 1 (1 SOL) is 'N', but site 'OW' of molecule 'tip4p' must be there", "a.gro"});
+            {"atom 1 (1 SOL) is 'N' instead of site 'OW' of molecule 'tip4p'", "a.gro"});
   check_fit(water, 2, {"the 3 atoms form only 1 of 2 molecules", "set the number of molecules"});
   check_fit(water, 0, {"the file has 3 atoms, but the 0 molecules have 0"});
   check_fit(

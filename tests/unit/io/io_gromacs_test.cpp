@@ -169,19 +169,18 @@ TEST_CASE("errors in topologies give the line, what was found and what was expec
   refused(replaced(spce, "1 2\n", "3 1\n"),
           {"nbfunc is 3; it must be 1, Lennard-Jones, or 2, Buckingham", "topol.top:2"});
   refused(replaced(spce, "1 2\n", "1 4\n"),
-          {"found '4' where the comb-rule must be a whole number from 1 to 3"});
+          {"found '4' for the comb-rule, which must be a whole number from 1 to 3"});
   refused(replaced(spce, "0.650629", "-1"),
           {"epsilon = -1; both must be 0 or more", "topol.top:4"});
   refused(replaced(spce, "0.650629", "nan"), {"the epsilon is nan; it must be a finite number"});
   refused(replaced(spce, "8 15.9994 0 A", "8 15.9994 0 0"), {"is a particle type (A, V, D or S)"});
-  refused(replaced(spce, "2 HW 1 SOL HW1", "5 HW 1 SOL HW1"),
-          {"found atom 5 where atom 2 must be"});
+  refused(replaced(spce, "2 HW 1 SOL HW1", "5 HW 1 SOL HW1"), {"found atom 5 instead of atom 2"});
   refused(replaced(spce, "1 OW 1", "1 OX 1"),
           {"atom type 'OX' is not defined before this line", "topol.top:10"});
   refused(replaced(spce, "SOL 3\n", "SOK 3\n"),
           {"molecule type 'SOK' is not defined", "did you mean 'SOL'?"});
   refused(replaced(spce, "SOL 3\n", "SOL -3\n"),
-          {"found '-3' where the count must be a whole number"});
+          {"found '-3' for the count, which must be a whole number"});
   refused(replaced(spce, "0.16330", "0.3"),
           {"molecule type 'SOL' is not held rigid", "the other distances give"});
   refused(replaced(spce, "[ settles ]\n1 1", "[ settles ]\n2 1"),
@@ -219,7 +218,7 @@ TEST_CASE("pairs of atom types become pairs of sites, in sigma and epsilon") {
   CHECK(geometric.topology.parts[0].molecule.sites[0].epsilon ==
         doctest::Approx(0.5).epsilon(1e-12));
   refused(replaced(text, "HW OW 1 0 0", "HW OW 1 0.3 0.1"),
-          {"one of these types has no potential with itself"});
+          {"one of these types has none for pairs of the same type"});
 }
 
 TEST_CASE("with nbfunc 2 atom types and pairs have Buckingham laws") {

@@ -129,7 +129,7 @@ TEST_CASE("errors in LAMMPS data files give the line, what was found and what wa
   refused(replaced(good, "7 atoms", "8 atoms"), {"specifies 8 atoms, but the section Atoms has 7"});
   refused(replaced(good, "1 1 1 -0.8476", "2 1 1 -0.8476"), {"two atoms with the id 2"});
   refused(replaced(good, "9 0 3 1 5 5 5 0 0 0", "9 0 4 1 5 5 5 0 0 0"),
-          {"found '4' where the atom type must be a whole number from 1 to 3", "a.data:27"});
+          {"found '4' for the atom type, which must be a whole number from 1 to 3", "a.data:27"});
   refused(replaced(good, "5 5 5 0 0 0", "5 5 nan 0 0 0"), {"z coordinate is nan"});
   refused(replaced(good, "5 5 5 0 0 0", "5 5 5 0"), {"it must have 7, or 10 with image flags"});
   refused(replaced(good, "3 22.99\n", ""), {"atom type 3 has no mass"});

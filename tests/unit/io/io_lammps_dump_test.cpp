@@ -107,16 +107,16 @@ TEST_CASE("several frames need times") {
 TEST_CASE("wrong dump files") {
   const std::vector<std::array<std::string, 3>> faults = {
       {"real", "lj", "the units are lj"},
-      {"1500", "soon", "time must be a number"},
-      {"ATOMS\n3", "ATOMS\nthree", "number of atoms must be"},
+      {"1500", "soon", "for the time, which must be a number"},
+      {"ATOMS\n3", "ATOMS\nthree", "instead of the number of atoms"},
       {"pp pp pp", "xy xz yz pp pp pp", "must be rectangular"},
       {"pp pp pp", "ff pp pp", "must be rectangular"},
       {"-10 10", "10 10", "longer than 0"},
-      {"ITEM: TIMESTEP", "ITEM: TIMESTEPS", "must begin"},
+      {"ITEM: TIMESTEP", "ITEM: TIMESTEPS", "instead of the beginning of a section"},
       {" yu ", " ywrong ", "no coordinate y"},
       {"1.5 2", "nan 2", "finite"},
       {"3 1 2 H", "3 1", "too short"},
-      {"2 1 3 X 9 31 1 0 0 0.5\n", "", "the file ends where atom 3"},
+      {"2 1 3 X 9 31 1 0 0 0.5\n", "", "the file ends before atom 3"},
       {"ITEM: NUMBER OF ATOMS\n3\n", "", "number of atoms must be before"},
       {"ITEM: BOX BOUNDS pp pp pp\n-10 10\n0 30\n5 25.5\n", "", "bounds of the box must be before"},
   };

@@ -216,7 +216,7 @@ TEST_CASE("errors in molecule files name file, line and key") {
              {"has mass but no element"});
   check_text(file(head, "name = \"A\"\nposition = \"0 0 0 nm\"\ncharge = \"1 e\""),
              {"has mass 0 u", "give at least one site a mass", "x.toml"});
-  check_text(head, {"there is no site", "[[site]]"});
+  check_text(head, {"the molecule has no site", "[[site]]"});
   check_text(file(head, "name = \"A"), {"not TOML", "no end on this line", "x.toml:4"});
   check_text(file(head, site + "sigma = \"3 A\""), {"no effect without epsilon", "site[0].sigma"});
   check_text(file(head, site + "[[site]]\n" + site), {"the same position"});

@@ -75,7 +75,7 @@ TEST_CASE("settings of an ensemble that contradict each other or the scheme are 
   refused(hybrid, {"above 0 K", "hybrid Monte Carlo", "[thermostat] at 0 K"}, "0 K");
   refused(thermostat + barostat, {"above 0 K", "a barostat"}, "0 K");
   refused(thermostat + "[run]\nshadow_sample = \"100 fs\"\n",
-          {"has no shadow energy", "leave it out"});
+          {"has no shadow energy", "leave shadow_sample out"});
 }
 
 // Settings that a program sets itself, without a run file that would refuse them.

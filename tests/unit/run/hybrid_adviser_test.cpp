@@ -41,8 +41,9 @@ TEST_CASE("choices that differ by less than two standard errors are not distingu
   CHECK(advice.equal == std::vector<std::size_t>{1, 2});
   const std::string text = answer(advice);
   CHECK(text.find("8 steps of 5 fs") != std::string::npos);
-  CHECK(text.find("not distinguishable from this choice: 8 steps of 6 fs, 8 steps of 3 fs") !=
-        std::string::npos);
+  CHECK(
+      text.find("not distinguishable in cost from this choice: 8 steps of 6 fs, 8 steps of 3 fs") !=
+      std::string::npos);
   advice.pilots = {choice(0.005, 90, 40), choice(0.006, 120, 40)};
   CHECK(answer(advice).find("longer steps were not tried") == std::string::npos);
   advice.pilots.pop_back();

@@ -83,7 +83,7 @@ TEST_CASE("incorrect inner schemes are refused") {
   check_error([] { nested_scheme_of("hoa2 / hoa2 x 2 within 0.5 fs"); }, {"0.5 fs", "length"});
   for (const char* reach : {"0.5 to 0.4 nm", "0 to 0.4 nm", "-0.1 to 0.4 nm", "-0.4 nm"})
     check_error([&] { nested_scheme_of(std::string("hoa2 / hoa2 x 2 within ") + reach); },
-                {"and a longer cutoff", "0.35 to 0.5 nm"});
+                {"the second must be longer", "0.35 to 0.5 nm"});
 }
 
 TEST_CASE("near forces must be part of all forces") {

@@ -79,15 +79,15 @@ TEST_CASE("a record of a study is read completely, or refused with the line") {
   const auto refused = [&](const char* from, const char* to, const char* what) {
     check_error([&] { read(line + replaced(line, from, to)); }, {"runs.csv:5", what, "start over"});
   };
-  refused("297", "nan", "'nan' where the temperature must be a finite number");
-  refused("3e-05", "inf", "'inf' where the R must be a finite number");
-  refused("200", "2OO", "found '2OO' where");
-  refused("0.002", "1e999", "found '1e999' where the step");
+  refused("297", "nan", "'nan' for the temperature, which must be a finite number");
+  refused("3e-05", "inf", "'inf' for the R, which must be a finite number");
+  refused("200", "2OO", "found '2OO' for");
+  refused("0.002", "1e999", "found '1e999' for the step");
   refused("200", "-200", "the fluctuation of the potential energy is -200");
-  refused(";1;1", ";-1;1", "found '-1' where the start must be a whole number from 0");
-  refused(";1;1", ";1.5;1", "found '1.5' where the start");
-  refused(";1;1", ";99999999999;1", "found '99999999999' where the start");
-  refused(";1;1", ";1;yes", "found 'yes' where 'stable' must be 1 or 0");
+  refused(";1;1", ";-1;1", "found '-1' for the start, which must be a whole number of 0 or more");
+  refused(";1;1", ";1.5;1", "found '1.5' for the start");
+  refused(";1;1", ";99999999999;1", "found '99999999999' for the start");
+  refused(";1;1", ";1;yes", "found 'yes' for 'stable', which must be 1 or 0");
   refused(";297", "", "8 fields; it must have 9");
   refused(";297", ";297;1", "10 fields; it must have 9");
   refused("\n", "\n", "the same scheme, step and initial configuration as");

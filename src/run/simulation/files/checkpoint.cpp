@@ -324,8 +324,8 @@ std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
                                        "which is intact, with the same results",
                                        damage, files.previous)};
   } catch (const DamagedCheckpoint& e) {
-    throw OutputError(fmt::format(
-        "{}, and {}; start over, or start another run from the last frame", damage, e.what()));
+    throw OutputError(fmt::format("{}, and {}; start over, or start a new run from the last frame",
+                                  damage, e.what()));
   }
 }
 

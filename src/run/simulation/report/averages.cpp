@@ -127,7 +127,8 @@ Quantities of_hybrid_monte_carlo(const HybridMonteCarloSummary& s) {
           {"correlation_time", "ps", s.correlation_time,
            "integrated autocorrelation time of the potential energy"},
           {"effective_samples", "", s.effective_samples,
-           "number of independent samples that give the mean potential energy with the same error"},
+           "number of independent samples whose mean potential energy would have the same standard "
+           "error as this run"},
           {"work", "kJ/mol", s.work,
            "energy that the bodies received when momenta were drawn and trajectories rejected"}};
 }

@@ -178,13 +178,14 @@ Quantities of_shadow(const RunSummary& s) {
   append(list, {{"samples", "", shadow.samples, "number of samples of the shadow energy"},
                 {"rms", "kJ/mol", rms.value, "rms fluctuation of the shadow energy"},
                 {"rms_error", "kJ/mol", known_if(known, rms.error),
-                 "standard error of this rms fluctuation"},
+                 "standard error of the rms fluctuation of the shadow energy"},
                 {"time_gain", "", shadow.time_gain ? Value(*shadow.time_gain) : Value(),
-                 "factor by which an energy drift becomes significant in a shorter time with the "
-                 "shadow energy"}});
+                 "factor by which the shadow energy shortens the time until an energy drift is "
+                 "significant"}});
   if (!known)
-    list.push_back({"error_not_known", "", reason(rms.known),
-                    "reason why the standard error of the rms fluctuation is not known"});
+    list.push_back(
+        {"error_not_known", "", reason(rms.known),
+         "reason why the standard error of the rms fluctuation of the shadow energy is not known"});
   Quantities all = {{"shadow", "", std::move(list)}};
   if (!s.ensemble.settings.hybrid_monte_carlo)
     all.push_back(detail(
@@ -202,15 +203,17 @@ std::string evaluations_text(const RunSummary& s, bool nested) {
     return fmt::format("{} ({:.4g} per ps)", n, static_cast<double>(n) / s.length);
   };
   std::string text = per_ps(s.force_evaluations);
-  if (s.derivatives > 0) text += fmt::format(", and {} of their derivative", s.derivatives);
+  if (s.derivatives > 0)
+    text += fmt::format(", and {} evaluations of the derivative", s.derivatives);
   if (nested) text += ", near forces " + per_ps(s.near_evaluations);
   if (nested && s.near_derivatives > 0)
-    text += fmt::format(", and {} of their derivative", s.near_derivatives);
-  if (s.measurements > 1) text += fmt::format(", and {} for energies only", s.measurements);
+    text += fmt::format(", and {} evaluations of the derivative", s.near_derivatives);
+  if (s.measurements > 1)
+    text += fmt::format(", and {} evaluations for energies only", s.measurements);
   if (s.ensemble.barostat)
-    text += fmt::format(", {} for moves of the box", s.ensemble.barostat->evaluations);
+    text += fmt::format(", {} evaluations for moves of the box", s.ensemble.barostat->evaluations);
   if (s.minimisation_evaluations > 0)
-    text += fmt::format(", {} for the minimisation", s.minimisation_evaluations);
+    text += fmt::format(", {} evaluations for the minimisation", s.minimisation_evaluations);
   return text;
 }
 

@@ -310,11 +310,13 @@ std::optional<Warning> velocities_of_file(const System& system, const Config& co
   const double target = config.system.temperature;
   const double bound = far_from_canonical * target * std::sqrt(2 / n);
   if (!(std::abs(system.file_temperature - target) > bound)) return std::nullopt;
-  return Warning{"velocities", system.file_temperature, bound,
-                 fmt::format("the velocities of the initial configuration correspond to {:.4g} K, "
-                             "but the run file requests {:g} K (chance explains at most {:.2g} K)",
-                             system.file_temperature, target, bound),
-                 "write velocities = \"new\" in [system], or equilibrate"};
+  return Warning{
+      "velocities", system.file_temperature, bound,
+      fmt::format(
+          "the velocities of the initial configuration correspond to {:.4g} K, "
+          "but the run file requests {:g} K (chance explains a difference of at most {:.2g} K)",
+          system.file_temperature, target, bound),
+      "write velocities = \"new\" in [system], or equilibrate"};
 }
 
 std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,

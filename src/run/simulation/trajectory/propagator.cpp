@@ -155,7 +155,8 @@ class Propagator::Impl {
     if (changed) integrator_.apply([&](auto& integrator) { integrator.replace_load(moved_); });
   } catch (const Error& e) {
     throw RunError(
-        fmt::format("at step {} ({:.4f} ps) the barostat moved the box, and then: {}; use a larger "
+        fmt::format("at step {} ({:.4f} ps) the barostat moved the box, and the run cannot "
+                    "continue: {}; use a larger "
                     "system, a shorter cutoff, {}or check the pressure",
                     steps_, system_.state.time, e.what(),
                     settings_.ensemble.barostat->edges.size() > 1

@@ -129,11 +129,10 @@ void Sampler::check_energy(std::size_t step, const Energies& now) {
   if (settings_.ensemble.hybrid_monte_carlo || first.kinetic() == 0 ||
       !(std::abs(now.conserved() - from) > bound))
     return;
-  report_.blow_up(
-      step, fmt::format("the {} energy went from {:.6g} to {:.6g} kJ/mol{}, more than the initial "
-                        "kinetic energy",
-                        constant_energy ? "total" : "conserved", from, now.conserved(),
-                        constant_energy ? "" : " between two samples"));
+  report_.blow_up(step, fmt::format("the {} energy changed from {:.6g} to {:.6g} kJ/mol{}, by more "
+                                    "than the initial kinetic energy",
+                                    constant_energy ? "total" : "conserved", from, now.conserved(),
+                                    constant_energy ? "" : " between two samples"));
 }
 
 }  // namespace polhode

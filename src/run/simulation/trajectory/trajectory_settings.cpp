@@ -101,24 +101,25 @@ std::optional<FixedMeans> TrajectorySettings::fixed_means() const {
 void TrajectorySettings::check_shadow() const {
   if (shadow_sample == 0 || has_shadow()) return;
   if (inner)
-    throw Error(
-        fmt::format("shadow_sample is {:g} fs, but the error brackets of near and slow forces of "
-                    "{} are not measured; leave it out, or use a single scheme, such as hoa2",
-                    shadow_sample * units::fs_per_ps, name_of({scheme, inner})));
+    throw Error(fmt::format(
+        "shadow_sample is {:g} fs, but the scheme {} has an inner scheme, for which no shadow "
+        "energy is known; leave shadow_sample out, or use a single scheme, such as hoa2",
+        shadow_sample * units::fs_per_ps, name_of({scheme, inner})));
   if (!polhode::fixed_means(ensemble, scheme))
-    throw Error(
-        fmt::format("shadow_sample is {:g} fs, but this ensemble has no shadow energy; leave it "
-                    "out, or use type = \"rescaling\" in [thermostat] with the bath at the ends of "
-                    "steps, and edges = [\"xyz\"] in [barostat]",
-                    shadow_sample * units::fs_per_ps));
+    throw Error(fmt::format(
+        "shadow_sample is {:g} fs, but this ensemble has no shadow energy; leave shadow_sample "
+        "out, or use type = \"rescaling\" in [thermostat] with the bath at the ends of "
+        "steps, and edges = [\"xyz\"] in [barostat]",
+        shadow_sample * units::fs_per_ps));
   const char* const reason =
       scheme.palindromic()
           ? "no error of order h², so its shadow energy equals the energy to this order"
           : "an error of order h, since its stages are not a palindrome";
-  throw Error(fmt::format(
-      "shadow_sample is {:g} fs, but {} has {}; leave it out, or use a palindrome of order 2, "
-      "such as hoa2",
-      shadow_sample * units::fs_per_ps, name_of(NestedScheme(scheme)), reason));
+  throw Error(
+      fmt::format("shadow_sample is {:g} fs, but {} has {}; leave shadow_sample out, or use a "
+                  "palindrome of order 2, "
+                  "such as hoa2",
+                  shadow_sample * units::fs_per_ps, name_of(NestedScheme(scheme)), reason));
 }
 
 TrajectorySettings trajectory_settings(const Config& config, double stretch) try {
