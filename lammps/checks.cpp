@@ -48,8 +48,8 @@ void check_fix(LAMMPS* lammps, const Fix* own, const Fix* other, std::size_t eva
                 "without these atoms");
   if (other->time_integrate != 0 && evaluations > 1)
     throw Error(name + " integrates other atoms at each of the " + std::to_string(evaluations) +
-                " force evaluations in a step of the scheme, whose times are not equally spaced; "
-                "with a second integrator the scheme must be velocity-verlet");
+                " force evaluations in a step of the scheme, but these evaluations are not equally "
+                "spaced in time; with a second integrator the scheme must be velocity-verlet");
   for (const std::string_view changer : changers)
     if (other->style == changer && shares_atoms(lammps, own, other))
       throw Error(name +
@@ -64,7 +64,7 @@ void check_multiple(LAMMPS_NS::bigint value, std::size_t evaluations, const std:
   throw Error(what + " is " + std::to_string(value) + "; it must be a multiple of " +
               std::to_string(n) +
               ", the number of force evaluations in a step of the scheme, because positions and "
-              "velocities are at the same time only at the end of a step");
+              "velocities refer to the same time only at the end of a step");
 }
 
 }  // namespace

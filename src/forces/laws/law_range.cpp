@@ -22,7 +22,7 @@ std::string inner_limit_note(const Topology& topology) {
     for (const Site& site : part.molecule.sites)
       if (const double limit = inner_limit(site.law); limit > 0)
         return fmt::format(
-            "; two sites {}.{} may have come closer than {:.4f} nm, the shortest distance at which "
+            "; two {}.{} sites may have come closer than {:.4f} nm, the shortest distance at which "
             "their potential is valid",
             part.molecule.name, site.name, limit);
   return {};

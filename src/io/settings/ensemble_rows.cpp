@@ -164,7 +164,7 @@ SettingTable barostat_table() {
                     .kinds = {SettingKind::texts}}),
            row("time_constant", parameter(moves_of, &CellRescaling::time_constant), ps,
                above(0, "; 1 to 10 ps are usual"),
-               "relaxation time τ of the volume, at least `every`", More{.by = "type"}),
+               "relaxation time τ of the volume, at least as long as `every`", More{.by = "type"}),
            row("metropolis", parameter(moves_of, &CellRescaling::metropolis),
                "whether volume moves are accepted or rejected by the Metropolis criterion, which "
                "makes the distribution exact for any `every`",

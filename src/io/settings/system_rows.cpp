@@ -207,8 +207,8 @@ void read_molecules(TomlTable& table, Config& config) {
   if (system.molecules.size() > 1 &&
       std::any_of(system.molecules.begin(), system.molecules.end(), open))
     table.refuse("molecules",
-                 "has several models, one of them without a count; only a single model can be "
-                 "counted in the initial configuration");
+                 "has several models, one of them without a count; the initial configuration "
+                 "determines the count only if there is a single model");
 }
 
 /// Reads initial configuration, topology and molecules.

@@ -85,7 +85,7 @@ Quantities of_evaluation(const EvaluationTiming& e, int threads) {
       {"energy_arithmetic_us", "", us * e.energy_arithmetic / threads,
        "time of the pair arithmetic only, with energies"},
       {"share_of_limit", "", share(e, threads),
-       "time of the arithmetic, divided by the time of the forces", "share"},
+       "time of the pair arithmetic, divided by the time of a force evaluation", "share"},
       {"fill", "", e.fill, "fraction of SIMD lanes in use", "fill"},
       {"list_us", "", of_timing(e.list, us, "list build", "[us]"),
        "time to build the neighbour list"}};

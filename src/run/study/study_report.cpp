@@ -234,10 +234,9 @@ std::string conditions(const Config& config) {
   return fmt::format(
       "{}, switched from {:g} to {:g} nm (class C{}){}, initial configuration {}; at most {} runs "
       "of {:g} ps from initial configurations equilibrated for {:g} ps at {:g} K, the same for "
-      "every scheme; energies are sampled at least every 2.5 fs, or at every step; a curve ends "
-      "where the energy "
-      "drifts at all longer steps, with a p-value below {:g} and, during a run, by at least {:g} "
-      "times the rms fluctuation of the energy",
+      "every scheme; energies are sampled at least every 2.5 fs, or at every step; a curve ends at "
+      "the step beyond which the energy drifts at every step; a drift has a p-value below {:g} "
+      "and, during a run, changes the energy by at least {:g} times its rms fluctuation",
       f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
       f.switch_from, f.cutoff, f.smoothness, mixing.empty() ? "" : ", " + mixing,
       config.system.initial_configuration.empty() ? "lattice" : config.system.initial_configuration,

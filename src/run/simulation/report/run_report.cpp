@@ -153,7 +153,7 @@ Quantities of_conservation(const RunSummary& s) {
         "rms fluctuation of the potential energy"},
        {"R_rounding", "%", s.rounding, "estimated round-off limit of R; 0 in double precision"},
        {"R_truncation", "%", s.truncation,
-        "predicted R of the random walk caused by the truncation"},
+        "R predicted for the random walk that the truncation causes"},
        {"R_of_random_walk", "%", known_if(s.walk > 0, s.ratio_of_walk()),
         "R that the random walk would cause without other errors; null if there is no evidence for "
         "a random walk"},

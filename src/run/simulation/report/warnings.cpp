@@ -129,8 +129,8 @@ std::optional<Warning> drift_warning(const RunSummary& s) {
   if (!(drifted > bound)) return std::nullopt;
   return Warning{
       "drift", drifted, bound,
-      fmt::format("{} drifts by {:.3g} ± {:.2g} kJ/mol/ps, whose contribution to R is {:.2g} % "
-                  "(bound: {:.2g} %)",
+      fmt::format("{} drifts by {:.3g} ± {:.2g} kJ/mol/ps, which contributes {:.2g} % to R (bound: "
+                  "{:.2g} %)",
                   conserved_energy(s), s.drift.rate.value, s.drift.rate.error, 100 * drifted,
                   100 * bound),
       "use a shorter step, a smoother cutoff (smoothness in [forces]), or double precision"};

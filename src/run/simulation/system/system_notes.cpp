@@ -87,7 +87,7 @@ void note_moves(const TrajectorySettings& settings, const Callbacks& callbacks) 
   if (std::abs(interval - asked) < settings.step / 2) return;
   callbacks.note(
       fmt::format("note: the interval of {:g} fs between moves of the box is rounded to {:g} fs, a "
-                  "multiple of the trajectories of hybrid Monte Carlo ({} steps of {:g} fs)",
+                  "multiple of the trajectory length of hybrid Monte Carlo ({} steps of {:g} fs)",
                   asked * units::fs_per_ps, interval * units::fs_per_ps,
                   e.hybrid_monte_carlo->steps, settings.step * units::fs_per_ps));
 }
