@@ -209,7 +209,7 @@ class Analyze(Sandbox):
         self.write("run.toml", text.replace('[thermostat]\ntype = "langevin"\n', ""))
         process = self.polhode("analyze", "out-trajectory.xyz", "--run", "run.toml", "--energies", "out-energies.csv", "--what", "rdf", "--plot", "none", "--force")
         self.assertEqual(process.returncode, 2)
-        self.assertIn("from a run with a thermostat", process.err)
+        self.assertIn("as with a thermostat", process.err)
 
     def test_wrong_input(self):
         before = self.contents()

@@ -240,14 +240,14 @@ TEST_CASE("what a law cannot do is refused") {
   const Box box{{5, 5, 5}};
   ForceSettings corrected{.cutoff = 1.2, .switch_from = 1};
   corrected.dispersion_correction = true;
-  check_error(
-      [&] { ForceField(argon, corrected, box); },
-      {"dispersion_correction needs the potential at all distances", "leave the correction out"});
+  check_error([&] { ForceField(argon, corrected, box); },
+              {"dispersion_correction needs the potential at all distances",
+               "leave dispersion_correction out"});
   check_error([&] { ForceField(argon, {.cutoff = 1.7, .switch_from = 1}, box); },
               {"ends at 1.6 nm, but sites interact up to 1.7 nm", "shorter cutoff"});
   const Topology unlike{{{read_molecule("argon-ab-initio"), 2}, {read_molecule("argon"), 2}}};
   check_error([&] { ForceField(unlike, {.cutoff = 1.2, .switch_from = 1}, box); },
-              {"which no mixing rule combines", "[[pair]]"});
+              {"for which there is no mixing rule", "[[pair]]"});
 }
 
 // Closer than the inner limit Buckingham's law falls to −∞: the energy is not a number, which ends

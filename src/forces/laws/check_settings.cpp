@@ -45,8 +45,8 @@ Fault fault_of_truncation(const ForceSettings& s) {
     return SettingFault{
         "truncation", fmt::format("\"{}\"", name_of(s.truncation)),
         fmt::format(
-            "cannot be combined with electrostatics = \"{}\", since this method truncates charges "
-            "in its own way; use \"site-switch\", which then applies only to Lennard-Jones",
+            "cannot be combined with electrostatics = \"{}\", since this method truncates charge "
+            "interactions itself; use \"site-switch\", which then applies only to Lennard-Jones",
             name_of(s.electrostatics))};
   if (s.smoothness < 1 || s.smoothness > 3)
     return SettingFault{
@@ -56,7 +56,7 @@ Fault fault_of_truncation(const ForceSettings& s) {
     return SettingFault{
         "dispersion_correction", "true",
         "cannot be combined with truncation = \"site-shift\", which shifts the potential at all "
-        "distances; leave the correction out, or use \"site-switch\""};
+        "distances; leave dispersion_correction out, or use \"site-switch\""};
   return std::nullopt;
 }
 

@@ -34,11 +34,11 @@ void each_law(const F& f, const std::variant<Laws...>*) {
 using List = ShortRange<double>::Law;
 
 [[noreturn]] void refuse_to_mix(const Site& a, const Site& b) {
-  throw Error(
-      fmt::format("sites '{}' and '{}' have the short-range potentials {} ({}) and {} ({}), which "
-                  "no mixing rule combines; define this pair in a table [[pair]] of the run file",
-                  a.name, b.name, name(a.law), parameters(a.sigma, a.epsilon, a.law), name(b.law),
-                  parameters(b.sigma, b.epsilon, b.law)));
+  throw Error(fmt::format(
+      "sites '{}' and '{}' have the short-range potentials {} ({}) and {} ({}), for which there is "
+      "no mixing rule; define this pair in a table [[pair]] of the run file",
+      a.name, b.name, name(a.law), parameters(a.sigma, a.epsilon, a.law), name(b.law),
+      parameters(b.sigma, b.epsilon, b.law)));
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ struct Tabulated {
   /// @throws Error  always, because a table has no values beyond its end
   double integral_beyond(double) const {
     throw Error("dispersion_correction needs the potential at all distances, but table '" +
-                table->name() + "' has no values beyond its end; leave the correction out");
+                table->name() + "' has no values beyond its end; leave dispersion_correction out");
   }
 };
 

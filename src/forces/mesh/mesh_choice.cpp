@@ -300,8 +300,9 @@ std::string MeshChoice::remedy(const Box& box, const MeshSettings& best) const {
   for (double cutoff = 1.25 * best.cutoff; cutoff < 0.45 * box.shortest_edge(); cutoff *= 1.25) {
     longer.coulomb_cutoff = cutoff;
     if (points_of(MeshChoice(topology_, longer).cheapest(box)) <= max_points)
-      return fmt::format("use a coulomb_cutoff of {:.2g} nm, which still includes few pairs",
-                         1.05 * cutoff);
+      return fmt::format(
+          "use a coulomb_cutoff of {:.2g} nm; even this longer cutoff includes only few pairs",
+          1.05 * cutoff);
   }
   return "use a smaller box, or a larger pme_accuracy";
 }

@@ -192,8 +192,8 @@ void Parser::defaults(const FieldLine& line) {
 TypePair Parser::short_range(const FieldLine& line, std::size_t first) const {
   if (combination_ == 0)
     line.refuse(
-        "parameters precede [ defaults ], but this section defines their meaning; put [ defaults ] "
-        "first");
+        "parameters precede [ defaults ], which defines the meaning of these parameters; put [ "
+        "defaults ] first");
   return function_ == buckingham_function ? buckingham(line, first) : lennard_jones(line, first);
 }
 

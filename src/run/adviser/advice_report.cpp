@@ -317,9 +317,9 @@ Quantities quantities(const AdviceReport& r) {
                 detail({"candidates", "", candidate_records(advice), "schemes that were compared",
                         "candidates"}),
                 {"refused", "", point_records(advice, advice.refused),
-                 "runs that did not confirm an answer"},
+                 "runs that did not confirm a proposed scheme and step"},
                 {"surpassed", "", point_records(advice, advice.surpassed),
-                 "runs that confirmed an answer, before a better answer was found"}});
+                 "runs that confirmed a scheme and step, before a better choice was found"}});
   append(list, obstacles(r));
   if (advice.best)
     list.push_back({"best", "", of_best(r), "advised scheme and step",

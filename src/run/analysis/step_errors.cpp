@@ -76,10 +76,10 @@ void StepErrors::check(const EnergyRow& row, const State& frame, bool has_veloci
     refuse("volume", volume, e.volume, "nm3");
   const double of_energy = 1e-12 * (std::abs(e.potential()) + e.kinetic());  // round-off of sums
   if (settings_.fixed == FixedMeans::energy && !(std::abs(row.conserved - e.total()) <= of_energy))
-    throw Error(fmt::format(
-        "conserved and total energy in '{}' differ at {:.9g} ps, so these energies are from a run "
-        "with a thermostat, but the run file has none; give the run file of that run",
-        settings_.energies, e.time));
+    throw Error(
+        fmt::format("conserved and total energy in '{}' differ at {:.9g} ps, as with a thermostat, "
+                    "but the run file has constant energy; give the run file with the thermostat",
+                    settings_.energies, e.time));
   if (!has_velocities) return;
   // Rounding of positions to 0.001 nm changes the rotational energy of a molecule by a few per
   // cent.

@@ -174,7 +174,7 @@ TEST_CASE("laws of unlike sites are mixed within a kind and refused between kind
                         std::sqrt(argon.C * 2e-3) / std::pow(0.37, 6))
             .epsilon(1e-12));
   check_error([&] { mix(a, m, MixingRule::geometric); },
-              {"buckingham", "mie", "which no mixing rule combines", "[[pair]]"});
+              {"buckingham", "mie", "for which there is no mixing rule", "[[pair]]"});
   const Site t = site(0, 0, lennard_jones_table(0.34, 1, 0.002));
   const Site other = site(0, 0, lennard_jones_table(0.35, 1, 0.002));
   CHECK(u(mix(t, t, MixingRule::geometric)) == u(short_range(0, 0, t.law)));

@@ -91,7 +91,7 @@ Quantities of_barostat(const BarostatSummary& s) {
        "isothermal compressibility, from the fluctuations of the volume", "compressibility",
        ", isothermal"},
       {"volume_drift", "nm3/ps", s.volume_drift.rate.value,
-       "slope of a least-squares line through the volume"},
+       "slope of a least-squares line fitted to the volume as a function of time"},
       detail(row(
           "moves of the box",
           fmt::format("{}; one every {:g} fs", accepted_text(s.accepted, s.moves, s.accepted_share),

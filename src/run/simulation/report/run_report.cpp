@@ -66,7 +66,7 @@ std::string drift_text(const Drift& drift, std::uint64_t samples) {
 Quantities of_drift(const Drift& drift, double walk, std::uint64_t samples) {
   const bool known = drift.known == Known::yes;
   return {{"drift", "kJ/mol/ps", known_if(samples >= min_samples_reported, drift.rate.value),
-           "slope of a least-squares line through the energy"},
+           "slope of a least-squares line fitted to the energy as a function of time"},
           {"drift_error", "", known_if(known, drift.rate.error),
            "standard error of the slope [kJ/mol/ps]"},
           {"drift_p_value", "", known_if(known, drift.p_value),
@@ -155,7 +155,8 @@ Quantities of_conservation(const RunSummary& s) {
        {"R_truncation", "%", s.truncation,
         "R predicted for the random walk that the truncation causes"},
        {"R_of_random_walk", "%", known_if(s.walk > 0, s.ratio_of_walk()),
-        "R that the random walk would cause without other errors; null if there is no evidence for "
+        "R that the random walk would cause if there were no other errors; null if there is no "
+        "evidence for "
         "a random walk"},
        {"walk_of_rounding_known", "", s.walk_known,
         "whether the random walk caused by rounding is known"},
