@@ -75,7 +75,7 @@ class Screens(Sandbox):
         self.assertNotIn("list build", text)
         whole = self.polhode("bench", "--quick", "--sizes", "216", "--threads", "1", "--verbose").out
         self.assertIn("list build", whole)
-        self.assertRegex(whole.splitlines()[-1], "^  .*best repeats")
+        self.assertRegex(whole.splitlines()[-1], "^  .*best times")
 
     def test_a_run_ends_with_averages_files_and_warnings(self):
         for ensemble, (text, rows) in RUNS.items():
