@@ -58,8 +58,8 @@ std::string wrong_value(const CLI::ParseError& e) {
   return uncapitalized(what);
 }
 
-/// Rejects empty arguments. A script passes an empty text if its variable is not set, and silently
-/// using the default would be surprising.
+/// Rejects empty arguments. If a variable of a script is not set, its option gets an empty text.
+/// Silently using the default would be surprising.
 void refuse_empty(const CLI::App& verb) {
   for (const CLI::Option* option : verb.get_options())
     for (const std::string& text : option->results())

@@ -173,7 +173,7 @@ void join_kinds(const std::vector<double>& own, std::vector<Kind>& kinds, MPI_Co
       kinds.push_back(std::move(candidate));
 }
 
-// The previous body of a molecule, in the periodic image of its atoms; empty if the molecule is
+// The body that a molecule had before, in the periodic image of its atoms; empty if the molecule is
 // new.
 std::optional<BodyRecord> body_before(const Assembled& molecule, const Kind& kind,
                                       const std::vector<AtomMessage>& messages,

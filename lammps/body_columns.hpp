@@ -43,8 +43,8 @@ struct BodyColumns {
   Load displaced_load;  ///< load of the last evaluation at displaced positions
   Vec3Column kept_q;    ///< original positions during a gradient kick
   QuaternionColumn kept_orientation;
-  Vec3Column pair_f, pair_tau;    ///< forces and torques from pair_style polhode, until they become
-                                  ///< part of a load
+  Vec3Column pair_f, pair_tau;    ///< forces and torques from pair_style polhode, before they are
+                                  ///< added to a load
   Column<std::uint64_t> numbers;  ///< numbers that select random numbers: the ids of the owner
                                   ///< atoms
 

@@ -20,7 +20,7 @@ void check_system(LAMMPS_NS::LAMMPS* lammps, const LAMMPS_NS::Fix* own, std::siz
 /// Checks that a run, its thermodynamic output, dumps and averages are at whole steps of the
 /// scheme.
 /// @param phase  number of evaluations of the current step that precede the run
-/// @throws Error  if one of them is within a step
+/// @throws Error  if one of these times is within a step of the scheme
 void check_intervals(LAMMPS_NS::LAMMPS* lammps, std::size_t evaluations, std::size_t phase);
 
 }  // namespace polhode::lammps

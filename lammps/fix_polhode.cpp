@@ -77,7 +77,7 @@ void FixPolhode::setup(int vflag) {
   tally_virial();
 }
 
-// The virial is out of date here only in a run without setup(), as with the command rerun.
+// The virial is out of date here only in a run without setup(), such as a rerun.
 void FixPolhode::end_of_step() {
   if (!virial_is_old_) return;
   collect_forces(columns_->load);
@@ -230,8 +230,8 @@ void FixPolhode::set_velocities() {
 }
 
 /// Adds the terms that convert the virial and temperature of atoms to the virial and temperature of
-/// molecules. They are −Σ s ⊗ f, symmetrized, and −Σ m ṡ ⊗ ṡ, where ṡ is the velocity of a site
-/// relative to the centre.
+/// molecules. These terms are −Σ s ⊗ f, symmetrized, and −Σ m ṡ ⊗ ṡ, where ṡ is the velocity of a
+/// site relative to the centre.
 void FixPolhode::tally_virial() {
   std::fill_n(virial, 6, 0.0);
   forward(Message::motions, 6);
@@ -264,8 +264,8 @@ LAMMPS_NS::bigint FixPolhode::dof(int group) {
   return all;
 }
 
-/// Returns minus the energy that the bath has given to the bodies. The total energy plus this
-/// number is a conserved quantity.
+/// Returns minus the energy that the bath has given to the bodies. The total energy minus the
+/// energy given by the bath is a conserved quantity.
 double FixPolhode::compute_scalar() { return -heat_; }
 
 /// Returns the kinetic energy of translation or of rotation, or the number of bodies.

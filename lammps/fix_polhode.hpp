@@ -74,17 +74,18 @@ class FixPolhode : public LAMMPS_NS::Fix {
   /// The body of a ghost owner atom.
   struct GhostBody {
     int kind = 0;
-    int process = 0, body = 0;   ///< process of the body, and its index there
+    int process = 0, body = 0;   ///< process of the body, and index of the body on that process
     std::array<int, 3> image{};  ///< number of box edges by which the ghost is shifted
     Vec3<double> shift{};        ///< shift by these edges
-    int base = -1;               ///< ghost with this other image; −1 for none
+    int base = -1;               ///< index of the ghost of which this ghost is an image; −1 if
+                                 ///< there is none
     // Bodies of other processes, unless they are images of other ghosts:
     Pose pose{};
     Motion motion{};
     Vec3<double> f{}, tau{};
   };
-  /// Finds the molecules. All processes must call this function together, which happens at the
-  /// beginning of each run.
+  /// Finds the molecules. All processes must call this function together, at the beginning of each
+  /// run.
   void recognise();
   const std::vector<Kind>& kinds() const { return kinds_; }
   bool has_all_atoms() const { return has_all_atoms_; }  ///< whether all atoms are in bodies
@@ -106,9 +107,9 @@ class FixPolhode : public LAMMPS_NS::Fix {
     int kind = -1, site = 0;  ///< kind, which is −1 if the atom does not belong to a body, and site
     std::int64_t owner = 0;  ///< id of the atom that owns the body
   };
-  /// The body of an atom, or a ghost of this body that receives messages. An Owner also contains
-  /// the shift by box edges that brings the body next to the atom, and the atom's position in the
-  /// body.
+  /// The body of an atom: a local body, or a ghost that receives messages about the body. An Owner
+  /// also contains the shift by box edges that brings the body next to the atom, and the atom's
+  /// position in the body.
   struct Owner {
     int body = -1;
     Vec3<double> shift{}, site{};
@@ -174,8 +175,8 @@ class FixPolhode : public LAMMPS_NS::Fix {
                                 // momentum
   bool virial_is_old_ = false;  // whether forces were computed without a call of setup()
   std::vector<AtomInfo> info_;  // links of local atoms to their bodies
-  // For each atom, the index of the body that it owns, or −1 if it owns none. This body is in the
-  // columns, in arrivals_ (with indices after the columns), or for ghosts in ghosts_.
+  // For each atom, the index of the body that it owns, or −1 if it owns none. Bodies are in the
+  // columns or, with indices after the columns, in arrivals_. Bodies of ghosts are in ghosts_.
   std::vector<int> body_of_;
   std::vector<Kind> kinds_;
   std::unique_ptr<BodyColumns> columns_;
@@ -185,9 +186,9 @@ class FixPolhode : public LAMMPS_NS::Fix {
   std::vector<Owner> owners_;    // body of each local atom; −1 if it does not belong to a body
   std::vector<Motion> motions_;  // motions of the bodies, during set_velocities()
   Message message_ = Message::owners;
-  // Swaps of a process with itself, which make images in directions with only one process. They
-  // hold the lists of atoms to send, and the first received ghosts. Periodic images from such swaps
-  // are computed without messages.
+  // Communication swaps of a process with itself, which make periodic images in directions with
+  // only one process. own_lists_ holds the lists of atoms to send, and own_firsts_ the first
+  // received ghosts. Periodic images from such swaps are computed without messages.
   std::vector<const int*> own_lists_;
   std::vector<int> own_firsts_;
   const double* packed_ = nullptr;  // buffer and list of the last message

@@ -45,8 +45,8 @@ BodyRecord FixPolhode::record(int body) const {
   return i < columns_->size() ? columns_->record(i) : arrivals_[i - columns_->size()];
 }
 
-/// The body from which a periodic image is computed. Images of local bodies are computed from these
-/// bodies, and images of ghosts from the ghosts, without messages.
+/// The body from which a periodic image is computed. The image of a local body is computed from the
+/// local body, and the image of a ghost from the ghost, without messages.
 FixPolhode::Owner FixPolhode::origin(int body) const {
   if (!is_ghost_body(body)) return {body};
   const GhostBody& image = ghost(body);

@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char* orientation_name = "orientation";
 constexpr const char* angular_momentum_name = "angular_momentum";
-// Relative tolerance between the mass of a particle and the total mass of its sites, which input
-// files round.
+// Relative tolerance for the mass of a particle compared with the total mass of its sites. Input
+// files round both masses.
 constexpr double same_mass = 1e-6;
 
 // Whether two kinds of particles are the same up to rounding in files.
@@ -75,7 +75,8 @@ int FixPolhode::kind_of_particle(int i) const {
   return -1;
 }
 
-/// The body of a particle with the data that LAMMPS stores, in its periodic image.
+/// Makes the body of a particle from the data that LAMMPS stores. The body is in the periodic image
+/// of the particle.
 BodyRecord FixPolhode::body_of_particle(int i, const Kind& kind) {
   const double* const a = particle_column(orientation_name, 4)[i];
   const Vec3<double> x = vector(atom->x[i]);

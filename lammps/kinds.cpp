@@ -17,7 +17,7 @@ namespace {
 // deviate by less from a common line are moved onto it. Rounding to three decimals in Å causes such
 // deviations in molecules of 1 Å and more.
 constexpr double same_line = 0.002;
-// Relative tolerance within which atoms count as unchanged, in units of the molecule's size and its
+// Atoms count as unchanged within this tolerance, relative to the size of the molecule or to its
 // largest velocity.
 constexpr double unchanged = 1e-9;
 
@@ -45,7 +45,8 @@ Vec3<double> with_inertia(const Molecule& molecule, const Quaternion<double>& or
   return to_lab(orientation, L);
 }
 
-// The tolerance of straighten() is in nm, so the shape is scaled to apply the tolerance above.
+// straighten() has a fixed tolerance in nm, so the shape is scaled until this tolerance corresponds
+// to `same_line`.
 Shape straight(Shape shape) {
   double size = 0;
   for (const Vec3<double>& r : shape) size = std::max(size, norm(r - shape.front()));

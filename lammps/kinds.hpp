@@ -84,8 +84,8 @@ void check_shape(const Kind& kind, std::int64_t number, const std::vector<SiteAt
 BodyRecord updated_body(const Kind& kind, const std::vector<SiteAtom>& atoms,
                         const BodyRecord& before);
 
-/// A particle with the data that LAMMPS stores. The orientation of the particle refers to the frame
-/// of the molecule file.
+/// A particle, with the position, velocity, orientation and angular momentum that LAMMPS stores.
+/// The orientation of the particle refers to the frame of the molecule file.
 struct Particle {
   Vec3<double> x{}, v{};
   Quaternion<double> orientation;

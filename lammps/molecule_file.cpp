@@ -49,7 +49,7 @@ class Parser {
     throw Error(what, file_ + ":" + std::to_string(number_));
   }
 
-  // Reads the next line that has words, without its comment.
+  // Reads the next line that contains words, and removes its comment.
   bool next_line() {
     while (std::getline(in_, line_)) {
       ++number_;

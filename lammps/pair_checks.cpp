@@ -12,7 +12,8 @@
 namespace polhode::lammps {
 namespace {
 
-// Pair style polhode excludes pairs within molecules in any case, so these exclusions are allowed.
+// Pair style polhode always excludes pairs within molecules, so exclusions of such pairs are
+// allowed.
 bool excludes_other_pairs(const LAMMPS_NS::Neighbor* neighbor) {
   return neighbor->nex_type > 0 || neighbor->nex_group > 0 ||
          std::any_of(neighbor->ex_mol_intra, neighbor->ex_mol_intra + neighbor->nex_mol,

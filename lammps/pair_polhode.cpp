@@ -163,8 +163,8 @@ KindCharges PairPolhode::charges_of_kinds() const {
   return charges;
 }
 
-/// The box edges [nm] in directions with only one process. Images of bodies need not be ghosts in
-/// these directions; 0 in other directions.
+/// The box edges [nm] in directions with only one process. In these directions, images of bodies
+/// need not be ghosts. In all other directions, the result is 0.
 Vec3<double> PairPolhode::period(const Topology& topology) const {
   Vec3<double> edges;
   if (domain->triclinic != 0) return edges;

@@ -111,7 +111,7 @@ void Reader::particle() {
   settings_.particles.push_back(std::move(particle));
 }
 
-// Forces are known at the end of a LAMMPS step, so a step of the scheme must end there.
+// LAMMPS computes forces at the end of its steps, so a step of the scheme must end with a kick.
 void Reader::check(const Scheme& scheme) const {
   if (scheme.has(Flow::bath))
     throw Error("the scheme has a bath O; leave the stages O out and use the keyword langevin");

@@ -41,7 +41,7 @@ struct FixSettings {
   std::vector<ParticleArguments> particles;
 };
 
-/// The settings of the fix without arguments.
+/// The settings of fix polhode if its command has no arguments.
 FixSettings default_settings();
 
 /// Reads the settings of the fix.

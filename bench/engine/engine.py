@@ -16,7 +16,7 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 import water  # noqa: E402
 
-# The run whose memory use is measured: a few short steps of the water of `polhode bench`, starting from a lattice.
+# The run whose memory use is measured: a few short steps of the water box of `polhode bench`, starting from a lattice.
 RUN = {"forces": {"truncation": "molecule-switch", "cutoff": "0.9 nm", "switch": "0.765 nm", "electrostatics": "reaction-field"},
        "integrator": {"scheme": "hoa2", "step": "0.1 fs"}, "run": {"length": "1 fs", "sample": "1 fs"},
        "system": {"density": "1 g/cm3", "temperature": "297 K"}}

@@ -34,7 +34,7 @@ import water  # noqa: E402
 from lib import study  # noqa: E402
 
 OTHER = "rigid/nve/small"
-# For each scheme, the force evaluations per step, and the time steps [fs] at which the energy error R is measured.
+# The schemes to measure: the force evaluations per step, and the time steps [fs] at which R is measured.
 SCHEMES = {
     OTHER: (1, (1, 1.5, 2, 3, 4, 5)),
     "velocity-verlet": (1, (1, 1.5, 2, 3, 4, 5)),
@@ -47,7 +47,7 @@ SAMPLE = 12.0  # about the time between samples [fs]
 WANTED = (1.5, 0.4)  # R [%]
 
 LAWS = ("site-switch", "molecule-switch")
-# The representation of molecules in LAMMPS: the style of the export, the precision and the potential.
+# The ways in which LAMMPS represents molecules, with the style of the export, the precision and the potential.
 FORMS = {
     f"{OTHER}, table": ("table", "double", LAWS[0]),
     f"{OTHER}, lj/cut/coul/cut": ("table", "double", LAWS[0]),

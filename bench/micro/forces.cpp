@@ -51,7 +51,7 @@ void force_evaluation(benchmark::State& loop, InstructionSet instruction_set, Tr
 
 /// Measures the derivative of forces along the direction of a gradient kick, interleaved with force
 /// evaluations. Minimum times are used, so that other programs on the computer do not affect the
-/// ratio of both times.
+/// ratio of the two times.
 void derivative(benchmark::State& loop, InstructionSet instruction_set, Precision precision,
                 const ForceSettings& settings) {
   force_instruction_set(instruction_set);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Times the particle mesh of 512 TIP4P waters for every instruction set and precision. The parts
-// are charge spreading, transforms with the influence function, and interpolation of the forces.
-// The whole mesh is timed with and without energies. Also timed are a mesh chosen for an accuracy,
-// and larger boxes of water. The time per charge should be constant.
+// Times the particle mesh of 512 TIP4P waters for every instruction set and precision. Separate
+// times are measured for charge spreading, transforms with the influence function, and
+// interpolation of the forces. The whole mesh is timed with and without energies. Also timed are a
+// mesh chosen for an accuracy, and larger boxes of water. The time per charge should be the same
+// for all box sizes.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -103,8 +104,8 @@ void add_all(const std::string& precision) {
   for (const double error : {1e-3, 1e-4, 1e-5, 1e-6})
     add<T>("chosen/error=" + std::to_string(error).substr(0, 8) + precision, best, What::forces, 1,
            mesh_for(error, cutoff, water.state.box, water.topology));
-  // Measures the times by order and by points on which the choice of a mesh is based
-  // (mesh_choice.cpp).
+  // Measures how the times depend on the spline order and on the number of grid points. The choice
+  // of a mesh is based on these times (mesh_choice.cpp).
   for (int order = MeshSettings::min_order; order <= MeshSettings::max_order; ++order)
     add<T>("order=" + std::to_string(order) + precision, best, What::forces, 1,
            {{20, 20, 20}, order, 5, cutoff});

@@ -66,7 +66,7 @@ def polhode_energies(text):
 def polhode_summary(text):
     """(microseconds per step, force evaluations per step) from the JSON summary."""
     s = json.loads(text)
-    # One evaluation is for the initial configuration, whatever the scheme.
+    # The evaluation for the initial configuration is not part of a step.
     return 1e6 * s["seconds"]["all"] / s["steps"], (s["force_evaluations"] - 1) / s["steps"]
 
 

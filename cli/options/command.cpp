@@ -36,7 +36,7 @@ std::string option_of(std::string name) {
   return "--" + name;
 }
 
-/// The names of an option with its older name, such as "--start,--from".
+/// The name of an option, followed by its older name if there is one, such as "--start,--from".
 std::string names_of(const std::string& option, const char* old_name) {
   return old_name == nullptr ? option : option + "," + option_of(old_name);
 }

@@ -18,7 +18,7 @@ class Option;
 
 namespace polhode::cli {
 
-/// An option that has been declared, with conditions on its value.
+/// A declared option, to which conditions on its value can be added.
 class CommandOption {
  public:
   explicit CommandOption(CLI::Option& option) : option_(&option) {}
@@ -54,7 +54,7 @@ class Command {
   CommandOption add_option(const std::string& name, Value& value, const std::string& meaning);
   /// Declares the settings that the verb takes, such as "--hybrid-steps" for hybrid_steps.
   void add_settings();
-  /// Declares the options of a request, such as "--max-force" for max_force.
+  /// Declares the options of a job, such as "--max-force" for max_force.
   template <class Request>
   void add_request(Request& request) {
     for (const RequestOption<Request>& row : Request::options())

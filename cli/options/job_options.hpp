@@ -26,7 +26,7 @@ struct JobOptions : ResultForm {
   bool force = false, resume = false;
 
   /// Declares FILE, --threads and --json.
-  /// @param of_threads  description of the work of the threads, such as "simultaneous runs"
+  /// @param of_threads  what the threads compute, such as "simultaneous runs"
   void declare(Command& command, const std::string& of_threads);
   CommandOption declare_file(Command& command);
   void declare_threads(Command& command, const std::string& of_threads);
@@ -34,7 +34,7 @@ struct JobOptions : ResultForm {
   void declare_resume(Command& command);
 
   /// The settings of the run file, or of the default run, combined with the command line. This
-  /// function prints notes on defaults that the command line selects.
+  /// function prints a note on each setting that a command-line option implies.
   /// @param quick  whether the quick version of the job is requested
   /// @throws Error  under the same conditions as read_config()
   Config config(bool quick = false) const;

@@ -6,8 +6,8 @@
 
 namespace polhode::cli {
 
-/// Makes callbacks that show messages and progress with the expected end on standard error, see
-/// ProgressLine. Ctrl-C, SIGTERM, SIGHUP and SIGXCPU end the job early (interrupt.hpp). The
+/// Makes callbacks that show messages and progress with the expected end time on standard error,
+/// see ProgressLine. Ctrl-C, SIGTERM, SIGHUP and SIGXCPU end the job early (interrupt.hpp). The
 /// progress line disappears when the last copy of the callbacks is destroyed.
 Callbacks console();
 

@@ -27,8 +27,8 @@ void catch_interrupts() {
   // A second signal has its default effect and ends the program at once.
   for (const int signal_number : {SIGINT, SIGTERM})
     take(signal_number, static_cast<int>(SA_RESETHAND));
-  // The system may repeat SIGXCPU and SIGHUP: every second beyond the CPU time limit, and when a
-  // terminal closes.
+  // The system may send SIGXCPU every second beyond the CPU time limit, and SIGHUP more than once
+  // when a terminal closes.
   take(SIGXCPU, 0);
   struct sigaction hangup {};
   sigaction(SIGHUP, nullptr, &hangup);

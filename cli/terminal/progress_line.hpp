@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The progress of a job on standard error, with the expected end. On a terminal, a single progress
-// line is updated; in a log, a new line is added from time to time.
+// The progress of a job on standard error, with the expected end time. On a terminal, a single
+// progress line is updated; in a log, a new line is added from time to time.
 #pragma once
 
 #include <string>

@@ -13,7 +13,7 @@ namespace polhode::cli {
 void prepare_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF)  // open() uses the lowest free descriptor
-      // The replacement is read-only, so that printing to a closed standard output fails and is
+      // The replacement of standard output is read-only, so that printing to it fails and is
       // reported.
       ::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
   ::signal(SIGPIPE, SIG_IGN);

@@ -16,8 +16,9 @@ namespace polhode::cli {
 /// this function first.
 void prepare_streams();
 
-/// The exit code of a program that would end with `code`. If standard output could not be written
-/// completely, the exit code is 1 instead of 0, and a message is printed.
+/// The exit code of the program, where `code` is the exit code without output errors. If standard
+/// output could not be written completely, the exit code is 1 instead of 0, and a message is
+/// printed.
 int exit_code(int code);
 
 /// Prints to standard error. Write errors are ignored, so that a run does not end because of its

@@ -22,16 +22,16 @@ std::size_t columns(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xc0) != 0x80; }));
 }
 
-/// The column at which a wrapped line continues. The continuation column is the column of the text
-/// after a label and two blanks, or otherwise the column at which the line begins.
+/// The column at which a wrapped line continues. Usually, this is the column at which the line
+/// begins. If the line has a label and two blanks, it is the column of the text after the blanks.
 std::size_t indent_of(std::string_view line, std::size_t width) {
   const auto begin = line.find_first_not_of(' ');
   const auto text = line.find_first_not_of(' ', line.find("  ", begin));
   return std::min({text == line.npos ? begin : text, max_indent, width / 2});
 }
 
-/// The number of bytes of the longest beginning of a line that fits and ends at a blank. If the
-/// line has no such blank, the result is the length of the whole line.
+/// The number of bytes from the beginning of a line to the last blank at which the line can be
+/// broken so that it fits. If the line has no blank, the result is the length of the whole line.
 std::size_t fitting(std::string_view line, std::size_t width) {
   std::size_t end = line.npos;
   const std::size_t first = line.find_first_not_of(' ');

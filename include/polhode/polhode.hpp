@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The whole public interface: run files, simulations and other jobs, and the molecules, forces,
-// schemes and free rotor on which they build. Link with polhode::library.
+// The whole public interface: run files, simulations and other jobs, and their components:
+// molecules, forces, schemes and the free rotor. Link with polhode::library.
 #pragma once
 
 #include "polhode/ensemble/random_streams.hpp"

@@ -14,8 +14,8 @@ __all__ = ["CHOICES_OF", "KEYWORDS", "LISTS", "PATH_OF", "TABLES", "stub", "take
 # Tables whose keywords always contain the table name, such as study_length, because other tables have the same keys.
 OF_TABLES = ("study", "prepare")
 LISTS = ("pair", "shape")  # of tables
-# Keys whose keyword differs from the key, or None for keys without a keyword of their own: thermostat="langevin" is the type of
-# a thermostat.
+# Keys whose keyword differs from the key. None marks a key without its own keyword: thermostat="langevin" sets the type of the
+# thermostat.
 RENAMED = {("integrator", "lambda"): "lambda_", ("hybrid_monte_carlo", "steps"): "hybrid_steps",
            ("thermostat", "type"): None, ("barostat", "type"): None}
 

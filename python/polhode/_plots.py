@@ -3,7 +3,7 @@
 
 from .errors import Error
 
-# Colours of data/plots/schemes.toml for the schemes of the paper, and a sequence of colours for all other schemes.
+# Colours of the schemes of the paper, as in data/plots/schemes.toml, and a sequence of colours for all other schemes.
 COLOURS = {"velocity-verlet": "#0072b2", "hoa2": "#d55e00", "gier4": "#009e73",
            "gier4-fd": "#009e73", "bcss3": "#cc79a7"}
 OTHERS = ("#e69f00", "#56b4e9", "#999999", "#f0e442", "#000000")

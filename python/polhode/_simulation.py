@@ -34,7 +34,7 @@ Observers: TypeAlias = \
     "Callable[[Simulation], object] | Sequence[Callable[[Simulation], object]] | None"
 
 
-# The settings of the scheme and the ensemble.
+# The settings that determine the scheme and the ensemble.
 _CHANGEABLE = {"temperature", "integrator", "thermostat", "barostat",
                *(word for word, path in PATH_OF.items() if path.split(".")[0] in ("integrator", "thermostat", "barostat"))}
 _METHODS = {"step": "it is the method that advances; the time step is simulation.time_step = \"1 fs\"",

@@ -65,7 +65,7 @@ Config with_text(Config config, const Overlay& overlay) {
   return config;
 }
 
-/// The keys of the settings for which a job has separate names.
+/// For each option of a job that sets a run file setting, the key of this setting.
 std::map<std::string, std::string> keys_of_job(const std::string& job) {
   std::map<std::string, std::string> keys;
   for (const JobSetting& setting : settings_of_job(job)) keys[setting.name] = setting.key;

@@ -56,7 +56,7 @@ struct OwnedSimulation {
   }
 };
 
-/// A row of energies, with the energy of external forces as its last number.
+/// A row of numbers for an energy sample; the last number is the energy of external forces.
 std::vector<double> row_of(const Energies& energies, const DegreesOfFreedom& n) {
   const auto row = energy_row(energies, n);
   std::vector<double> all(row.begin(), row.end() - 1);  // the row without the time-step error

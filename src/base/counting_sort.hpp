@@ -11,7 +11,8 @@ namespace polhode {
 
 /// Counting sort in linear time. Items with the same key keep their order.
 ///
-/// @param ends   one number per key; after the call, one past the last place of the key
+/// @param ends   one number per key; after the call, one more than the last place of the items with
+///   this key
 /// @param first  place of the first item
 /// @param each   function that calls its argument with (key, item...) for every item. It is called
 ///   twice and must give the same items in the same order
@@ -21,7 +22,8 @@ void counting_sort(std::span<std::uint32_t> ends, std::uint32_t first, const Eac
                    const Enter& enter) {
   std::fill(ends.begin(), ends.end(), 0);
   each([&](std::size_t key, const auto&...) { ++ends[key]; });
-  // Each end begins as the first place of its key and advances as items are entered.
+  // Each end begins as the first place of its key, and is incremented when an item with this key is
+  // entered.
   std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), first);
   each([&](std::size_t key, const auto&... item) { enter(ends[key]++, item...); });
 }

@@ -19,8 +19,8 @@
 namespace polhode {
 
 /// A replacement for std::from_chars, based on strtod in the locale "C". Unlike std::from_chars,
-/// this function also reads blanks, a plus sign and hexadecimal numbers. Numbers that are too small
-/// become 0.
+/// this function also reads blanks, a plus sign and hexadecimal numbers. Numbers too small for the
+/// type become 0.
 template <std::floating_point T>
 std::from_chars_result from_chars_by_strtod(const char* first, const char* last, T& value) {
   static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);

@@ -20,8 +20,8 @@ double memory_limit() {
     if (getrlimit(resource, &own) == 0 && own.rlim_cur != RLIM_INFINITY)
       limit = std::min(limit, static_cast<double>(own.rlim_cur));
   }
-  // The memory limit of a control group. If there is no limit, this file contains a word instead of
-  // a number.
+  // The memory limit of a control group. If there is no limit, the file of the limit contains a
+  // word instead of a number.
   double group = 0;
   if (std::ifstream file("/sys/fs/cgroup/memory.max"); file >> group && group > 0)
     limit = std::min(limit, group);

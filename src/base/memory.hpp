@@ -11,7 +11,7 @@ namespace polhode {
 /// the process (ulimit -v) or of its control group.
 double memory_limit();
 
-/// Throws if a request cannot fit into memory.
+/// Throws an Error if a request exceeds the memory limit.
 /// @param bytes   lower estimate of the request
 /// @param what    objects that need the memory, in the plural: "100000000 molecules"
 /// @param remedy  advice to the user: "use fewer"

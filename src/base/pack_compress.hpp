@@ -72,8 +72,8 @@ class Selection {
 
   /// The number of selected lanes.
   std::size_t count() const { return compression_.count(); }
-  /// Stores the selected lanes consecutively. Memory after them is overwritten up to the width of a
-  /// pack.
+  /// Stores the selected lanes consecutively. The memory after the selected lanes is overwritten,
+  /// up to the width of a pack.
   void store(Pack<float> from, float* to) const {
     const Pack<float>::Tag tag;
     hn::StoreU(compression_(tag, from.v), tag, to);

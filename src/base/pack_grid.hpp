@@ -134,7 +134,7 @@ inline Pack<double> grid_place(Pack<double> centre, Pack<double> arm, std::int32
 }
 
 /// The positions of points along a box edge in fixed point, with 2³⁰ units to an edge, as the bits
-/// of a pack. The centre is in fixed point as well.
+/// of a pack. The centre is also in fixed point.
 inline Pack<float> grid_place(Pack<float> centre, Pack<float> arm, std::int32_t, double edge) {
   const FixedTag fixed;
   constexpr std::int32_t unit = 1 << 30;

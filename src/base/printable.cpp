@@ -10,8 +10,8 @@
 namespace polhode {
 namespace {
 
-/// Length of the UTF-8 sequence at the front of a text, if it is a character other than a control
-/// character; otherwise 0 (RFC 3629, section 4).
+/// Length of the UTF-8 sequence at the front of a text. The length is 0 for a control character or
+/// an invalid sequence (RFC 3629, section 4).
 std::size_t printable_length(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned char first = byte(0);

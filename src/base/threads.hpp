@@ -8,8 +8,8 @@
 
 namespace polhode {
 
-/// The number of cores that this process may use, at least 1. This is the number of cores in the
-/// affinity mask, limited by the CPU bandwidth of the control groups (rounded up).
+/// The number of cores that this process may use, at least 1. The result is the number of cores in
+/// the affinity mask, or the CPU bandwidth of the control groups (rounded up) if this is lower.
 /// @source  sched_setaffinity(2); cgroups(7); cpu.max of version 2, cpu.cfs_quota_us of version 1
 int allowed_threads();
 

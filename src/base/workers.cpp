@@ -64,8 +64,8 @@ struct Futex {
 #endif
   }
 
-  /// Wakes sleeping threads. Call this after a sequentially consistent change of the value, so that
-  /// no sleeping thread misses the change.
+  /// Wakes sleeping threads. Change the value by a sequentially consistent operation before this
+  /// call, so that no sleeping thread misses the change.
   void wake(std::size_t max_wake) {
 #ifdef __linux__
     constexpr std::size_t all = std::numeric_limits<int>::max();

@@ -14,7 +14,8 @@ struct LangevinTerms {
   double c, noise;                        ///< coefficients of translation
   double rotational_c, rotational_noise;  ///< coefficients of rotation
   std::uint64_t seed, stream;
-  const std::uint64_t* numbers;  ///< numbers of the bodies; null: their indices
+  const std::uint64_t* numbers;  ///< numbers of the bodies; if null, the indices of the bodies are
+                                 ///< used
 };
 
 /// Sums over a range of bodies after the bath has acted.

@@ -33,14 +33,14 @@ double scale(State& state, const Motions& e, double a, double b) {
   return (a * a - 1) * e.translation + (b * b - 1) * e.rotation;
 }
 
-/// The factor that rescales momenta with this kinetic energy and n degrees of freedom; time is in
-/// units of the time constant.
+/// The factor by which velocity rescaling multiplies momenta with n degrees of freedom. `kinetic`
+/// is their kinetic energy, and `time` is in units of the time constant.
 double factor(double kinetic, double n, double time, const ThermostatBodies& of,
               std::uint64_t stream) {
   return rescaling_factor(kinetic, n, of.langevin.kT, time, Random(of.langevin.seed, stream));
 }
 
-// Functions for each type of thermostat, which return the heat that the bodies receive.
+// One function for each type of thermostat, which returns the heat that the bodies receive.
 
 double act(const Langevin& type, const ThermostatBodies& of, State& state, double t,
            StageNumber at) {

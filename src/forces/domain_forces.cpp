@@ -31,7 +31,7 @@ double constant_energy(const Topology& own, const ForceSettings& settings) {
 }
 
 // The box in which forces are computed. In directions that are not periodic, the edge is so long
-// that no images of bodies interact. This condition holds as long as the bodies extend over at most
+// that no images of bodies interact. This condition holds if the extent of the bodies is at most
 // the edge minus the range.
 Box box_around(const Vec3<double>& extent, double reach, const Vec3<double>& period) {
   Box box;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Benchmark kernels for free rotations of many bodies with SIMD packs: the series and NO_SQUISH.
-// Both do the same work, from orientation and lab-frame angular momentum to the new, normalized
-// orientation.
+// Both methods take the orientation and the lab-frame angular momentum, and return the new,
+// normalized orientation.
 #include "../rotor.hpp"
 
 #include "base/pack.hpp"

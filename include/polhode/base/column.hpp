@@ -64,7 +64,7 @@ class Component {
 };
 
 /// Owns the memory of `n` columns of equal size, placed at equal distances in memory. Other
-/// languages can share this memory as one array with strides. Assigning values of the same number
+/// languages can share this memory as one array with strides. Assigning columns of the same size
 /// does not move the memory.
 template <std::size_t n>
 class Components {
@@ -101,8 +101,8 @@ class Components {
   }
 
  private:
-  /// The stride is one pack larger than necessary, because components that are whole pages apart
-  /// share few cache lines.
+  /// The stride is one pack larger than necessary. If components were whole pages apart, they would
+  /// compete for the same few cache lines.
   static constexpr std::size_t stride_of(std::size_t size) {
     return Column<double>::padded(size) + pack_bytes / sizeof(double);
   }

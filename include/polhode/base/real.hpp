@@ -90,8 +90,8 @@ Real inverse_sqrt(Real a) {
   return Real(1.0) / sqrt(a);
 }
 
-/// The powers 1/r, 1/r² and 1/r³, computed from r². Packs have faster methods than multiplying
-/// powers of 1/r.
+/// The powers 1/r, 1/r² and 1/r³, computed from r². Packs compute these powers by a faster method
+/// than repeated multiplication by 1/r.
 template <class Real>
 class InversePowers {
  public:

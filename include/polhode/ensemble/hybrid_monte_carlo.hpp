@@ -33,10 +33,10 @@ struct HybridMonteCarloMemory {
   void add(double change, bool accept);
 };
 
-/// @throws Error  unless the scheme is a palindrome without a bath, so that it is reversible. All
-///   drifts and kicks conserve phase-space volume. Gradient kicks by finite difference also
-///   conserve this volume, because they change momenta by a function of positions and orientations
-///   only.
+/// @throws Error  unless the scheme is a palindrome without a bath; other schemes are not
+///   reversible. All drifts and kicks conserve phase-space volume. Gradient kicks by finite
+///   difference also conserve this volume, because they change momenta by a function of positions
+///   and orientations only.
 void check_hybrid(const Scheme& scheme);
 
 /// Accepts or rejects trajectories of a scheme. A trajectory begins with momenta √(1 − φ) p + √φ ξ,

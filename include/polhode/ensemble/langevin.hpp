@@ -18,7 +18,7 @@ struct LangevinSettings {
   double rotational_friction = 0;  ///< friction γ of rotation [1/ps]
   std::uint64_t seed = 0;
   TotalMomentum total_momentum = TotalMomentum::held;
-  /// The number of each body, padded as a Column. The number of a body, rather than its place in
+  /// The number of each body, in a padded Column. The number of a body, rather than its place in
   /// the column, selects its random numbers. If this column is null, the numbers are the indices of
   /// the bodies.
   const std::uint64_t* numbers = nullptr;

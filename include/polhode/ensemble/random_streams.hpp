@@ -13,8 +13,8 @@ namespace polhode {
 /// What random numbers are used for; no two uses share a number.
 enum class RandomUse : std::uint64_t {
   langevin = 1,
-  thermostat,           ///< first random numbers of the thermostat
-  thermostat_rotation,  ///< second random numbers of a thermostat for rotation
+  thermostat,           ///< random numbers of the thermostat, or of its factor for translation
+  thermostat_rotation,  ///< random numbers of the factor for rotation, if it is separate
   cell_rescaling,
   volume_move,
   hybrid_momenta,

@@ -15,12 +15,12 @@ namespace polhode {
 
 struct AnyPairEngine;
 
-/// Computes the forces on the bodies of a domain, exerted by each other and by ghosts. Ghosts are
-/// copies of bodies of other domains, or periodic images, at explicit positions. A caller can treat
-/// a direction as periodic if the domain extends over the whole box in this direction. Pairs of two
-/// ghosts and the forces on ghosts are not computed. Local bodies are the bodies of this domain. A
-/// pair of a local body and a ghost contributes half of its energy and virial, because the other
-/// domain adds the other half.
+/// Computes the forces on the bodies of a domain. Bodies of the domain and ghosts exert these
+/// forces. Ghosts are copies of bodies of other domains, or periodic images, at explicit positions.
+/// A caller can treat a direction as periodic if the domain extends over the whole box in this
+/// direction. Pairs of two ghosts and the forces on ghosts are not computed. The bodies of this
+/// domain are called local bodies. A pair of a local body and a ghost contributes half of its
+/// energy and virial, because the other domain adds the other half.
 ///
 /// The caller must supply all ghosts that interact with a local body. Without a cutoff between
 /// molecule centres, the centres of interacting ghosts are within the cutoff plus the extents of
@@ -29,7 +29,8 @@ struct AnyPairEngine;
 /// ForceSettings::ewald_alpha.
 class DomainForces {
  public:
-  /// @param own, ghosts  kinds and numbers of local bodies and of ghosts; some numbers may be 0
+  /// @param own, ghosts  kinds of molecules and their numbers, for local bodies and ghosts; some
+  ///   numbers may be 0
   /// @param settings     force settings without a mesh
   /// @param period       box edges [nm] in periodic directions, 0 in other directions
   /// @throws Error       if a setting is out of its domain, or a period is too short: see

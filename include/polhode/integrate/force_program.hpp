@@ -16,15 +16,16 @@ struct ForceEvaluation {
   std::size_t first = 0;  ///< Stages first ≤ k < use lead to the positions of this evaluation.
                           ///< Kicks among these stages use the forces of the preceding plain
                           ///< evaluation.
-  std::size_t use = 0;    ///< stages use ≤ k < end change momenta with its forces
+  std::size_t use = 0;    ///< stages use ≤ k < end change momenta with the forces of this
+                          ///< evaluation
   std::size_t end = 0;
   double xi = 0;  ///< ξ of a gradient kick by finite difference, where stage `use` is the kick. The
                   ///< forces belong to positions displaced as in [vanzon2008, Eq. 7], which are
-                  ///< restored afterwards. 0 for a plain evaluation.
+                  ///< restored afterwards. For a plain evaluation, ξ is 0.
 };
 
-/// Lists the force evaluations of one step in order. The forces at the initial positions of a step
-/// are known from the last evaluation of the previous step. A scheme that begins with a kick has as
+/// Lists the force evaluations of one step in order. At the initial positions of a step, the forces
+/// are those of the last evaluation of the previous step. A scheme that begins with a kick has as
 /// many evaluations as Scheme::force_evaluations() counts. Any other scheme needs one more
 /// evaluation.
 /// @throws Error  if the scheme has exact gradients, because other engines do not compute

@@ -116,7 +116,7 @@ class Integrator {
   }
 
   /// The Load at the positions of the state. The result of the last kick is reused if the positions
-  /// have not changed since. Otherwise the forces are evaluated again, and this evaluation is
+  /// have not changed since then. Otherwise the forces are evaluated again, and this evaluation is
   /// counted as a measurement, not as part of the integration.
   const Load& load(const State& state) {
     if (!current_ || !complete_) {
@@ -126,9 +126,9 @@ class Integrator {
     return load_;
   }
 
-  /// Forces and torques at the positions of the state. The values of the last kick are reused if
-  /// the positions have not changed since. Otherwise the forces are evaluated again, as part of the
-  /// integration.
+  /// Forces and torques at the positions of the state. The forces of the last kick are reused if
+  /// the positions have not changed since then. Otherwise the forces are evaluated again, as part
+  /// of the integration.
   /// @param energies  whether a new evaluation should include energies
   const Load& forces(const State& state, bool energies = false) {
     if (!current_) {
@@ -141,10 +141,10 @@ class Integrator {
   /// Forces and torques of the last kick, at the positions of that kick.
   const Load& last_load() const { return load_; }
 
-  /// Discards the stored Load. Call this after other code has changed positions or box.
+  /// Discards the stored Load. Call this function after other code has changed positions or box.
   void forget() { current_ = false; }
-  /// Replaces the stored Load. Call this after other code has changed positions or box, if the new
-  /// Load is known with energies.
+  /// Replaces the stored Load. Call this function after other code has changed positions or box, if
+  /// the forces and energies are already known.
   void replace_load(const Load& load) {
     load_ = load;
     current_ = complete_ = true;

@@ -52,8 +52,8 @@ class JoinedFlows {
 
   F& flows_;
   bool join_drifts_;
-  std::optional<Stage> held_;  // Delayed stage, stored for a step h = 1, so that its fraction is a
-                               // time and its ξ is ξ h².
+  std::optional<Stage> held_;  // Delayed stage. With h = 1, its fraction is a time, and its ξ is ξ
+                               // h².
 };
 
 }  // namespace polhode

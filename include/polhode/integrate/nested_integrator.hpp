@@ -117,7 +117,7 @@ class NestedIntegrator {
   const Load& last_load() const { return outer_.last_load(); }
   SlowForces<Full, Near>& slow_forces() { return slow_; }
 
-  /// Discards stored loads. Call this after other code has changed the positions.
+  /// Discards stored loads. Call this function after other code has changed the positions.
   void forget() { inner_.forget(), outer_.forget(); }
   void replace_load(const Load&) {
     forget();
@@ -131,7 +131,7 @@ class NestedIntegrator {
     inner.derivatives = near_derivatives();
     return memory;
   }
-  /// @param memory  has no memory of an inner scheme if the previous scheme had none
+  /// @param memory  has no memory of an inner scheme if the previous scheme had no inner scheme
   void resume_from(const IntegratorMemory& memory) {
     outer_.resume_from(memory);
     if (memory.inner.empty())

@@ -96,7 +96,7 @@ class Scheme {
   static constexpr std::size_t max_stages = 64, max_name = 32;
 
   /// @param half    stages up to and including the middle stage; the other stages are their mirror
-  ///   image. One stage of each flow may have `rest` as its fraction
+  ///   image. In each flow, one stage may have the fraction `rest`
   /// @param source  key in docs/references.bib
   consteval Scheme(std::string_view name, int order, std::initializer_list<Stage> half,
                    std::string_view source)
@@ -123,7 +123,7 @@ class Scheme {
   constexpr bool has_own_name() const { return own_name_size_ > 0; }
   constexpr bool in_table() const { return !source_.empty(); }
   constexpr std::string_view source() const { return source_; }
-  constexpr int order() const { return order_; }  ///< declared order; 0 if unknown
+  constexpr int order() const { return order_; }  ///< order of the scheme as declared; 0 if unknown
   constexpr std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 
   /// Number of force evaluations per step in a sequence of steps. Baths, and kicks at the positions
@@ -235,7 +235,8 @@ class Scheme {
     return count_ > 1 && stages_[i].joins(stages_[(i + 1) % count_]);
   }
 
-  /// Replaces the `rest` of a flow by its value; stages_ holds the stages up to the middle one.
+  /// Replaces the `rest` of a flow by its value; at this point, stages_ holds only the stages up to
+  /// the middle stage.
   constexpr void complete(Flow flow) {
     double left = 1, share = 0;
     std::size_t open = count_;

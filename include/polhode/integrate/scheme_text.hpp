@@ -11,7 +11,7 @@
 
 namespace polhode {
 
-/// A parameter in the text of a scheme, with its value, that tune() may vary.
+/// A free parameter in the text of a scheme, which tune() may vary.
 struct FreeParameter {
   std::string name;
   double value = 0;

@@ -15,7 +15,8 @@ inline constexpr double eta = 0.1931833275037836;
 /// The fraction θ = 1/(2 − 2^{1/3}) [forest1990].
 inline constexpr double theta = 1.3512071919596578;
 
-/// The fraction p = 1/(4 − 4^{1/3}) of the outer four of five Verlet steps [suzuki1990].
+/// The fraction p = 1/(4 − 4^{1/3}) of the first two and the last two of five Verlet steps
+/// [suzuki1990].
 inline constexpr double suzuki = 0.4144907717943757;
 
 /// Weights w₃, w₂, w₁ of the first three of seven Verlet steps: solution A of [yoshida1990].

@@ -24,7 +24,8 @@ struct Modulus {
 inline double quarter_period(const Modulus& modulus) {
   if (modulus.complement == 0) return std::numeric_limits<double>::infinity();
   double a = 1, b = modulus.complement;
-  // The means converge quadratically: once their difference is below √ε, the next mean is exact.
+  // The arithmetic and geometric means converge quadratically: once they differ by less than √ε,
+  // the next mean is exact.
   while (std::abs(a - b) > 1e-8 * a) {
     const double mean = 0.5 * (a + b);
     b = std::sqrt(a) * std::sqrt(b);
@@ -117,8 +118,8 @@ inline double third_kind_integral(const JacobiFunctions& f, double n, double k) 
     const double d = (root_p + root_x) * (root_p + root_y) * (root_p + root_z);
     const double e = delta / (d * d);
     const double root_e = std::sqrt(e);
-    // R_C(1, 1 + e) equals atan(√e)/√e. Its second-order series is exact to round-off below e =
-    // 1e-6.
+    // R_C(1, 1 + e) equals atan(√e)/√e. For e < 1e-6, the second-order series of this function is
+    // exact to round-off.
     sum += power / d * (e < 1e-6 ? 1 - e * (1.0 / 3 - e * (1.0 / 5)) : std::atan(root_e) / root_e);
     power *= 0.25;
     delta *= 1.0 / 64;

@@ -38,14 +38,14 @@ Line weighted_line(std::span<const double> x, std::span<const Estimate> y);
 /// The errors of y are assumed to have the degrees of freedom given in `line`.
 double misfit_p_value(const Line& line, std::span<const double> x, std::span<const Estimate> y);
 
-/// The p-value of an estimate, by a two-sided Student t test with the given degrees of freedom.
-/// The p-value is the probability that the estimate of a quantity that is really zero lies at least
-/// this far from zero. The p-value is 1 if value and error are 0.
+/// The p-value of an estimate, by a two-sided Student t test with the given degrees of freedom. The
+/// p-value is the probability of an estimate at least this far from zero if the true value is zero.
+/// The p-value is 1 if value and error are 0.
 double p_value(const Estimate& estimate, double degrees_of_freedom);
 
 /// The number of standard errors that corresponds to three standard deviations of a normal
 /// distribution, for a two-sided interval. This number is 6.6 for an error estimated with 4 degrees
-/// of freedom. For an exact error, which has the argument 0, the number is 3.
+/// of freedom. For an exact error, the argument is 0, and the number is 3.
 double three_sigma_quantile(double degrees_of_freedom);
 
 }  // namespace polhode

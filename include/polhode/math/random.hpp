@@ -33,9 +33,9 @@ constexpr std::array<Word, 4> philox(std::array<Word, 4> counter,
 }
 
 /// Derives the seed of the `index`-th item of a series from a common seed, for example for initial
-/// configurations of a study. The derived seed is half of a Philox block with a counter that no
-/// Random uses. Two derived seeds are equal with probability 2⁻⁶⁴. If seed and index were simply
-/// added, index 1 of seed 1 would equal index 0 of seed 2.
+/// configurations of a study. The derived seed is half of a Philox block. No Random uses the
+/// counter of this block. Two derived seeds are equal with probability 2⁻⁶⁴. If seed and index were
+/// simply added, index 1 of seed 1 would equal index 0 of seed 2.
 constexpr std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t index) {
   const auto word = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
   const auto block =

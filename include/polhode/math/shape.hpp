@@ -30,8 +30,8 @@ inline constexpr double line_rounding = 0.002;
 /// correction, a linear body would spin about its axis with a tiny moment of inertia.
 Shape straighten(Shape shape);
 
-/// A shape in its principal frame, with axis signs that do not depend on the given orientation. The
-/// first point far from the centre along an axis is on the positive side.
+/// A shape in its principal frame, with axis signs that do not depend on the given orientation.
+/// Along each axis, the first point that is far from the centre has a positive coordinate.
 Shape principal_shape(Shape shape, std::span<const double> mass);
 
 /// The mirror image of a shape.

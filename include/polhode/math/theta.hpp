@@ -16,7 +16,7 @@ namespace polhode {
 ///     θ₄(z) = S(q e^{−2iz}, q e^{2iz}),   θ₄'(z) = −2i D,
 ///     θ₂(z) = q^{1/4} e^{iz} S(−e^{−2iz}, −q² e^{2iz}).
 ///
-/// P and M come from the caller because e^{2|Im z|} may overflow where q e^{2|Im z|} ≤ 1.
+/// The caller supplies P and M, because e^{2|Im z|} may overflow even where q e^{2|Im z|} ≤ 1.
 struct ThetaSeries {
   std::complex<double> S, D;
 };
@@ -49,9 +49,9 @@ inline ThetaSeries theta_series(std::complex<double> P, std::complex<double> M, 
 ///
 ///     [√(n(1+n)/(n+k²)) − Z(b, k') − y/K] v − [arg θ₂(y − iπv/2K') − y v/K],
 ///
-/// with y = π b/2K' and q = exp(−π K/K'). The class uses the form with the smaller nome. This nome
-/// never exceeds e^{−π}, so four terms suffice for every k, including the separatrix (k = 1, q =
-/// 0). The subtracted term has the period 2K, so it needs v only modulo 2K, but the linear term
+/// with y = π b/2K' and q = exp(−π K/K'). ThetaIntegral uses the form with the smaller nome. This
+/// nome never exceeds e^{−π}, so four terms suffice for every k, including the separatrix (k = 1, q
+/// = 0). The subtracted term has the period 2K and needs v only modulo 2K, but the linear term
 /// needs the full v.
 class ThetaIntegral {
  public:

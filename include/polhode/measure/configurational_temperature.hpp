@@ -38,11 +38,11 @@ struct ConfigurationalStatistics {
 
   void add(const ConfigurationalSample& sample, const std::optional<StepError>& error = {});
   /// The configurational temperature ⟨squared_force⟩/(k_B ⟨curvature⟩) of each kind of motion
-  /// [jepps2000] [K], with its standard error. Empty without samples, and for motions on which no
-  /// forces act.
+  /// [jepps2000] [K], with its standard error. The result is empty without samples, and for motions
+  /// on which no forces act.
   ByMotion<std::optional<SeriesEstimate>> temperatures() const;
-  /// The time-step bias of each configurational temperature [K], to leading order. Empty for
-  /// motions on which no forces act, and without samples that have a known time-step error.
+  /// The time-step bias of each configurational temperature [K], to leading order. The result is
+  /// empty for motions on which no forces act, and if no sample has a known time-step error.
   ByMotion<std::optional<SeriesEstimate>> step_bias(double degrees_of_freedom,
                                                     FixedMeans fixed) const;
   /// The configurational temperatures without standard errors [K]. These temperatures are 0 for

@@ -18,12 +18,12 @@ enum class Known {
   too_few_samples,  ///< fewer than `min_samples`
   too_short,        ///< the series is correlated over too much of the run
   not_defined,      ///< the run does not have this quantity
-  grows             ///< the statistic has no limit, because a random walk makes it grow with the
-                    ///< run length
+  grows             ///< the statistic has no limit, because it grows with the run length by a
+                    ///< random walk
 };
 
 /// The reason why a standard error is not known: "too few samples", "run too short" or "not
-/// defined"; empty if it is known.
+/// defined". If the error is known, the text is empty.
 std::string reason(Known known);
 
 /// A statistic of a run, with its standard error.
@@ -57,8 +57,8 @@ SeriesEstimate series_estimate(const BlockMeans& blocks,
                                const std::function<double(std::span<const double>)>& statistic);
 
 /// Computes a statistic of independent runs of one process, such as replicas, with its standard
-/// error. The modes of all runs together give the error. The deviation of each run's mean from the
-/// common mean is one of these modes.
+/// error. The modes of all runs together give the error. For each run, the deviation of its mean
+/// from the common mean counts as one more mode.
 SeriesEstimate pooled_estimate(std::span<const BlockMeans> runs,
                                const std::function<double(std::span<const double>)>& statistic);
 

@@ -63,12 +63,13 @@ struct EnergyStatistics {
   SeriesEstimate inverse_volume() const;            ///< mean of 1/V [1/nm³]
   SeriesEstimate relative_volume_variance() const;  ///< variance of the volume divided by its mean
                                                     ///< [nm³]
-  Drift volume_drift() const;                       ///< slope of the volume [nm³/ps]
+  Drift volume_drift() const;                       ///< slope of the volume as a function of time
+                                                    ///< [nm³/ps]
   /// The drift of the conserved energy [kJ/mol/ps].
   /// @param walks  possible variances per time of the random walk of the energy [(kJ/mol)²/ps]
   Drift drift(std::span<const WalkStrength> walks = {}) const;
   /// The drift of a conserved energy that performs a random walk of unknown strength [kJ/mol/ps].
-  /// @param known  variance per time of a second random walk, which is known [(kJ/mol)²/ps]
+  /// @param known  variance per time of another random walk, whose strength is known [(kJ/mol)²/ps]
   Drift drift_over_walk(double known) const;
   /// The slope of the potential energy [kJ/mol/ps], tested as a drift.
   Drift potential_drift() const;

@@ -22,7 +22,8 @@
 namespace polhode {
 
 /// A pair of site selections. A selection is a site name, or the name without trailing digits: "HW"
-/// selects HW1 and HW2. "benzene:C" selects sites of one kind of molecule, "C" sites of all kinds.
+/// selects HW1 and HW2. "benzene:C" selects sites C of benzene only, and "C" selects sites C of all
+/// molecules.
 using SitePair = std::array<std::string, 2>;
 
 /// The names of the molecules that contain the selected sites.
@@ -77,14 +78,16 @@ class RadialDistribution {
   struct Peak {
     SeriesEstimate position;     ///< position of the maximum [nm]
     SeriesEstimate height;       ///< value of g at the maximum [1]
-    std::optional<Shell> shell;  ///< empty if g still decreases at the end of its range
+    std::optional<Shell> shell;  ///< empty if g has no minimum between the peak and the largest
+                                 ///< distance
   };
   /// Finds the first peak of g. The peak begins where g first exceeds 75 % of its largest value,
   /// and ends where g falls to half of the peak height. Position and height are the maximum of a
-  /// least-squares cubic through the bins in which g is above 90 % of the peak. The end of the
-  /// shell is the smallest g up to 1.6 times the peak position. A cubic through the bins within 10
-  /// % of this minimum gives its position. The first shell of liquids ends between 1.2 and 1.5
-  /// times the peak position. The result is empty if g is 0 everywhere, or largest in the last bin.
+  /// least-squares cubic through the bins in which g is above 90 % of the peak. The shell ends at
+  /// the minimum of g between the peak and 1.6 times the peak position. A cubic through the bins
+  /// within 10 % of this minimum gives its position. The first shell of liquids ends between 1.2
+  /// and 1.5 times the peak position. The result is empty if g is 0 everywhere, or largest in the
+  /// last bin.
   std::optional<Peak> first_peak(std::size_t pair) const;
   /// Makes an estimate of a number that is a function of the averages means().
   using Estimate = std::function<SeriesEstimate(const StepResponse::Function&)>;

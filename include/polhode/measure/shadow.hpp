@@ -49,10 +49,10 @@ struct ShadowStatistics {
   SeriesEstimate fluctuation() const;  ///< rms deviation of the shadow energy from its mean
                                        ///< [kJ/mol]
   /// The drift of the shadow energy [kJ/mol/ps]. The drift is tested against a random walk of
-  /// unknown strength. Round-off and the remaining discontinuities of the forces cause this walk
-  /// (docs/statistics.md).
+  /// unknown strength. This random walk is caused by round-off and by the remaining discontinuities
+  /// of the forces (docs/statistics.md).
   Drift drift() const;
-  /// The possible strengths of the random walk of the shadow energy, which the energy also performs
+  /// The possible strengths of the random walk that both the shadow energy and the energy perform
   /// [(kJ/mol)²/ps]. Empty if there are too few samples.
   std::vector<WalkStrength> walks() const;
 };
@@ -62,10 +62,10 @@ struct ShadowSummary {
   std::uint64_t samples = 0;
   SeriesEstimate fluctuation;  ///< rms deviation of the shadow energy [kJ/mol]
   Drift drift;                 ///< drift of the shadow energy [kJ/mol/ps]
-  /// The factor by which an energy drift becomes significant in a shorter time with the shadow
-  /// energy than in the energy. Standard errors fall with the length of a run as t^{−3/2}, so the
-  /// times are proportional to the errors to the power 2/3. Empty if any of the errors is not
-  /// known.
+  /// How much sooner an energy drift becomes significant with the shadow energy than with the
+  /// energy, as a ratio of times. Standard errors fall with the length of a run as t^{−3/2}, so the
+  /// times are proportional to the errors to the power 2/3. The result is empty if any of the
+  /// standard errors is not known.
   std::optional<double> time_gain;
 };
 

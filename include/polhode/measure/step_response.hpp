@@ -34,11 +34,11 @@ enum class FixedMeans {
 /// barostat scales edges separately, because the barostat then controls several pressures. The
 /// result is empty with hybrid Monte Carlo, which has no time-step bias.
 std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings, const Scheme& scheme);
-/// The means that an ensemble fixes for any scheme without a bath within its steps.
+/// The means that an ensemble fixes, for all schemes without bath stages within a step.
 std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings);
 
-/// The energies, pressure and volume of a sample that determine the time-step bias of any averaged
-/// quantity.
+/// The data of a sample from which the time-step bias of any average is computed: energies,
+/// pressure and volume.
 struct StepError {
   double error = 0;     ///< difference H̃ − H of shadow energy and energy, up to a constant
                         ///< [kJ/mol]
@@ -56,7 +56,7 @@ StepError step_error(const Energies& now, FixedMeans fixed, double ideal);
 /// Sums over samples, in blocks of time: quantities relative to the first sample, and the products
 /// of these quantities with the time-step error.
 struct StepResponse {
-  /// A function of the averages of all quantities, in their order.
+  /// A function of the averages of all quantities. The averages are in the order of the quantities.
   using Function = std::function<double(std::span<const double>)>;
 
   std::vector<double> first;
@@ -69,11 +69,11 @@ struct StepResponse {
   /// The bias of a function of averages, to leading order, with its standard error.
   /// @param degrees_of_freedom  number of degrees of freedom of the kinetic energy
   SeriesEstimate bias(double degrees_of_freedom, FixedMeans fixed, const Function& f) const;
-  /// Expresses the sums relative to another first sample.
+  /// Makes all sums relative to the given sample instead of the first sample.
   StepResponse relative_to(const std::vector<double>& other) const;
 };
 
-/// The time-step bias from independent runs. The sums of all runs are relative to the same first
+/// The time-step bias from independent runs. The sums of all runs must be relative to the same
 /// sample.
 SeriesEstimate step_bias(std::span<const StepResponse> runs, double degrees_of_freedom,
                          FixedMeans fixed, const StepResponse::Function& f);

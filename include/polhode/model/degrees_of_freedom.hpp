@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The number of degrees of freedom with kinetic energy; all other code uses the numbers of this
-// file.
+// The number of degrees of freedom that have kinetic energy. All other code takes this number from
+// here.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Settings of temperature and pressure control, for run files and for the thermostats and barostats
-// of polhode/ensemble. Each type of thermostat and barostat has a name, as in run files, and a
-// title.
+// of polhode/ensemble. Each type of thermostat and barostat has a title, and a name as in run
+// files.
 #pragma once
 
 #include <array>
@@ -67,13 +67,14 @@ struct BarostatSettings {
                                ///< moves [nm³ mol/kJ]
   double every = 0.1;          ///< time between two moves [ps]
   std::vector<CoupledEdges> edges = {
-      {true, true, true}};  ///< groups of coupled edges, moved in turn
+      {true, true, true}};  ///< groups of coupled edges; each move scales one group, in turn
   friend bool operator==(const BarostatSettings&, const BarostatSettings&) = default;
 };
 
 struct HybridMonteCarloSettings {
   std::size_t steps = 10;  ///< steps of a trajectory between two decisions
-  double refresh = 1;      ///< fraction of the momenta that is replaced by new momenta; 1: all
+  double refresh = 1;      ///< fraction of the momenta that is replaced by new momenta; 1 replaces
+                           ///< all
   friend bool operator==(const HybridMonteCarloSettings&,
                          const HybridMonteCarloSettings&) = default;
 };

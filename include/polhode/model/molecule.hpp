@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A rigid molecule: sites fixed in a body frame, and the inertia that follows from them.
+// A rigid molecule: sites fixed in a body frame, and the mass and moments of inertia of these
+// sites.
 #pragma once
 
 #include <string>

@@ -52,7 +52,8 @@ class Orbit {
                  // p cn dn.
     p = std::sqrt(zy / (J[x] * J[y] * J[z])) * root_Wx;
     modulus.k = std::min(1.0, std::sqrt(yx / zy) * (root_Wz / root_Wx));
-    // 1 − m = (J_z − J_x)(L² − 2E J_y)/(...), computed from the invariant and never as 1 minus m
+    // 1 − m = (J_z − J_x)(L² − 2E J_y)/(...), computed from L² − 2E J_y, because 1 − m would lose
+    // digits
     modulus.complement = std::min(1.0, std::sqrt(zx / zy) * (std::sqrt(std::abs(alpha - beta)) *
                                                              std::sqrt(alpha + beta) / root_Wx));
     K = quarter_period(modulus);
@@ -86,8 +87,8 @@ class Orbit {
   JacobiFunctions at(const Elapsed& v) const {
     const auto [s0, c0, d0] = start_;
     const auto [s, c, d] = v.reduced;
-    // The denominator is 1 − m s0² s² = c0² + s0² d². Both terms may be as small as 1e-340, so
-    // their square roots are first divided by the larger root.
+    // The denominator is 1 − m s0² s² = c0² + s0² d². c0² and s0² d² may be as small as 1e-340, so
+    // c0 and s0 d are first divided by the larger of the two.
     const double scale = 1 / std::max(std::abs(c0), std::abs(s0) * d);
     const double C0 = c0 * scale, D0 = d0 * scale, C = c * scale, D = d * scale;
     const double denominator = C0 * C0 + s0 * s0 * D * D;
@@ -126,8 +127,8 @@ class Orbit {
 struct PrecessionFrame {
   Vec3<double> c1, c2, c3;
 
-  /// @param L     angular momentum, not parallel to `axis`; components may be small if they have
-  ///   full relative accuracy
+  /// @param L     angular momentum, not parallel to `axis`; small components need full relative
+  ///   accuracy
   /// @param norm  norm |L|
   PrecessionFrame(const Vec3<double>& L, std::size_t axis) {
     const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -140,8 +141,8 @@ struct PrecessionFrame {
   }
 };
 
-/// The rotation that takes the frame `before` to the frame `after` with a precession by phi about
-/// L: P = M(after) R_z(phi) M(before)ᵀ with the passive rotation R_z [vanzon2007a, Sec. 3].
+/// The rotation from the frame `before` to the frame `after`, with a precession by phi about L. Its
+/// matrix is P = M(after) R_z(phi) M(before)ᵀ with the passive rotation R_z [vanzon2007a, Sec. 3].
 inline Quaternion<double> precession(const PrecessionFrame& before, const PrecessionFrame& after,
                                      double phi) {
   const double c = std::cos(phi), s = std::sin(phi);

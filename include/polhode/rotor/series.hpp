@@ -115,8 +115,8 @@ POLHODE_INLINE inline Real plus_products(Real e, const std::array<Real, 3>& K1,
 }
 
 /// The angle G as the sum of `terms` terms d_n of order X^(n+1): (2n+3) d_n = ((2n+1) c1 + K2_0)
-/// d_(n-1) + ... The newest terms enter last, and the division by 2n+3 is absorbed into their
-/// coefficients. The dependency chain per term is therefore two operations long.
+/// d_(n-1) + ... The sum adds the newest terms last, and their coefficients include the division by
+/// 2n+3. The dependency chain per term is therefore two operations long.
 template <std::size_t terms, class Real>
 POLHODE_INLINE inline Real angle_sum(const AngleEquation<Real>& of) {
   std::array<Real, terms> d;
@@ -154,7 +154,8 @@ POLHODE_INLINE inline Real angle_sum(const AngleEquation<Real>& of) {
 /// series with a Taylor series in extended precision. Flat needles that rotate about the middle
 /// axis have the largest error. tests/unit/rotor_series_test.cpp repeats part of the scan.
 struct SeriesOrder {
-  std::size_t sine, angle;  ///< index of the highest term of S, and number of terms of the angle
+  std::size_t sine, angle;  ///< index of the last term of the series of S, and number of terms of
+                            ///< the angle
   double radius;            ///< largest |omega t| [1]
 };
 inline constexpr SeriesOrder short_series{6, 6, 0.15};  ///< truncation error below 3e-17
@@ -240,9 +241,9 @@ Quaternion<Real> unnormalized_rotation(const Vec3<Real>& inverse_J, const Vec3<R
 }
 
 /// Computes L in the body frame after the rotation r as L - 2 w n x L + 2 n x (n x L). Unlike a
-/// product with the matrix of r, this formula conserves |L| up to the round-off of a small change.
-/// In a steady rotation the round-off error of |r| is the same in every step. With the matrix
-/// product, this error would accumulate.
+/// product with the matrix of r, this formula has only the round-off of the change of L, which is
+/// small. The formula therefore conserves |L| better. In a steady rotation, the round-off error of
+/// |r| is the same in every step. With the matrix product, this error would accumulate.
 template <class Real>
 Vec3<Real> momentum_after(const Quaternion<Real>& r, const Vec3<Real>& L) {
   const Vec3<Real> n = r.vector(), c = cross(n, L);

@@ -68,17 +68,18 @@ struct Quantity {
   /// Unit such as "kJ/mol"; empty if dimensionless; "[kJ/mol]" if the key omits the unit; "%" for a
   /// fraction that the text gives in percent.
   std::string unit;
-  /// The value in this unit; null or not finite if it is not known. A group is a JSON object, and
-  /// its rows in the text are indented below its label.
+  /// The value in this unit; null or not finite if it is not known. The rows of a group are
+  /// indented below its label in the text, and the group is an object in JSON.
   Value value;
   std::string doc = {};    ///< meaning of the key, for the manual
-  std::string label = {};  ///< label of a row of the text; empty: no row, but the rows of a group
+  std::string label = {};  ///< label of the row in the text; without a label, there is no row,
+                           ///< except for the members of a group
   std::string note = {};   ///< note after the value in the text
   /// Column name in a CSV file. If empty, the name is the key, but members of a group have no
   /// column; "-" means no column.
   std::string column = {};
   int digits = 4;  ///< digits of a number in the text
-  /// Details are shown before other rows, so that a text ends with the requested results.
+  /// Details come before all other rows, so that the text ends with the requested results.
   bool detail = false;
 };
 

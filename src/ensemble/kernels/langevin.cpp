@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The Ornstein-Uhlenbeck flow over packs of bodies. Each range of bodies consists of whole packs,
-// except that the range may end at the last body.
+// The Ornstein-Uhlenbeck flow over packs of bodies. The bodies are processed in ranges of whole
+// packs; only the last range may end within a pack.
 #include <algorithm>
 #include <array>
 
@@ -47,7 +47,7 @@ struct TwoNormals {
 };
 
 /// Two independent normal deviates, from two uniform deviates [box1958]. The largest possible
-/// normal deviate is 6.8; ideally, one in 10¹¹ deviates would be larger.
+/// normal deviate is 6.8. An exact normal distribution exceeds 6.8 once in 10¹¹ deviates.
 TwoNormals normals(Real radius, Real angle) {
   const Real r = sqrt(Real(-2) * log(radius));
   const Real a = Real(2 * units::pi) * angle;

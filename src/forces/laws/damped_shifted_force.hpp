@@ -20,9 +20,8 @@ inline constexpr double max_damping = 3;
 
 /// The polynomial that the damped shifted force subtracts from 1/r = erf(α r)/r + erfc(α r)/r. The
 /// polynomial consists of the full Taylor series of the first term in y, and the series of the
-/// second term up to y^n. Up to y^n, the polynomial therefore has the terms of 1/r, and at higher
-/// powers it has the terms of erf(α r)/r. Without damping, the polynomial gives the force shifted
-/// in r².
+/// second term up to y^n. The polynomial therefore has the terms of 1/r up to y^n, and the terms of
+/// erf(α r)/r at higher powers. Without damping, the polynomial gives the force shifted in r².
 /// @param cutoff      cutoff a [nm]
 /// @param damping     α [1/nm] with 0 ≤ α a ≤ max_damping
 /// @param smoothness  n, at least 1, so that the force also vanishes at a

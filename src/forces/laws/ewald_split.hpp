@@ -46,7 +46,8 @@ struct GaussianSplit {
 
 /// Split of 1/r with a density C (1 − r²/a²)^m, which is zero beyond a. The smooth part is the
 /// Taylor polynomial of 1/r in y = 1 − r²/a² up to y^(m+1) [skeel2002; hardy2009]. The short-range
-/// part u(r) is also zero beyond a. At a, u is of class C^(m+1), so nothing is truncated.
+/// part u(r) is also zero beyond a. u and its first m + 1 derivatives are continuous at r = a, so
+/// the sum over pairs needs no truncation.
 class CompactSplit {
  public:
   static constexpr int max_exponent =

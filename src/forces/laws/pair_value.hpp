@@ -12,7 +12,7 @@ struct PairValue {
   Real s;  ///< −u'/r [kJ/mol/nm²]
 };
 
-/// A pair value whose derivative of u is taken from s: du/d(r²) = −s/2.
+/// A pair value that gets the derivative of u from s: du/d(r²) = −s/2.
 template <class Real>
 PairValue<Real> with_derivative(const PairValue<Real>& at_r, Real r2) {
   return {with_derivative(at_r.u, constant<Real>(-0.5) * at_r.s, r2), at_r.s};

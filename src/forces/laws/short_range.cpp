@@ -15,7 +15,8 @@ double mean_of(double a, double b, MixingRule rule) {
   return rule == MixingRule::geometric ? std::sqrt(a * b) : (a + b) / 2;
 }
 
-/// Builds a law from σ, ε and the law's own parameters, of which it uses only those that it needs.
+/// Builds a law from σ, ε and the parameters that only this law has. Parameters that the law does
+/// not need are ignored.
 template <class Law>
 Law law_of(double sigma, double epsilon, const typename Law::Parameters& own) {
   if constexpr (requires { Law::of(sigma, epsilon, own); })

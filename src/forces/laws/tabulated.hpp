@@ -13,7 +13,7 @@ namespace polhode {
 
 /// A potential given by a cubic spline through the energies of a table. Below the first distance of
 /// the table, u and s are NaN, so that the run stops. Beyond the last distance u is constant. Pairs
-/// inside the cutoff are never at such distances.
+/// inside the cutoff are never beyond the last distance.
 template <class T = double>
 struct Tabulated {
   std::shared_ptr<const PotentialTable> table;
@@ -43,7 +43,7 @@ struct Tabulated {
     const Real one_over_r = inverse_r.first(), last = constant<Real>(intervals);
     const Real place =
         (r2 * one_over_r - C(first)) * C(inverse_spacing);  // distance in units of intervals
-    // This order of comparisons keeps the index inside the table even if r is NaN.
+    // The order of these comparisons keeps the index inside the table even if r is NaN.
     Real t = select(place < last, place, last);
     t = select(t > Real(0), t, Real(0));
     Real k = floor(t);

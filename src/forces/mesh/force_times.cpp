@@ -29,7 +29,7 @@ double expected_mesh_seconds(const Topology& topology, const MeshSettings& mesh)
     charges += static_cast<double>(part.count) *
                static_cast<double>(InteractionSites(part.molecule).charged);
   for (const std::size_t n : mesh.points) points *= static_cast<double>(n);
-  // Along an edge, a spline overlaps with two tiles, or with more tiles if the spline is wide.
+  // Along an edge, a narrow spline overlaps with two tiles, and a wide spline with more tiles.
   const double tiles = mesh.order <= 5 ? 2 : (mesh.order + 4) / 4.0;
   return charges * (per_charge + per_tile * mesh.order * tiles * tiles) + points * per_point;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The expected time of a force evaluation with PME. The expected time determines the choice of
-// charge cutoff and mesh. The expected time is a formula that does not depend on the processor, and
-// neither do the results.
+// charge cutoff and mesh. This time is a formula that does not depend on the processor, so the
+// chosen mesh is the same on all computers.
 #pragma once
 
 #include "polhode/forces/laws/settings.hpp"

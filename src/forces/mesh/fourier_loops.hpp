@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Fourier transforms of a grid in tiles, by pocketfft with packs as numbers. Each pack holds one
-// number of many series, which are in separate lanes. Between the transforms along different edges,
-// only tiles are transposed.
+// Fourier transforms of a grid in tiles, by pocketfft with packs as numbers. Each lane of the packs
+// belongs to a different series. A pack holds one number of each series. Between the transforms
+// along different edges, only tiles are transposed.
 #pragma once
 
 #include <cstddef>

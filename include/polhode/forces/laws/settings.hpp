@@ -34,7 +34,7 @@ enum class Electrostatics {
 };
 
 /// Precision of the pair forces. Positions, orientations, momenta and all sums of forces, torques
-/// and energies are double in either case.
+/// and energies are always double.
 enum class Precision {
   double_precision,  ///< pair forces in double precision
   mixed,             ///< pair forces in float: sites relative to centres, centres in fixed point
@@ -64,8 +64,8 @@ struct ForceSettings {
   /// The mesh of PME; if not set, the cheapest mesh that meets `pme_accuracy` is chosen for each
   /// box.
   std::optional<MeshSettings> mesh{};
-  /// The box for which the mesh was chosen. Not set if the user gave the mesh, which then stays the
-  /// same in every box.
+  /// The box for which the mesh was chosen. If the user gave the mesh, this box is not set, and the
+  /// mesh is the same in every box.
   std::optional<Box> mesh_chosen_for{};
   /// Whether to add the Lennard-Jones energy and pressure beyond the truncation, assuming a uniform
   /// density of sites.

@@ -28,7 +28,7 @@ double typical_force(const Topology& topology, const Box& box);
 /// electrostatic force on a charge. The choice includes the grid, order and exponent, and the
 /// cutoff of the charges unless the settings fix this cutoff. A shorter cutoff means fewer charge
 /// pairs, but requires a finer mesh. The choice depends only on the settings and the current box.
-/// The energy is therefore a function of the state, as constant pressure requires.
+/// The energy is therefore a function of the state, which barostats require.
 class MeshChoice {
  public:
   /// @param settings  force settings with the accuracy and the cutoffs

@@ -66,8 +66,8 @@ struct FittedState {
   State state;                  ///< state at time 0
   bool has_velocities = false;  ///< if false, all momenta are zero
   double deviation = 0;         ///< largest distance of an atom with mass from its model site [nm]
-  /// Largest distance of a massless site from its model position [nm]. This distance is not
-  /// limited, because file positions of massless sites are ignored.
+  /// Largest distance of a massless site from its model position [nm]. This distance has no limit,
+  /// because readers ignore the positions of massless sites.
   double massless_deviation = 0;
 };
 

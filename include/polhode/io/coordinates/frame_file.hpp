@@ -94,7 +94,7 @@ struct FrameChoice {
 std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topology& topology,
                                            const FrameChoice& choice = {});
 
-/// Rejects a file whose contents before a mark have changed. Reads the file up to the mark.
+/// Rejects a file if the contents before a mark have changed. Reads the file up to the mark.
 /// @throws Error  if the contents have changed
 void check_frames(const std::string& path, const FileMark& mark);
 

@@ -33,7 +33,7 @@ class FileLock {
   bool held_ = false;
 };
 
-/// A growing file that no other process may append to or truncate. The lock of the run is not
+/// A growing file that no other process may append to or truncate. The lock file of the run is not
 /// enough, because another run may write to the same file through a symbolic or hard link.
 class HeldFile {
  public:

@@ -29,11 +29,11 @@ struct SystemSettings {
   struct Component {
     std::string model;              ///< name of a model, or path of a molecule file
     std::optional<Molecule> own{};  ///< molecule of the component, if the run file defines it
-    std::size_t count = 0;          ///< number of molecules; 0: as many as the initial
-                                    ///< configuration contains
+    std::size_t count = 0;          ///< number of molecules; if 0, the initial configuration
+                                    ///< determines it
   };
   std::vector<Component> molecules;
-  TopologySettings topology;        ///< alternative to `molecules`: a topology file
+  TopologySettings topology;        ///< topology file, as an alternative to `molecules`
   std::optional<double> density;    ///< density of the start lattice, if there is no initial
                                     ///< configuration [u/nm³]
   std::optional<Vec3<double>> box;  ///< box edges, if there is no initial configuration [nm]
@@ -80,7 +80,7 @@ struct RunSettings {
                                       ///< [ps]; 0: none
 };
 
-/// Lengths of the stages of a preparation.
+/// Lengths of the equilibration stages of polhode prepare.
 struct PreparationSettings {
   double nvt = 20;   ///< length at constant volume [ps]
   double npt = 100;  ///< length at constant pressure after the NVT stage, if there is a barostat
@@ -164,7 +164,7 @@ struct Config {
 inline constexpr double lambda_in_mixed = 1, min_lambda_in_mixed = 0.1;
 
 /// Reads and checks a run file. Relative paths in the file are relative to its folder.
-/// @param overlay  settings that override the file; errors in them name the option
+/// @param overlay  settings that override the file; a message about such a setting names its option
 /// @throws Error  with file, line and key; also if the file name has control characters
 Config read_config(const std::string& path, const Overlay& overlay = {});
 

@@ -15,8 +15,8 @@ inline constexpr double default_near_switch = 0.7;
 /// Parses a scheme from a name or text. A single scheme is written as in scheme_of(). A nested
 /// scheme is written as "OUTER / INNER x STEPS within [FROM to] CUTOFF". FROM and CUTOFF have the
 /// same unit.
-/// @throws Error  under the conditions of scheme_of(), if the part after the slash cannot be parsed
-///   or is out of its domain, or if the inner scheme has a bath
+/// @throws Error  if scheme_of() would throw, if the part after the slash is invalid, or if the
+///   inner scheme has a bath
 NestedScheme nested_scheme_of(std::string_view text);
 
 /// A user-given scheme, parsed once, together with its name or text as the user wrote it.

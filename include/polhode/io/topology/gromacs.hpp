@@ -66,7 +66,7 @@ struct GromacsRelation {
   enum class Kind : std::uint8_t { settle, constraint, bond, angle, virtual2, virtual3 };
   Kind kind;
   std::uint8_t function = 1;
-  std::uint8_t given = 0;  ///< how many of the numbers are given
+  std::uint8_t given = 0;  ///< how many elements of `numbers` the line gives
   std::array<std::uint32_t, 4>
       atoms{};  ///< indices of the atoms; for a virtual site, the index of the site itself is first
   std::array<double, 3> numbers{};  ///< lengths [nm], angles [degrees], weights
@@ -78,7 +78,7 @@ struct GromacsMolecule {
   TextPlace place;
   std::vector<GromacsAtom> atoms;
   std::vector<GromacsRelation> relations;
-  std::string obstacle;  ///< first section that a rigid body cannot have, with its place
+  std::string obstacle;  ///< first section that is not allowed in a rigid body, with its place
   TextPlace obstacle_place;
 };
 

@@ -33,7 +33,7 @@ struct RigidTopology {
   bool rule_is_open = false;         ///< whether the file has no mixing rule, so that the rule of
                                      ///< the run file applies
   bool rule_matters = false;         ///< whether some pairs use the mixing rule
-  std::vector<std::string> origins;  ///< for each part, how its shape was determined
+  std::vector<std::string> origins;  ///< how the shape of each molecule type was determined
   /// Shapes that the topology does not determine, by molecule type, in the principal frame. Such
   /// shapes are given by the user or taken from the initial configuration.
   std::map<std::string, Shape> shapes{};

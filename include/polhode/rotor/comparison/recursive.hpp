@@ -88,7 +88,7 @@ inline FreeRotation recursive_rotation(const Vec3<double>& J, const Vec3<double>
 
   const Orbit orbit(top);
   const std::size_t axis = PrecessionAngle(orbit).axis;
-  // largest |ω| on the orbit, plus the rate at which L circles
+  // largest |ω| on the orbit, plus the rate p at which L circles the axis z
   const double rate = orbit.p + std::hypot(orbit.Ax / top.J[orbit.x], orbit.Ay / top.J[orbit.y],
                                            orbit.Az / top.J[orbit.z]);
   const double count = std::max(1.0, std::ceil(std::abs(top.t) * rate / 0.5));

@@ -41,8 +41,8 @@ struct Candidate {
 struct Advice {
   std::vector<Candidate> candidates;
   std::optional<std::size_t> best;       ///< index of the confirmed best candidate
-  std::optional<std::size_t> runner_up;  ///< index of the cheapest of the other candidates, by
-                                         ///< estimate
+  std::optional<std::size_t> runner_up;  ///< index of the candidate with the lowest estimated cost,
+                                         ///< other than `best`
   AdviserPoint confirmation;             ///< independent runs of the best candidate
   std::vector<std::pair<std::size_t, AdviserPoint>> refused;  ///< candidates and runs that did not
                                                               ///< confirm a step

@@ -69,22 +69,22 @@ Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& e
 /// runs do so in only 5 % of cases.
 inline constexpr double guarantee_probability = 0.975;
 
-/// The bound that the bounded number (R, drift or bias) does not exceed with guarantee_probability.
-/// For R, the result is a bound for a new run. A single run is too noisy to show energy drift or
-/// bias, so these are bounded in the mean over infinitely many runs. The bias is the largest of
-/// several biases, and each of them has its share of the error probability. Twice the standard
-/// error that all runs have in common is added in quadrature. The bound is infinite if a run blew
-/// up.
+/// The value that the bounded number (R, drift or bias) exceeds only with probability 1 −
+/// guarantee_probability. For R, the result is a bound for a new run. A single run is too noisy to
+/// show an energy drift or a bias. For these, the bound applies to the mean over infinitely many
+/// runs. For the largest of several biases, the error probability is divided equally among the
+/// biases. The standard error that all runs have in common is doubled and added in quadrature. The
+/// bound is infinite if a run blew up.
 double upper_bound(Quality quality, const std::vector<Outcome>& runs);
 
-/// The smallest upper_bound() of R that runs can still reach at full length, given the part already
-/// run. R grows with the length of a run. The scatter of R decreases at most as the square root of
-/// the length, as for independent parts.
+/// The smallest upper_bound() of R that the full-length runs can still have, given the R of their
+/// first part. R grows with the length of a run. The scatter of R decreases at most as the square
+/// root of the length, as for independent parts.
 /// @param part  of the length, above 0 and at most 1
 double optimistic_bound(const std::vector<Outcome>& runs, double part);
 
-/// Whether runs can still meet the bound at full length, given the part already run. The result is
-/// true for an energy drift or a bias, which a part of a run does not determine.
+/// Whether full-length runs can still meet the bound, given the results of their first part. The
+/// result is true for an energy drift or a bias, which a part of a run does not determine.
 bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, double part);
 
 /// Whether a run blew up or its energies drift, with a p-value below `significance_level` as in a
@@ -98,7 +98,7 @@ struct AdviserPoint {
   double length = 0;  ///< length of each run [ps]
   std::vector<Outcome> runs;
   double bound = 0;     ///< upper_bound() of the runs
-  bool usable = false;  ///< none blew up, and the energies do not drift
+  bool usable = false;  ///< no run blew up, and the energies do not drift
 
   Estimate ratio() const;  ///< R, mean over the runs
   Estimate drift() const;  ///< energy drift per molecule, mean over the runs [kJ/mol/ps]

@@ -38,9 +38,10 @@ Guarantee read_guarantee(const std::string& file, Config& config);
 
 struct GuaranteeCheck {
   Guarantee guarantee;
-  /// Measured value of the bounded quantity. If R is bounded, this is the mean R over parts of the
-  /// guaranteed length, or R of the whole run if the run is shorter than two parts. If an average
-  /// is bounded, this is the predicted bias. The error is 0 if it is not known.
+  /// Measured value of the bounded quantity. If R is bounded, the measured value is the mean R over
+  /// parts of the guaranteed length. For a run shorter than two parts, it is the R of the whole
+  /// run. If an average is bounded, this is the predicted bias. An error of 0 means that the error
+  /// is not known.
   Estimate value;
   bool met() const { return std::abs(value.value) <= guarantee.accuracy.bound; }
 };

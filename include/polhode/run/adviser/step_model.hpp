@@ -18,8 +18,8 @@ struct StepPoint {
 /// A model of R as a function of the step h: R(h) = a hᵖ exp(c h²), where p is the order of the
 /// scheme. For small steps the model is the power law a hᵖ with the first correction, a hᵖ (1 + c
 /// h²). The exponential form is always positive. In this form log R − p log h is linear in h². Two
-/// steps that differ by a third suffice to fit the model near these steps. The model is not meant
-/// for extrapolation.
+/// steps with a ratio of about 1.3 suffice to fit the model near these steps. The model is not
+/// meant for extrapolation.
 ///
 /// Runs with two steps from the same initial configuration are not independent: they sample the
 /// same part of the trajectory. Therefore a separate line is fitted for each initial configuration,
@@ -28,7 +28,8 @@ struct StepPoint {
 class StepModel {
  public:
   /// @param order   order p of the scheme; 0 (unknown) is treated as 2
-  /// @param points  at least one, each with at least two initial configurations in the same order
+  /// @param points  at least one point; each point has at least two initial configurations, in the
+  ///   same order
   StepModel(int order, const std::vector<StepPoint>& points);
 
   /// The mean of log R at a step over initial configurations, with its standard error.

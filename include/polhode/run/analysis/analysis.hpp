@@ -63,9 +63,9 @@ struct Analysis {
   double mean_interval() const;
 };
 
-/// Reads all frames of a trajectory and computes observables. Memory holds a batch of one frame per
-/// thread, and the windows of the correlation functions. Bodies are fitted to the frames of a batch
-/// in parallel. Observables are computed in parallel over bodies.
+/// Reads all frames of a trajectory and computes observables. The memory holds one frame per thread
+/// (a batch), and the windows of the correlation functions. Bodies are fitted to the frames of a
+/// batch in parallel. Observables are computed in parallel over bodies.
 /// @throws Error  if frames do not fit the topology, or do not allow the requested observables
 Analysis analyze(FrameReader& reader, Topology topology, const AnalysisSettings& settings,
                  const Callbacks& callbacks = {}, Workers& workers = Workers::serial());

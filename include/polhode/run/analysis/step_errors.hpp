@@ -25,7 +25,7 @@ struct StepErrorSettings {
 StepErrorSettings step_error_settings(const std::string& energies, const Config& config);
 
 /// Finds the time-step errors of frames in an energies file. Each frame belongs to the row with the
-/// same time. Rows are read once, in step with the frames.
+/// same time. Each row is read only once, when a frame with its time is reached.
 class StepErrors {
  public:
   /// @throws Error  if the file cannot be read, or is not an energies file

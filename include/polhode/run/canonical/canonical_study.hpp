@@ -21,8 +21,8 @@ namespace polhode {
 
 /// Levels of the bounds on biases. Strict bounds are about 0.1 % of the energy of liquid water, 1
 /// K, and 1 % of the first peak of g(r). Strict bounds were chosen before any data existed. Loose
-/// bounds are 0.5 %, 1 % and 2 %. Loose bounds were chosen when only the errors of the first data
-/// were known.
+/// bounds are about 0.5 % of the energy of liquid water, 3 K, and 2 % of the first peak of g(r).
+/// Loose bounds were chosen when only the errors of the first data were known.
 enum class BiasCriterion { strict, loose };
 
 /// A quantity whose bias is measured in a canonical study.
@@ -75,8 +75,8 @@ struct CanonicalRun {
 };
 
 /// The comparison of a bias with a bound. The bias is below the bound if its 95 % interval lies
-/// within ± the bound, and above if the interval lies outside. Otherwise the comparison is
-/// undecided.
+/// between −bound and +bound, and above the bound if the interval lies outside this range. In all
+/// other cases, the comparison is undecided.
 enum class Accuracy { below, above, undecided };
 
 /// Compares a bias with a bound.
@@ -96,11 +96,12 @@ struct CanonicalPoint {
                                              ///< energy [ps]; NaN if unknown
   Estimate acceptance, weight;
   Estimate evaluations_per_sample() const;  ///< Force evaluations per independent sample: twice the
-                                            ///< autocorrelation time, times the cost.
+                                            ///< autocorrelation time [ps], times the force
+                                            ///< evaluations per ps.
   /// The accuracy of a quantity; empty if its bias is unknown.
   std::optional<Accuracy> accuracy(std::size_t quantity, BiasCriterion criterion) const;
-  /// The accuracy of the method: above if any quantity is above its bound, below if all are below,
-  /// otherwise undecided.
+  /// The accuracy of the method: above if any bias is above its bound, below if all biases are
+  /// below their bounds, and otherwise undecided.
   Accuracy accuracy(BiasCriterion criterion) const;
 };
 
@@ -117,8 +118,8 @@ std::vector<CanonicalMethod> canonical_methods(const StudySettings& settings);
 constexpr double relaxation(double length) { return 0.2 * length; }
 
 /// Performs the runs that are not in `known` yet, and reports each run when it ends. Hybrid Monte
-/// Carlo draws the initial configurations. Each run uses one thread, and as many runs are in
-/// parallel as there are workers.
+/// Carlo draws the initial configurations. Each run uses one thread, and each worker performs one
+/// run at a time.
 void perform_canonical_runs(const Config& config, const std::vector<CanonicalRun>& known,
                             const std::function<void(const CanonicalRun&)>& finished,
                             const Callbacks& callbacks, Workers& workers = Workers::serial());

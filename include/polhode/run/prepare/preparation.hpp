@@ -23,7 +23,8 @@ struct PreparedProperties {
   SeriesEstimate density;          ///< mean density [u/nm³]
   std::optional<double> pressure;  ///< pressure that the barostat controls [kJ/mol/nm³]
   /// Compressibility from the volume fluctuations, if there is a barostat [nm³ mol/kJ]. This
-  /// compressibility is known if the volume has fluctuated long enough and does not drift.
+  /// compressibility is known if the volume does not drift and the stage is at least 8 volume
+  /// relaxation times long.
   SeriesEstimate compressibility{};
   double moves_compressibility = 0;  ///< compressibility that sets the size of barostat moves
                                      ///< [nm³ mol/kJ]

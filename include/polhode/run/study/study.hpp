@@ -49,8 +49,8 @@ struct StudyRun {
 };
 
 /// The bound above which an energy drift matters, in units of the rms fluctuation of the total
-/// energy. The energy change that the drift causes during a run is compared with this bound. In
-/// units of the rms fluctuation of the potential energy, this bound equals R.
+/// energy. The energy change that the drift causes during a run is compared with this bound. This
+/// bound equals R if it is expressed in units of the rms fluctuation of the potential energy.
 inline constexpr double drift_bound = 1;
 
 /// A point of the efficiency figure: all runs with the same scheme and step.
@@ -114,7 +114,7 @@ System prepare_start(const System& base, const Config& config, std::size_t index
                      const std::function<bool()>& stop);
 
 /// Performs the runs that are not in `known` yet, and reports each run when it ends. Each run uses
-/// one thread, and as many runs are in parallel as there are workers.
+/// one thread, and each worker performs one run at a time.
 void perform_study_runs(const Config& config, const std::vector<StudyRun>& known,
                         const std::function<void(const StudyRun&)>& finished,
                         const Callbacks& callbacks, Workers& workers = Workers::serial());

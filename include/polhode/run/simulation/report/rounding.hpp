@@ -10,7 +10,8 @@
 
 namespace polhode {
 
-/// Round-off noise of the forces and the energy of a system. Both are 0 in double precision.
+/// Round-off noise of the forces and the energy of a system. In double precision, both numbers are
+/// 0.
 struct ForceNoise {
   /// Rms of the power Σ (p/m)·δf + ω·δτ over thermal momenta [kJ/mol/ps].
   double power = 0;
@@ -19,10 +20,10 @@ struct ForceNoise {
 };
 
 /// The largest number of bodies for which the noise is measured. The measurement takes about 30
-/// force evaluations and a second force field, too much for a short run of a large system. For a
-/// larger system, measure the round-off limit of R in a smaller system of the same liquid. The
-/// limit is the same, because the fluctuations of both energies grow as the square root of the
-/// size.
+/// force evaluations and a second force field. This is too expensive for a short run of a large
+/// system. For a larger system, measure the round-off limit of R in a smaller system of the same
+/// liquid. The limit is the same, because the fluctuations of the total and the potential energy
+/// both grow as the square root of the size.
 inline constexpr std::size_t max_bodies_estimated = 20000;
 
 /// Measures the round-off noise by comparing forces, torques and energy in the precision of the
@@ -49,8 +50,8 @@ double kick_weights(const Scheme& scheme, double lambda);
 double kick_weights(const NestedScheme& scheme, double lambda);
 
 /// Variance per time of the random walk of the total energy that the force noise causes
-/// [(kJ/mol)²/ps]. Every evaluation changes the energy by w h times an independent power, which
-/// gives power² h Σw².
+/// [(kJ/mol)²/ps]. Every evaluation changes the energy by w h times an independent random power.
+/// The sum is the rate power² h Σw².
 double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                      double step);
 
@@ -67,9 +68,9 @@ double double_drift(const Energies& energies, double step);
 /// double_drift(), for example for molecules without interactions.
 double drift_rate(const EnergyStatistics& energies, double step);
 
-/// The rms deviation of a random walk from its mean over a run, from the variance per time of the
-/// walk. The mean square deviation from the first value is rate t/2, and the variance of the mean
-/// is rate t/3. The difference gives √(rate t/6).
+/// The rms deviation of a random walk from its mean over a run. The walk is given by its variance
+/// per time. For this rate, the mean square deviation from the first value is rate t/2, and the
+/// variance of the mean is rate t/3. The difference gives √(rate t/6).
 double walk_fluctuation(double rate, double length);
 
 /// The rms deviation of the total energy from its mean that round-off causes in a run [kJ/mol].

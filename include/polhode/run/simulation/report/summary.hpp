@@ -28,12 +28,12 @@ struct RunSummary {
   /// energy.
   SeriesEstimate ratio;
   SeriesEstimate total_fluctuation;      ///< rms deviation of the conserved energy [kJ/mol]; not
-                                         ///< defined if R is not
+                                         ///< defined if R is not defined
   SeriesEstimate potential_fluctuation;  ///< rms deviation of the potential energy [kJ/mol]
   double rounding = 0;                   ///< R due to round-off only, estimated; 0 in double
                                          ///< precision
-  double truncation = 0;                 ///< predicted R of the random walk that the truncation of
-                                         ///< forces causes
+  double truncation = 0;                 ///< predicted R if the only error is the random walk
+                                         ///< caused by the truncation of forces
   bool walk_known = true;  ///< false if a system in mixed precision is too large for its noise to
                            ///< be estimated
   Drift drift;             ///< drift of the conserved energy [kJ/mol/ps]
@@ -72,8 +72,9 @@ struct RunSummary {
   Timings timings;
   double ns_per_day = 0;
 
-  /// The absolute change of the conserved energy by its drift over the run, relative to the rms
-  /// fluctuation of the potential energy. The result is 0 if the potential energy is constant.
+  /// The magnitude of the energy change that the drift of the conserved energy causes over the run,
+  /// divided by the rms fluctuation of the potential energy. The result is 0 if the potential
+  /// energy is constant.
   double relative_drift() const;
   /// The ratio R that the random walk causes in a run of this length.
   double ratio_of_walk() const;

@@ -33,7 +33,7 @@ struct System {
   /// Centre-of-mass velocity that was removed from an initial configuration [nm/ps], and its
   /// contribution to the temperature [K].
   double removed_velocity = 0, removed_temperature = 0;
-  /// For each part of a topology file, how the shape was determined.
+  /// How the shape of each part of a topology file was determined.
   std::vector<std::string> origins{};
   /// Shapes that a topology file does not determine, by molecule type (RigidTopology::shapes).
   std::map<std::string, Shape> shapes{};

@@ -8,12 +8,12 @@
 
 namespace polhode {
 
-/// Advances a system step by step. To the last bit, results do not depend on how the steps are
-/// divided among calls, and samples are taken at the same steps.
+/// Advances a system step by step. The division of the steps among calls does not change the
+/// results, to the last bit, nor the steps at which samples are taken.
 class Propagator {
  public:
   /// @param system, forces, workers  kept by reference
-  /// @throws Error  if the near forces of an inner scheme do not fit the forces
+  /// @throws Error  if the near forces of an inner scheme are not compatible with the full forces
   Propagator(System& system, ForceField& forces, const TrajectorySettings& settings,
              Workers& workers = Workers::serial());
   ~Propagator();

@@ -37,7 +37,8 @@ struct TrajectorySettings {
   std::size_t steps_per_move() const;        ///< number of steps per move of a barostat
   double move_interval() const;              ///< time of steps_per_move() [ps]
   std::size_t steps_per_sample() const;
-  /// The number of energy samples per sample of a quantity that is taken every `interval` [ps].
+  /// The number of energy samples between two samples of a quantity that is measured every
+  /// `interval` [ps].
   std::size_t samples_per(double interval) const;
 
   /// Whether a shadow energy can be measured. The shadow energy differs from the energy by error
