@@ -19,7 +19,8 @@ struct Received {
   std::vector<int> from;  // sending process of each item
 };
 
-// Sends every item to a process. All processes must call this function together.
+// Sends each item to the process for which it is meant. All processes must call this function
+// together.
 template <class Item>
 Received<Item> exchange(const std::vector<Item>& items, const std::vector<int>& to,
                         MPI_Comm world) {
@@ -67,8 +68,8 @@ void agree(const std::optional<std::string>& problem, MPI_Comm world) {
   throw Error(text);
 }
 
-// Runs a part of the work of this process. An error of any process becomes an error of all
-// processes.
+// Runs a part of the work of this process. If any process has an error, all processes report this
+// error.
 template <class Work>
 void together(MPI_Comm world, const Work& work) {
   std::optional<std::string> problem;
@@ -128,8 +129,8 @@ std::size_t index_of_kind(const std::vector<Kind>& kinds, const std::vector<Site
   return static_cast<std::size_t>(found - kinds.begin());
 }
 
-// The new kinds of molecules on this process, encoded as numbers. Each new kind is made from the
-// molecule of this kind with the lowest number on this process.
+// The kinds of molecules on this process that are not known yet, encoded as numbers. Each new kind
+// is made from the lowest-numbered molecule of this kind on this process.
 std::vector<double> new_kinds(const std::vector<Assembled>& molecules,
                               const std::vector<Kind>& known) {
   std::vector<Kind> found;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Assembles molecules with atoms on several processes. The number of a molecule determines the
-// process that assembles it. This process receives all atoms of the molecule, and sends the results
-// back to the processes of the atoms.
+// process that assembles it. The process that assembles a molecule receives all atoms of the
+// molecule, and sends the results back to the processes of the atoms.
 #pragma once
 
 #include <mpi.h>

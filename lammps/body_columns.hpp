@@ -27,11 +27,11 @@ struct BodyRecord {
   Vec3<double> kept_f{}, kept_tau{};
 };
 
-/// The number of values in a record. The values are doubles without padding, so that records can be
-/// copied as arrays.
+/// The number of values in a BodyRecord. The values are doubles without padding, so that records
+/// can be copied as arrays.
 inline constexpr std::size_t record_size = 26;
-/// Number of values of a record that a restart file needs. Data of a gradient kick are not needed,
-/// because restart files are never written within a kick.
+/// Number of values of a BodyRecord that a restart file needs. Data of a gradient kick are not
+/// needed, because restart files are never written within a kick.
 inline constexpr std::size_t stored_size = 13;
 static_assert(sizeof(BodyRecord) == record_size * sizeof(double));
 

@@ -2,9 +2,9 @@
 // fix polhode advances rigid molecules by the exact free rotation and any splitting scheme, with
 // the forces of LAMMPS. Each LAMMPS step is one force evaluation of the scheme.
 //
-// Every atom knows its site and the id of the atom that owns its body; the process of the owner
-// advances the body. Poses are sent from owner atoms to their ghosts, and forces and torques are
-// sent back. Pair styles that compute forces on whole bodies read the bodies and add forces to
+// Every atom stores its site, and the id of the atom that owns its body. The process of the owner
+// atom advances the body. Poses are sent from owner atoms to their ghosts, and forces and torques
+// are sent back. Pair styles that compute forces on whole bodies read the bodies and add forces to
 // them.
 #pragma once
 

@@ -91,8 +91,8 @@ bool FixPolhode::bodies_extend_over_atoms() const {
          });
 }
 
-/// Packs the body of an owner atom, which may be a ghost that is forwarded; packs 0 if the atom
-/// owns no body.
+/// Packs the body of an owner atom, or 0 if the atom owns no body. The atom may be a ghost that is
+/// forwarded.
 double* FixPolhode::pack_owner(int i, const std::array<int, 3>& image, double* to) {
   const int body = body_of(i);
   *to++ = body >= 0 ? 1 : 0;

@@ -31,8 +31,8 @@ bool same_kind(const Kind& a, const Kind& b) {
 
 }  // namespace
 
-/// Adds the kinds of the molecule files. These kinds precede kinds that are found among molecules
-/// of atoms.
+/// Adds the kinds of the molecule files. In the list of kinds, these precede the kinds of molecules
+/// that consist of atoms.
 void FixPolhode::find_kinds_of_particles() {
   for (const ParticleArguments& particle : settings_.particles) {
     std::vector<double> masses = particle.file.masses;

@@ -9,8 +9,8 @@
 
 namespace polhode::lammps {
 
-/// Runs work and converts exceptions to LAMMPS errors. All processes throw an Error together,
-/// whereas a RunError may occur on only one process.
+/// Runs work and converts exceptions to LAMMPS errors. An Error occurs on all processes together,
+/// but a RunError may occur on only one process.
 /// @param style  name of the style for messages, such as "fix polhode"
 template <class Work>
 void guarded(LAMMPS_NS::Error* error, const char* style, const Work& work) {

@@ -42,8 +42,8 @@ using KindCharges = std::vector<std::vector<double>>;
 struct PairUnits {
   double nm = 1;          ///< unit of length [nm]
   double coulomb = 1;     ///< energy of two unit charges at a unit distance
-  double charge() const;  ///< The value of a unit charge for which the library's energy K q q is
-                          ///< correct.
+  double charge() const;  ///< The charge in the library [e] that stands for a unit charge, so that
+                          ///< the library's energy K q q is correct.
 };
 
 /// The kinds as molecules with interactions. explicit_pairs() gives the Lennard-Jones parameters of

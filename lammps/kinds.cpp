@@ -13,9 +13,9 @@
 namespace polhode::lammps {
 namespace {
 
-// Tolerance for linear molecules, relative to the largest distance between atoms. Atoms that
-// deviate by less from a common line are moved onto it. Rounding to three decimals in Å causes such
-// deviations in molecules of 1 Å and more.
+// Tolerance for linear molecules, relative to the largest distance between atoms. Atoms are moved
+// onto a common line if they deviate from it by less than this tolerance. Rounding to three
+// decimals in Å causes such deviations in molecules of 1 Å and more.
 constexpr double same_line = 0.002;
 // Atoms count as unchanged within this tolerance, relative to the size of the molecule or to its
 // largest velocity.

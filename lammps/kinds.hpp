@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The kinds of rigid molecules of a LAMMPS system. In a kind, all molecules have the same atom
-// types and masses in the order of the ids. All particles of the same type are also a kind, because
-// each particle is a molecule.
+// types and masses in the order of the ids. All particles of the same type are also one kind,
+// because each particle is a molecule.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct SiteAtom {
   std::int64_t id = 0;
   int type = 0;
   double mass = 0;
-  Vec3<double> x{}, v{};  ///< position and velocity, with all atoms of a molecule in one periodic
+  Vec3<double> x{}, v{};  ///< position and velocity; all atoms of a molecule are in one periodic
                           ///< image
 };
 
@@ -77,10 +77,10 @@ double rotational_energy(const Kind& kind, const BodyRecord& body);  ///< The ki
 void check_shape(const Kind& kind, std::int64_t number, const std::vector<SiteAtom>& atoms,
                  const BodyRecord& body, double tolerance);
 
-/// A body that agrees with the atoms. If the sites of the given body and their velocities agree
-/// with the atoms to 1e-9, the result is the given body in the image of the atoms. This tolerance
-/// is well above round-off. Otherwise, for example after commands that set positions or velocities,
-/// the result is a body fitted to the atoms.
+/// A body that agrees with the positions and velocities of its atoms. If the sites of the given
+/// body agree with the atoms to 1e-9 in position and velocity, the result is the given body, in the
+/// periodic image of the atoms. This tolerance is well above round-off. Otherwise, for example
+/// after commands that set positions or velocities, the result is a body fitted to the atoms.
 BodyRecord updated_body(const Kind& kind, const std::vector<SiteAtom>& atoms,
                         const BodyRecord& before);
 

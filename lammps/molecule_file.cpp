@@ -91,7 +91,7 @@ class Parser {
     }
   }
 
-  // A section ends where a line begins with a letter.
+  // A section ends at the first line that begins with a letter.
   bool next_line_of_section() {
     const auto before = in_.tellg();
     const int number_before = number_;

@@ -98,7 +98,7 @@ void PairPolhode::init_style() {
   forces_.reset();
 }
 
-/// Finds the maximum distance between the owner atoms of interacting bodies.
+/// Finds the maximum distance between the owner atoms of two bodies that interact.
 void PairPolhode::find_range() {
   double extent = 0, owner = 0;
   for (const Kind& kind : fix_->kinds()) {

@@ -80,7 +80,8 @@ ForceSettings pair_settings(int count, char** words, LAMMPS_NS::LAMMPS* lammps) 
        {"dielectric", [&] { s.dielectric = dielectric(arguments); }},
        {"damping", [&] { s.damping = arguments.number("damping") / nm; }},
        {"precision", [&] { s.precision = one_of<Precision>(arguments, "precision"); }}});
-  // As in run files, the defaults of truncation and electrostatics depend on each other.
+  // As in run files, the default of truncation depends on electrostatics, and the default of
+  // electrostatics depends on truncation.
   s.truncation = truncation.value_or(electrostatics && vanishes_at_cutoff(*electrostatics)
                                          ? Truncation::site_switch
                                          : s.truncation);

@@ -37,7 +37,7 @@ def _differs(value, default):
         return True
 
 
-# Arguments that do not affect the contents of files, as on the command line.
+# Arguments that do not affect the contents of files, like the options of the same names on the command line.
 _WITHOUT_EFFECT = ("resume", "force", "threads", "executor", "progress", "messages")
 
 

@@ -21,7 +21,7 @@ RENAMED = {("integrator", "lambda"): "lambda_", ("hybrid_monte_carlo", "steps"):
 
 KINDS = {"text": "Text", "quantity": "Quantity", "number": "float", "integer": "int", "boolean": "bool",
          "texts": "Texts", "table": "Mapping[str, Any]", "tables": "Sequence[Mapping[str, Any]]"}
-# Types that Python accepts in addition to the kinds of run files.
+# Types of values that Python accepts in addition to the types of run files.
 MORE = {"molecules": "Text | Molecule | Mapping[str, Any] | Sequence[Any]",
         "forces": "Mapping[str, Any] | Callable[..., Any]",
         "thermostat": "str | Mapping[str, Any]", "barostat": "str | Mapping[str, Any]"}

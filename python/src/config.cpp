@@ -59,7 +59,7 @@ std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> keys
   return all;
 }
 
-/// A configuration whose run file text includes the overlay.
+/// A configuration with the overlay also included in its run file text.
 Config with_text(Config config, const Overlay& overlay) {
   config.text = overlaid_text(config.text, config.source, overlay);
   return config;

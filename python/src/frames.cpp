@@ -61,7 +61,7 @@ nb::object numbers(const Frame& frame, const F& of) {
   return array_of(std::move(values), {frame.atoms.size()});
 }
 
-/// A frame given as arrays, to be written.
+/// A frame to be written, given as arrays.
 struct FrameToWrite {
   Frame frame;
   FrameToWrite(const std::vector<std::string>& residues, const std::vector<std::string>& names,

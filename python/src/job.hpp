@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A job of the library called from Python. It runs without the interpreter's lock, reports progress
-// and messages to Python functions, and ends on Ctrl-C.
+// A job of the library called from Python. The job runs without the interpreter's lock, reports
+// progress and messages to Python functions, and ends on Ctrl-C.
 #pragma once
 
 #include <nanobind/nanobind.h>

@@ -9,7 +9,7 @@
 
 namespace polhode {
 
-/// Counting sort in linear time. Items with the same key keep their order.
+/// Counting sort in linear time. Items with the same key stay in their original order.
 ///
 /// @param ends   one number per key; after the call, one more than the last place of the items with
 ///   this key

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// std::from_chars for all numbers; libc++ supports floating-point numbers only from version 20 on.
+// A replacement of std::from_chars for all numbers, because libc++ supports floating-point numbers
+// only from version 20 on.
 #pragma once
 
 #include <locale.h>

@@ -31,8 +31,8 @@ void force_instruction_set(InstructionSet instruction_set);
 // defines POLHODE_LOOPS as loops_scalar, loops_sse4 and so on. POLHODE_DECLARE_LOOPS declares these
 // functions for all instruction sets. POLHODE_CURRENT_LOOPS selects the functions of the current
 // instruction set. POLHODE_CURRENT_OVERLOAD selects an overloaded function, given the type of a
-// function pointer. An instruction set that was not compiled in is an alias of the scalar set and
-// is never available.
+// function pointer. The loops of an instruction set that was not compiled in are an alias of the
+// scalar loops, and are never selected.
 #if defined(POLHODE_WITHOUT_SSE4)
 #define POLHODE_DECLARE_SSE4(...) namespace loops_sse4 = loops_scalar;
 #else

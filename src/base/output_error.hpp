@@ -7,8 +7,8 @@
 namespace polhode {
 
 /// An error about files of an earlier job that can be neither overwritten nor continued as they
-/// are. The text advises the user to choose another output, to restore a file, or to start over.
-/// The front end adds the name of the suitable option.
+/// are. The message advises the user to choose another output, to restore a file, or to start
+/// again. The front end adds the name of the suitable option.
 class OutputError : public Error {
  public:
   /// @param resumable  whether the earlier job can also be resumed

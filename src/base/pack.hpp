@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Packs: a SIMD vector of as many numbers as the instruction set processes at once, with the
-// interface of a single Real. This is the only file that uses vector types. Only files in `kernels`
-// folders include this file. These files are compiled once per instruction set, with separate
-// compiler flags.
+// A pack is a SIMD vector of as many numbers as the instruction set processes at once. It has the
+// interface of a single Real. Only this file uses the vector types of the SIMD library. Only files
+// in `kernels` folders include this file. These files are compiled once per instruction set, with
+// separate compiler flags.
 #pragma once
 
 #include <hwy/highway.h>
@@ -126,13 +126,13 @@ struct MaskOf<Pack<T>> {
   using type = PackMask<T>;
 };
 
-/// Negative powers of a distance r, computed from a = r². The hardware estimates 1/√a by y. With e
-/// = 1 − a y², 1/rⁿ = yⁿ (1 − e)^{−n/2} is a short series in e. The series is truncated where the
-/// next term is below half a unit in the last place. |e| is below 2⁻¹³ for AVX-512 (14-bit
-/// estimates), below 2⁻¹⁰ for 12-bit estimates, and below 2⁻⁷ for NEON (8-bit estimates). In double
-/// precision, and for 8-bit estimates, a second-order step first reduces e to ¾ e². Lane types:
-/// float, double. Largest errors of 1/r, 1/r² and 1/r³: 1.25, 2.75 and 3.5 ULP; in scalar packs 1,
-/// 2.5 and 4 ULP (tests/unit/pack_test.cpp). Valid range: any a that is a normal float.
+/// Negative powers of a distance r, computed from a = r². The hardware gives an estimate y of 1/√a.
+/// With e = 1 − a y², 1/rⁿ = yⁿ (1 − e)^{−n/2} is a short series in e. The series is truncated
+/// where the next term is below half a unit in the last place. |e| is below 2⁻¹³ for AVX-512
+/// (14-bit estimates), below 2⁻¹⁰ for 12-bit estimates, and below 2⁻⁷ for NEON (8-bit estimates).
+/// In double precision, and for 8-bit estimates, a second-order step first reduces e to ¾ e². Lane
+/// types: float, double. Largest errors of 1/r, 1/r² and 1/r³: 1.25, 2.75 and 3.5 ULP; in scalar
+/// packs 1, 2.5 and 4 ULP (tests/unit/pack_test.cpp). Valid range: any a that is a normal float.
 template <class T>
 class InversePowers<Pack<T>> {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stores the lanes of packs that a mask selects contiguously.
+// Stores contiguously those lanes of packs that a mask selects.
 #pragma once
 
 #include <bit>

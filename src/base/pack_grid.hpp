@@ -144,8 +144,8 @@ inline Pack<float> grid_place(Pack<float> centre, Pack<float> arm, std::int32_t,
   return Pack<float>(hn::BitCast(Pack<float>::Tag(), x));
 }
 
-/// Stores the index of the grid point below each position, and returns the distance beyond this
-/// point, from 0 to 1 up to round-off.
+/// Stores the index of the grid point below each position. Returns the distance from this point to
+/// the position, from 0 to 1 up to round-off.
 inline Pack<double> beyond_point(Pack<double> place, std::int32_t points, std::int32_t* index) {
   const Pack<double> n(points), before(hn::Floor(place.v));
   const Pack<double> wrapped =  // round-off may have given −1 or n

@@ -2,7 +2,8 @@
 // Conversion between records and packs. A record holds the numbers of one body, contiguous in
 // memory; a pack holds one number of each of several bodies. Each record is read by a vector load
 // from an arbitrary address, and the records are transposed in registers by shuffles. A gather
-// would fetch the numbers one by one. The reverse direction adds packs to records.
+// would fetch the numbers one by one. In the reverse direction, the numbers of packs are added to
+// records.
 #pragma once
 
 #include <algorithm>
@@ -101,7 +102,7 @@ inline std::array<Pack<double>, halves> promote(Pack<float> a) {
 }
 inline std::array<Pack<double>, 1> promote(Pack<double> a) { return {a}; }
 
-/// The stride of records, which have room for eight numbers in as many vectors as necessary.
+/// The stride of records. A record has room for eight numbers, in as many vectors as necessary.
 inline constexpr std::size_t record_stride = 8;
 template <class T>
 using RecordTag = hn::CappedTag<T, record_stride>;

@@ -7,7 +7,7 @@
 
 namespace polhode {
 
-// Computes the optimal string alignment, row by row.
+// Computes the optimal-string-alignment distance, row by row.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) above[j] = j;

@@ -65,7 +65,7 @@ std::optional<int> bound_of(const fs::path& group) {
                                              first_line(group / "cpu.cfs_period_us")));
 }
 
-/// The smallest CPU limit of a control group and its ancestors. In a container the group may be
+/// The lowest CPU limit of a control group and its ancestors. In a container the group may be
 /// mounted as the root, so folders that do not exist are skipped.
 std::optional<int> bound_up_to_root(const fs::path& mount, fs::path group) {
   std::optional<int> bound = bound_of(mount);

@@ -47,8 +47,7 @@ bool spin(const Done& done) {
   return done();
 }
 
-/// A number on which threads sleep until it changes. std::atomic::wait would first yield several
-/// times, and each yield can give a whole time slice to another process.
+/// Threads can sleep until this number changes.
 struct Futex {
   std::atomic<std::uint32_t> value{0};
   std::atomic<int> sleepers{0};

@@ -28,7 +28,7 @@ double pressure_along(const CoupledEdges& edges, const State& state, const Bodie
   return sum / static_cast<double>(count(edges));
 }
 
-/// The factor by which a new volume scales the edges of a group.
+/// The factor that scales the edges of a group so that the volume changes by `volume_ratio`.
 double factor_of(const CoupledEdges& edges, double volume_ratio) {
   return std::pow(volume_ratio, 1 / static_cast<double>(count(edges)));
 }

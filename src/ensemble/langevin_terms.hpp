@@ -8,8 +8,8 @@
 
 namespace polhode {
 
-/// Coefficients of the Langevin bath p ← c p + noise √m ξ with noise = √((1 − c²) kT), and of the
-/// analogous equation for L with √J in place of √m.
+/// Coefficients of the Langevin bath p ← c p + noise √m ξ with noise = √((1 − c²) kT). The equation
+/// for L contains √J instead of √m.
 struct LangevinTerms {
   double c, noise;                        ///< coefficients of translation
   double rotational_c, rotational_noise;  ///< coefficients of rotation

@@ -19,7 +19,8 @@ constexpr double growth = 1.1, shrinkage = 0.5;
 constexpr double first_mixing = 0.25, mixing_decay = 0.99;
 constexpr int delay = 20;  // number of downhill steps before the step grows
 
-/// Scalar products of momenta and forces over all bodies, in the metric of the kinetic energy.
+/// Scalar products of momenta and forces over all bodies, weighted with inverse masses and moments
+/// of inertia.
 struct Products {
   double power = 0;    ///< power Σ(f·p/m + τ·J⁻¹L)
   double momenta = 0;  ///< squared momenta Σ(p²/m + L·J⁻¹L)

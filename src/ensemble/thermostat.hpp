@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bath of a scheme, the flow O of its stages, which maintains a temperature.
+// The bath of a scheme: the flow O, which maintains a temperature.
 #pragma once
 
 #include <cstdint>

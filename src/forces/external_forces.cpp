@@ -29,9 +29,10 @@ State displaced(const State& state, const Vec3Column& dq, const Vec3Column& dthe
 
 void add_derivative(const ExternalForces& forces, const State& state, const Vec3Column& dq,
                     const Vec3Column& dtheta, Load& slope) {
-  // The truncation error of the central difference is of second order in the displacement.
-  // Truncation error and round-off are equal at about the cube root of the round-off. The optimal
-  // displacement is 1e-5 of the scale over which forces change, which is 0.1 nm and a radian.
+  // The truncation error of the central difference is of second order in the displacement. The
+  // truncation error equals the round-off error if the displacement is about the cube root of the
+  // relative round-off. The optimal displacement is 1e-5 of the scale over which forces change,
+  // which is 0.1 nm and a radian.
   constexpr double displacement = 1e-6;  // displacement in nm and in rad
   const double most = std::max(largest(dq), largest(dtheta));
   if (!(most > 0)) return;

@@ -82,7 +82,7 @@ std::size_t ForceField::list_rebuilds() const {
   return neighbours().rebuilds() + earlier_rebuilds_;
 }
 
-/// Recomputes everything that depends on the box if the box has changed.
+/// If the box has changed, recomputes everything that depends on the box.
 void ForceField::set_box(const Box& box) {
   if (box_ == box) return;
   box_.reset();

@@ -71,9 +71,10 @@ class Components {
  public:
   std::size_t size() const { return size_; }
   std::size_t padded_size() const { return Column<double>::padded(size_); }
-  /// Distance from a value to the next component of the same body, in values.
+  /// Distance in memory between a component and the next component of the same body, as a number of
+  /// doubles.
   std::size_t stride() const { return stride_of(size_); }
-  /// The values of a component.
+  /// The k-th component of all bodies.
   std::span<double> component(std::size_t k) {
     return {memory_.data() + (size_ == 0 ? 0 : k * stride()), size_};
   }

@@ -15,7 +15,7 @@ class Error : public std::runtime_error {
   explicit Error(const std::string& what_and_remedy, std::string where = {})
       : std::runtime_error(what_and_remedy), where_(std::move(where)) {}
 
-  /// The place of the error in the input, as far as it is known: file, line and key, such as
+  /// The place of the error in the input: file, line and key, as far as these are known, such as
   /// "water.toml:9, forces.cutoff".
   const std::string& where() const { return where_; }
 

@@ -13,7 +13,7 @@ namespace polhode {
 /// work, and no other thread waits for it.
 class Workers {
  public:
-  /// @param threads  number of threads, at least 1; more threads than allowed cores gain nothing
+  /// @param threads  number of threads, at least 1; threads beyond allowed_threads() bring no speed
   ///   (base/threads.hpp)
   explicit Workers(int threads);
   ~Workers();

@@ -31,8 +31,8 @@ struct BarostatMemory {
 inline constexpr double max_shape_change = 1.2;
 
 /// Scales box edges, and with them the centres of mass.
-/// @param momenta  if true, also scales these momenta by the inverse factors, which conserves
-///   phase-space volume
+/// @param momenta  whether to scale the momenta by the inverse factors, which conserves phase-space
+///   volume
 void scale_box(State& state, const CoupledEdges& edges, double factor, bool momenta);
 
 /// Moves the box, one group of edges at a time, with the stationary distribution exp(−(H + P₀V)/kT)
@@ -42,7 +42,7 @@ void scale_box(State& state, const CoupledEdges& edges, double factor, bool mome
 /// √(kT β/2τ) dW. P is the molecular pressure along the edges of the group. Momenta are scaled by
 /// the inverse factors. A move is accepted with probability min(1, exp(−Δ/kT)), where Δ is the
 /// violation of detailed balance by the move [roberts1996]. If `metropolis` is false, every move is
-/// accepted, Δ is the error of the move, and the work is the change of H minus Δ.
+/// accepted. In this case Δ is the error of the move, and the work is the change of H minus Δ.
 ///
 /// Monte Carlo: the volume change ΔV is uniform between ±δ with δ = 2 √(kT β V₀), where V₀ is the
 /// volume at the first move. Momenta do not change. A move of N molecules is accepted with

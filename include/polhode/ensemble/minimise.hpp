@@ -23,7 +23,7 @@ struct MinimisationSettings {
   double max_move = 0.005;
 };
 
-/// The energy of a configuration, with the largest force and torque.
+/// The energy of a configuration, and the largest force and torque on its bodies.
 struct Steepness {
   double potential = 0;  ///< [kJ/mol]
   double force = 0;      ///< largest force on a body [kJ/mol/nm]
@@ -57,8 +57,8 @@ using MinimisationWatch = std::function<bool(std::size_t steps, const Steepness&
 /// set to 0. Displacements are capped, so overlapping molecules separate slowly.
 ///
 /// Momenta are 0 afterwards. A state that is already within the bounds keeps its positions and
-/// orientations, bit for bit. The result is the same for any number of threads, if this holds for
-/// `evaluate`.
+/// orientations, bit for bit. The final state is the same for any number of threads, if this holds
+/// for `evaluate`.
 /// @throws RunError  if a force is not finite
 Minimisation minimise(State& state, const Topology& topology, const Bodies& bodies,
                       const EvaluateLoad& evaluate, const MinimisationSettings& settings = {},

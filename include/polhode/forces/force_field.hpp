@@ -39,8 +39,8 @@ struct ListMemory {
 /// Computes site-site Lennard-Jones and Coulomb forces of rigid molecules in the periodic box of
 /// the state. After a change of the box, the list and everything else that depends on the box is
 /// rebuilt. After such a rebuild, results are bitwise identical to the results of a force field
-/// constructed for the new box. An evaluation throws an Error if the box has become too small for
-/// the cutoff, or needs a mesh with too many points.
+/// constructed for the new box. An evaluation throws an Error if the box is too small for the
+/// cutoff, or if it needs a mesh with too many points.
 ///
 /// ExternalForces of the settings are added to the forces of the force field. The derivative of
 /// external forces is a central difference.
@@ -51,7 +51,7 @@ struct ListMemory {
 /// rest.
 class ForceField {
  public:
-  /// @param box      box of the first state, against which the settings are checked
+  /// @param box      box of the first state, used to check the settings
   /// @param workers  threads that share an evaluation; results do not depend on their number
   /// @param choice   mesh_choice() of another force field with the same topology and settings. It
   ///   saves time and does not change results

@@ -15,7 +15,8 @@ struct ErrorTerms {
 
 /// Computes the O(h²) error terms of a scheme, from the middle stage outwards. Each pair of stages
 /// e^{X/2} · e^{X/2} is wrapped around the inner part by the symmetric Baker-Campbell-Hausdorff
-/// formula [parisi1988]. Baths are ignored, because only drifts and kicks have such terms.
+/// formula [parisi1988]. Baths are ignored, because only drifts and kicks contribute O(h²) error
+/// terms.
 /// @param scheme  a palindrome; any other scheme has O(h) errors, which are not computed
 constexpr ErrorTerms error_terms(const Scheme& scheme) {
   const auto stages = scheme.stages();

@@ -16,8 +16,8 @@ namespace polhode {
 void drift(State& state, const Bodies& bodies, double t, Workers& workers = Workers::serial());
 
 /// The kick e^{Bt}: forces and torques change momenta [vanzon2008, Eq. 3]: p ← p + t f, ℓ ← ℓ + t
-/// τ. No torque acts along an axis with no moment of inertia. The component of ℓ that round-off of
-/// τ adds along such an axis is removed, because it would accumulate over the steps.
+/// τ. No torque acts along an axis with no moment of inertia. The round-off of τ adds a component
+/// of ℓ along such an axis. This component is removed, because it would accumulate over the steps.
 void kick(State& state, const Bodies& bodies, const Load& load, double t,
           Workers& workers = Workers::serial());
 

@@ -11,7 +11,7 @@
 
 namespace polhode {
 
-/// One force evaluation of a step, with the indices of the scheme's stages before and after it.
+/// One force evaluation of a step, and the stages of the scheme before and after the evaluation.
 struct ForceEvaluation {
   std::size_t first = 0;  ///< Stages first ≤ k < use lead to the positions of this evaluation.
                           ///< Kicks among these stages use the forces of the preceding plain

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Applies a scheme to a state: drifts, kicks and baths in order, with forces from any callable.
+// Applies a scheme to a state: drifts, kicks and baths in the order of the stages. Any callable can
+// supply the forces.
 #pragma once
 
 #include <concepts>
@@ -60,7 +61,7 @@ class Integrator {
  public:
   /// @param forces  kept by reference
   /// @param lambda  displacement factor of gradient kicks by finite difference [vanzon2008, Eq. 6]
-  /// @param workers  threads for drifts and kicks, kept by reference; the forces have their own
+  /// @param workers  threads for drifts and kicks, kept by reference; the force model has its own
   ///   threads
   /// @throws Error  if the scheme has exact gradients and the forces offer no derivative, or if the
   ///   scheme has a bath and no bath is given
@@ -69,7 +70,7 @@ class Integrator {
       std::same_as<Bath, NoBath>
       : Integrator(scheme, bodies, forces, FreeDrift{bodies, workers}, NoBath{}, lambda, workers) {}
 
-  /// @param drift, bath  kept by value; pass std::ref() for an object with a state
+  /// @param drift, bath  kept by value; pass std::ref() for an object whose state must be shared
   Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, Drift drift, Bath bath,
              double lambda = 1e-4, Workers& workers = Workers::serial())
       : scheme_(scheme),

@@ -16,8 +16,8 @@ template <Flows F>
 class JoinedFlows {
  public:
   /// @param flows        kept by reference
-  /// @param join_drifts  false for drifts whose result depends on the division of the time, such as
-  ///   inner steps
+  /// @param join_drifts  false for drifts whose result depends on how the time is divided, such as
+  ///   steps of an inner scheme
   explicit JoinedFlows(F& flows, bool join_drifts = true)
       : flows_(flows), join_drifts_(join_drifts) {}
 

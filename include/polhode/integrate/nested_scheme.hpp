@@ -39,7 +39,7 @@ struct NestedScheme {
     return outer.has(gradient) || (inner && inner->scheme.has(gradient));
   }
 
-  /// Near-force evaluations per outer step, in addition to the force_evaluations() of the total
+  /// Number of near-force evaluations per outer step, in addition to the evaluations of the total
   /// forces. Outer and inner kicks at the same positions share one evaluation. The displaced
   /// positions of a finite difference need another evaluation.
   int near_evaluations() const {
@@ -54,7 +54,7 @@ struct NestedScheme {
   int near_derivatives() const {
     return inner ? inner_steps() * inner->scheme.derivatives() + outer.derivatives() : 0;
   }
-  /// Total cost per step of near-force evaluations and near-force derivatives, in units of one
+  /// Cost of near-force evaluations and their derivatives per outer step, in units of one
   /// near-force evaluation.
   double near_cost() const { return near_evaluations() + derivative_cost * near_derivatives(); }
 

@@ -89,8 +89,9 @@ inline constexpr double derivative_cost = 2.0;
 /// Placeholder for the fraction that makes the fractions of a flow sum to one step.
 inline constexpr double rest = std::numeric_limits<double>::quiet_NaN();
 
-/// A scheme. User-defined lines of the table are checked at compile time. The consteval constructor
-/// rejects a scheme if the fractions of its drifts, kicks or baths do not sum to one step.
+/// A scheme. A line that a user adds to the table of schemes is checked at compile time. The
+/// consteval constructor rejects a scheme if the fractions of its drifts, kicks or baths do not sum
+/// to one step.
 class Scheme {
  public:
   static constexpr std::size_t max_stages = 64, max_name = 32;
@@ -153,13 +154,13 @@ class Scheme {
     return n;
   }
 
-  /// Whether a kick is the first stage of a step, not counting baths.
+  /// Whether a step begins with a kick, not counting baths.
   constexpr bool starts_with_kick() const {
     for (std::size_t i = 0; i < count_; ++i)
       if (stages_[i].flow != Flow::bath) return stages_[i].flow == Flow::kick;
     return false;
   }
-  /// Whether a kick is the last stage of a step, not counting baths.
+  /// Whether a step ends with a kick, not counting baths.
   constexpr bool ends_with_kick() const {
     for (std::size_t i = count_; i-- > 0;)
       if (stages_[i].flow != Flow::bath) return stages_[i].flow == Flow::kick;
@@ -230,7 +231,7 @@ class Scheme {
     return n;
   }
 
-  /// Whether a stage is joined with its successor, which may belong to the next step.
+  /// Whether a stage is joined with the following stage, which may belong to the next step.
   constexpr bool joins_next(std::size_t i) const {
     return count_ > 1 && stages_[i].joins(stages_[(i + 1) % count_]);
   }

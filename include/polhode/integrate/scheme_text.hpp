@@ -27,8 +27,9 @@ struct FreeParameter {
 ///
 /// The order is 2 if the scheme is a palindrome with an error of order h², otherwise it is unknown.
 /// @param values  values of free parameters, which replace the values in the text
-/// @throws Error  if the name is unknown, the text cannot be parsed, or the drifts or kicks do not
-///   sum to one. The message suggests a similar name or gives the position of the error
+/// @throws Error  if the name is unknown, the text cannot be parsed, or the fractions of the drifts
+///   or kicks do not sum to one. The message suggests a similar name or gives the position of the
+///   error
 Scheme scheme_of(std::string_view name_or_text, std::span<const FreeParameter> values = {});
 
 /// The free parameters of a scheme text, in the order of their definitions. A scheme given by its

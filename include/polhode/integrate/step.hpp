@@ -52,7 +52,7 @@ void check_flows(const Scheme& scheme) {
 }
 
 /// Performs one stage of a scheme.
-/// @param h  full step, whatever the fraction of the stage
+/// @param h  full step h, not the fraction of the stage
 template <Flows F>
 void play(const Stage& stage, F& flows, double h, StageNumber at) {
   switch (stage.flow) {

@@ -11,13 +11,13 @@
 namespace polhode {
 
 enum class BathPlace {
-  ends,   ///< half of the bath before the first stage, half after the last: velocity Verlet becomes
-          ///< OBABO
+  ends,   ///< half of the bath before the first stage and half after the last stage: velocity
+          ///< Verlet becomes OBABO
   middle  ///< bath within the middle stage: velocity Verlet becomes BAOAB [leimkuhler2013]
 };
 
 /// Adds bath stages O to a scheme. The fractions of the bath stages sum to one step. The new scheme
-/// is e^{Oh/2} e^{Lh} e^{Oh/2}, or has O between two halves of the middle stage.
+/// is e^{Oh/2} e^{Lh} e^{Oh/2}, or the bath stage O divides the middle stage into two halves.
 /// @param name  name of the result, at most Scheme::max_name characters
 /// @throws Error  if the scheme already has a bath, is not a palindrome (and so has no middle
 ///   stage), or would have too many stages

@@ -28,12 +28,12 @@ struct PlacedPoints {
   std::vector<Vec3<double>> points;  ///< positions; the first point is at the origin, the second on
                                      ///< the x axis
   int dimension = 0;                 ///< dimension of the point set, 0 to 3; in 3 dimensions, the
-                                     ///< mirror image has the same distances
+                                     ///< mirror image is a second solution
 };
 
 /// Computes positions of points from their distances, unique up to rigid motions and reflection. A
-/// point is placed as soon as its distances to already placed points determine its position. Every
-/// point is tried as the first point.
+/// point is placed as soon as its distances to already placed points determine its position. The
+/// search tries every point as the first point.
 /// @throws Error  if the distances do not determine all points, contradict each other, or violate
 ///   the triangle inequality
 PlacedPoints place_points(std::size_t count, std::span<const Distance> distances);

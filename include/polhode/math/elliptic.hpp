@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Jacobi's elliptic functions and integrals of the first and third kind. The modulus k and its
-// complement k' are both given. The complement cannot be computed accurately from k near k = 1, nor
-// the modulus from k' near k' = 1.
+// Jacobi's elliptic functions and integrals of the first and third kind. The caller gives both the
+// modulus k and its complement k'. Near k = 1, k' cannot be computed accurately from k. Near k' =
+// 1, k cannot be computed accurately from k'.
 #pragma once
 
 #include <algorithm>
@@ -51,8 +51,8 @@ inline JacobiFunctions descending(double u, const Modulus& modulus) {
 /// The functions sn, cn and dn by ascending Landen transformations (k → 1, DLMF 22.7.6 to 22.7.8),
 /// for k > k'.
 inline JacobiFunctions ascending(double u, const Modulus& modulus) {
-  // For |u| ≤ K/2 the error of tanh and sech is below k'² cosh²u ≈ 4 k', so k' < 1e-17 is small
-  // enough.
+  // For |u| ≤ K/2, the error of the limits tanh and sech is below k'² cosh²u ≈ 4 k', so they are
+  // used for k' < 1e-17.
   if (!(modulus.complement >= 1e-17)) {
     const double e = std::exp(-std::abs(u)),
                  sech = 2 * e / (1 + e * e);  // avoids cosh, which would overflow
@@ -107,7 +107,7 @@ inline double first_kind_integral(double x, double y, double z) {
 ///   (1+n)(n+k²), which needs no subtraction.
 inline double third_kind_integral(const JacobiFunctions& f, double n, double k) {
   const double s2 = f.sn * f.sn;
-  // The first duplication uses the roots cn and dn themselves, since their squares may underflow.
+  // The first duplication uses the roots cn and dn directly, because cn² and dn² may underflow.
   double root_x = std::abs(f.cn), root_y = f.dn, root_z = 1;
   double x = root_x * root_x, y = root_y * root_y, z = 1, p = 1 + n * s2;
   double root_p = std::sqrt(p);

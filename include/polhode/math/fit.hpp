@@ -25,8 +25,8 @@ Estimate slope(std::span<const double> x, std::span<const double> y);
 /// A straight line a + b x.
 struct Line {
   Estimate intercept, slope;
-  double degrees_of_freedom = 0;  ///< degrees of freedom of the error estimates; 0 if the errors
-                                  ///< are exact
+  double degrees_of_freedom = 0;  ///< degrees of freedom of the errors of intercept and slope; 0 if
+                                  ///< the errors are exact
 };
 
 /// Fits a line by weighted least squares to points with known, positive standard errors of y. The
@@ -40,12 +40,12 @@ double misfit_p_value(const Line& line, std::span<const double> x, std::span<con
 
 /// The p-value of an estimate, by a two-sided Student t test with the given degrees of freedom. The
 /// p-value is the probability of an estimate at least this far from zero if the true value is zero.
-/// The p-value is 1 if value and error are 0.
+/// The p-value is 1 if the estimate and its error are both 0.
 double p_value(const Estimate& estimate, double degrees_of_freedom);
 
-/// The number of standard errors that corresponds to three standard deviations of a normal
-/// distribution, for a two-sided interval. This number is 6.6 for an error estimated with 4 degrees
-/// of freedom. For an exact error, the argument is 0, and the number is 3.
+/// For a two-sided interval, the number of standard errors that corresponds to three standard
+/// deviations of a normal distribution. This number is 6.6 for an error estimated with 4 degrees of
+/// freedom. For an exact error, the argument is 0, and the number is 3.
 double three_sigma_quantile(double degrees_of_freedom);
 
 }  // namespace polhode

@@ -61,7 +61,7 @@ class Random {
     return std::uint64_t{block_[k]} << 32 | block_[k + 1];
   }
 
-  /// A uniform number in the open interval (0, 1): the midpoint of one of 2⁵² equal parts.
+  /// A uniform number in the open interval (0, 1), at the midpoint of one of 2⁵² equal intervals.
   double uniform() { return (static_cast<double>(bits() >> 12) + 0.5) * 0x1p-52; }
 
   /// A random integer below n; each probability deviates from 1/n by a relative error of at most

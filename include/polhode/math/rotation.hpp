@@ -19,7 +19,7 @@ inline Quaternion<double> rotation_quaternion(const Vec3<double>& v) {
 }
 
 /// The unit quaternion q, with w ≥ 0, of an active rotation matrix A(q). The conversion divides by
-/// the largest component, so that no component loses accuracy.
+/// the component with the largest magnitude, so that no component loses accuracy.
 inline Quaternion<double> quaternion_of(const Mat3<double>& a) {
   const double trace = a[0].x + a[1].y + a[2].z;
   const double largest = std::max({trace, a[0].x, a[1].y, a[2].z});

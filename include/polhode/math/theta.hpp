@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Theta functions of complex argument, and an integral of the third kind that is computed from them
-// for any argument.
+// Theta functions of complex argument, and the elliptic integral of the third kind, which these
+// functions give for any argument.
 #pragma once
 
 #include <complex>

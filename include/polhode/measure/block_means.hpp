@@ -12,7 +12,7 @@ namespace polhode {
 class BlockMeans {
  public:
   struct Block {
-    double weight = 0;  ///< number of samples, or any other measure of the block size
+    double weight = 0;  ///< number of samples, or any other weight of the block
     std::vector<double> sum;
   };
 
@@ -32,14 +32,14 @@ class BlockMeans {
 };
 
 /// Collects samples of a stream of unknown length in blocks of time. When there are 40 blocks,
-/// neighbouring blocks are merged. A run of any length therefore ends with 20 to 39 blocks, in
-/// constant memory.
+/// neighbouring blocks are merged. A run of any length therefore ends with 20 to 39 blocks and
+/// needs constant memory.
 struct TimeBlocks {
   std::vector<BlockMeans::Block> blocks;
   double samples_per_block = 1;
 
   /// Adds a sample.
-  /// @param weight  number of samples whose sum is added, or any other measure of size
+  /// @param weight  number of samples whose sum is added, or any other weight
   void add(std::span<const double> sample, double weight = 1);
   /// The blocks as means. If the last block is less than half full, it is merged into the previous
   /// block.

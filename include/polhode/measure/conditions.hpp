@@ -9,7 +9,8 @@
 
 namespace polhode {
 
-/// Averages over frames of density, temperature and volume, which a single frame determines.
+/// Averages over frames of density, temperature and volume. A single frame determines each of these
+/// quantities.
 class Conditions {
  public:
   explicit Conditions(const Topology& topology);

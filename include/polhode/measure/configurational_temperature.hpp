@@ -33,8 +33,8 @@ ConfigurationalSample configurational_sample(const State& state, const Bodies& b
 /// Sums over samples along a trajectory, in blocks of time.
 struct ConfigurationalStatistics {
   TimeBlocks blocks;
-  StepResponse response;  ///< time-step response of the sums, from samples with a known time-step
-                          ///< error
+  StepResponse response;  ///< response of the sums to the time step, from samples with a known
+                          ///< time-step error
 
   void add(const ConfigurationalSample& sample, const std::optional<StepError>& error = {});
   /// The configurational temperature ⟨squared_force⟩/(k_B ⟨curvature⟩) of each kind of motion

@@ -16,7 +16,7 @@ namespace polhode {
 enum class Known {
   yes,
   too_few_samples,  ///< fewer than `min_samples`
-  too_short,        ///< the series is correlated over too much of the run
+  too_short,        ///< the correlation time is too large a fraction of the run
   not_defined,      ///< the run does not have this quantity
   grows             ///< the statistic has no limit, because it grows with the run length by a
                     ///< random walk
@@ -31,8 +31,8 @@ struct SeriesEstimate {
   double value = 0;  ///< the statistic; not finite without samples
   double error = 0;  ///< standard error; 0 if it is not known
   Known known = Known::too_few_samples;
-  /// Number of modes that determined the standard error; 0 if the error is 0 or not known. The
-  /// relative uncertainty of the error is 1/√(2 modes).
+  /// Number of modes from which the standard error was computed; 0 if the error is 0 or not known.
+  /// The relative uncertainty of the error is 1/√(2 modes).
   double modes = 0;
 };
 
@@ -50,15 +50,15 @@ inline constexpr std::size_t min_samples = 12;
 double three_sigma(const SeriesEstimate& estimate);
 
 /// Computes a statistic from the means of all quantities, with its standard error. The jackknife
-/// influences of the blocks form a series, and its slowest modes give the variance of the mean. A
-/// statistic that is constant to round-off has the error 0. The error is not known if the statistic
-/// is undefined after one block is left out.
+/// influences of the blocks form a series. The slowest modes of this series give the variance of
+/// the mean. A statistic that is constant to round-off has the error 0. The error is not known if
+/// the statistic is undefined after one block is left out.
 SeriesEstimate series_estimate(const BlockMeans& blocks,
                                const std::function<double(std::span<const double>)>& statistic);
 
-/// Computes a statistic of independent runs of one process, such as replicas, with its standard
-/// error. The modes of all runs together give the error. For each run, the deviation of its mean
-/// from the common mean counts as one more mode.
+/// Computes a statistic from independent runs of the same system, such as replicas, with its
+/// standard error. The modes of all runs together give the error. For each run, the deviation of
+/// its mean from the common mean counts as one more mode.
 SeriesEstimate pooled_estimate(std::span<const BlockMeans> runs,
                                const std::function<double(std::span<const double>)>& statistic);
 
@@ -67,9 +67,9 @@ SeriesEstimate pooled_estimate(std::span<const BlockMeans> runs,
 double interval_factor(const SeriesEstimate& estimate, double probability);
 
 /// The integrated autocorrelation time τ = n ε²/2σ² of a stationary quantity [samples]. τ is
-/// computed from the error ε of the mean and the variance σ² of the n samples. The n samples have
-/// the information of n/2τ independent samples. The relative standard error of τ is √(2/modes)
-/// (docs/statistics.md).
+/// computed from the error ε of the mean and the variance σ² of the n samples. The n samples
+/// contain as much information as n/2τ independent samples. The relative standard error of τ is
+/// √(2/modes) (docs/statistics.md).
 /// @param mean      mean with its error
 /// @param variance  variance of the samples about their mean
 SeriesEstimate correlation_time(const SeriesEstimate& mean, double variance, double samples);

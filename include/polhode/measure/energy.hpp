@@ -23,8 +23,8 @@ struct Energies {
                                    ///< L_k²/2J_k [kJ/mol]
   double pressure = 0;             ///< a third of the trace of the pressure tensor [kJ/mol/nm³]
   double volume = 0;               ///< volume of the box [nm³]
-  /// Heat and work since the start [kJ/mol], received by the bodies from a thermostat, a barostat,
-  /// or hybrid Monte Carlo.
+  /// Heat and work that a thermostat, a barostat or hybrid Monte Carlo has given to the bodies
+  /// since the start [kJ/mol].
   double exchanged = 0;
   /// The difference H̃ − H of shadow energy and energy [kJ/mol]; NaN at samples without a shadow
   /// energy.

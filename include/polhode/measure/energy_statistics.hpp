@@ -73,18 +73,19 @@ struct EnergyStatistics {
   Drift drift_over_walk(double known) const;
   /// The slope of the potential energy [kJ/mol/ps], tested as a drift.
   Drift potential_drift() const;
-  /// Number of samples before both the potential energy and the volume are stationary, in whole
-  /// blocks [clark2024]; 0 with few blocks.
+  /// Number of samples until both the potential energy and the volume are stationary [clark2024].
+  /// The number is a multiple of the block size, and 0 with few blocks.
   double samples_before_equilibrium() const;
 };
 
 /// Statistics of R over consecutive parts of a trajectory. All parts have the same length.
 struct StretchStatistics {
   std::uint64_t samples = 0;     ///< number of samples in the current part
-  std::array<double, 4> sums{};  ///< sums of the total and potential energies and of their squares
-                                 ///< over these samples
+  std::array<double, 4> sums{};  ///< sums of the total energy, the potential energy and their
+                                 ///< squares in the current part
   std::uint64_t stretches = 0;
-  double mean = 0, squares = 0;  ///< mean of R, and sum of its squared deviations
+  double mean = 0, squares = 0;  ///< mean of R over the parts, and sum of squared deviations of R
+                                 ///< from this mean
 
   /// @param first   first sample of the trajectory
   /// @param length  number of samples in a part

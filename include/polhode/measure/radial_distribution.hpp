@@ -45,8 +45,8 @@ struct RadialSettings {
 
 /// Computes radial distribution functions: histograms of minimum-image site-site distances,
 /// relative to an ideal gas at the same density [allen2017, section 2.6]. Pairs within a molecule
-/// are excluded. Pairs are found with cells at least as wide as the cutoff. Counts are integers, so
-/// they are the same for any number of threads.
+/// are excluded. Pairs are found with cells at least as wide as the cutoff. The counts of pairs are
+/// integers, so they are the same for any number of threads.
 class RadialDistribution {
  public:
   /// @throws Error  if a selection matches no site

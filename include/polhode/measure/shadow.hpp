@@ -15,7 +15,7 @@
 
 namespace polhode {
 
-/// The two brackets of T and V that make up the O(h²) error of every scheme [kJ/mol/ps²].
+/// The two Poisson brackets of T and V in the O(h²) error of every scheme [kJ/mol/ps²].
 struct ErrorBrackets {
   double second_derivative = 0;  ///< V̈ = {T,{T,V}}: second derivative of V along free flight and
                                  ///< free rotation

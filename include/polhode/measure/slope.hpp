@@ -13,9 +13,9 @@ namespace polhode {
 
 /// The energy drift of one run, or of a series of runs.
 struct Drift {
-  Estimate rate;  ///< drift rate; error 0 if not known
-  double p_value =
-      1;  ///< probability of a slope this large if there is no energy drift; 1 unless it is known
+  Estimate rate;       ///< drift rate; error 0 if not known
+  double p_value = 1;  ///< probability of a slope at least this large if there is no energy drift;
+                       ///< 1 if not known
   Known known = Known::too_few_samples;
   /// Variance per time of the random walk of the quantity; 0 unless there is clear evidence for a
   /// random walk.
@@ -36,13 +36,13 @@ struct WalkStrength {
   double rate = 0;  ///< variance per time
 };
 
-/// The posterior probability of the random-walk strength of a series that also has stationary
-/// noise. An example of such a series is the shadow energy (docs/statistics.md). Empty with fewer
-/// than `min_samples` blocks.
+/// For a series that contains a random walk and stationary noise, the posterior probability of each
+/// possible strength of the random walk. An example of such a series is the shadow energy
+/// (docs/statistics.md). Empty with fewer than `min_samples` blocks.
 std::vector<WalkStrength> walk_strengths(const BlockMeans& blocks, std::size_t time,
                                          std::size_t quantity);
 
-/// The slope of the least-squares line through the block means of a quantity, as a function of the
+/// The slope of the least-squares line through the block means of a quantity, plotted against the
 /// block means of time. The significance is averaged over spectra of stationary noise, which have a
 /// white and a correlated part. If the correlation time is too long, the significance is not known.
 /// @param time, quantity  indices of the two sums

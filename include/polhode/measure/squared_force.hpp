@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bracket W of the scheme errors, by kind of motion.
+// The bracket W of the O(h²) error of schemes, divided into kinds of motion.
 #pragma once
 
 #include <array>

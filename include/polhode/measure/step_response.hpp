@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The changes that the time-step error causes in averages and functions of averages, computed from
-// one trajectory (docs/theory.md, Eqs. (47) to (53)).
+// The changes of averages, and of functions of averages, by the time-step error. One trajectory
+// gives these changes (docs/theory.md, Eqs. (47) to (53)).
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ enum class FixedMeans {
   kinetic_energy_and_pressure,  ///< the mean kinetic energy and the mean pressure, with stochastic
                                 ///< cell rescaling
   /// The mean kinetic energy, and a mean pressure with N kT/V in place of its kinetic part. Monte
-  /// Carlo volume moves fix this pressure, because they do not use momenta.
+  /// Carlo barostats fix this pressure, because their volume moves do not use momenta.
   kinetic_energy_and_pressure_of_positions
 };
 
@@ -53,8 +53,8 @@ struct StepError {
 /// @param ideal  ideal-gas term N kT of N bodies at the temperature of the thermostat [kJ/mol]
 StepError step_error(const Energies& now, FixedMeans fixed, double ideal);
 
-/// Sums over samples, in blocks of time: quantities relative to the first sample, and the products
-/// of these quantities with the time-step error.
+/// Sums over samples, in blocks of time. The terms are quantities relative to the first sample, and
+/// products of these quantities with the time-step error.
 struct StepResponse {
   /// A function of the averages of all quantities. The averages are in the order of the quantities.
   using Function = std::function<double(std::span<const double>)>;

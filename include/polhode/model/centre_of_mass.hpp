@@ -28,9 +28,9 @@ Vec3<double> remove_total_momentum(State& state, const Bodies& bodies);
 void subtract_velocity(State& state, const Bodies& bodies, const Vec3<double>& u,
                        Workers& workers = Workers::serial());
 
-/// Subtracts the net force F from the bodies in proportion to their masses: f ← f − m F/M. The
-/// result is minus the gradient of the energy at a fixed centre of mass; torques do not change. The
-/// result is bitwise identical for any number of threads.
+/// Subtracts the net force F, divided among the bodies in proportion to their masses: f ← f − m
+/// F/M. The result is minus the gradient of the energy at a fixed centre of mass; torques do not
+/// change. The result is bitwise identical for any number of threads.
 void remove_net_force(Load& load, const Bodies& bodies, Workers& workers = Workers::serial());
 
 }  // namespace polhode

@@ -39,14 +39,14 @@ struct SeparateRescaling {
 
 using ThermostatSettings = std::variant<Langevin, Rescaling, SeparateRescaling>;
 
-/// Box edges that are scaled by a common factor: true for the edges along x, y, z.
+/// For the box edges along x, y and z: whether a common factor scales the edge.
 using CoupledEdges = std::array<bool, 3>;
 
 /// Barostat by stochastic cell rescaling [bernetti2020].
 struct CellRescaling {
   static constexpr std::string_view name = "cell-rescaling", title = "stochastic cell rescaling";
   double time_constant = 2;  ///< time constant τ of the volume [ps]
-  /// Whether moves are accepted or rejected, so that the distribution is exact for any interval
+  /// Whether moves can be rejected, which makes the distribution exact for any interval
   /// [roberts1996]. If false, every move is accepted, as in the published method.
   bool metropolis = true;
   friend bool operator==(const CellRescaling&, const CellRescaling&) = default;

@@ -36,7 +36,7 @@ class PotentialTable {
  public:
   /// @param name   name of the table file
   /// @param first  first distance r [nm]
-  /// @param u      energies [kJ/mol], at least 4
+  /// @param u      energies [kJ/mol], at least 4 numbers
   /// @param f      forces −u' at the same r [kJ/mol/nm]. The first and last forces are the slopes
   ///   of the spline at its ends. All other forces are compared with the spline.
   /// @throws Error  if a force differs from the spline by more than 1 %

@@ -15,10 +15,11 @@
 namespace polhode {
 
 enum class RotorMethod {
-  series,             ///< power series, used in molecular dynamics; the closed form beyond |ω t| =
-                      ///< 0.3
+  series,             ///< power series, as in molecular dynamics; beyond |ω t| = 0.3, the closed
+                      ///< form
   closed,             ///< closed form: elliptic functions and Carlson's integral of the third kind
-  theta,              ///< closed form: elliptic functions, with the integral from theta functions
+  theta,              ///< closed form: elliptic functions, and the integral of the third kind from
+                      ///< theta functions
   recursive,          ///< elliptic functions and two-point Hermite quadrature
   no_squish,          ///< NO_SQUISH splitting of second order, for comparison
   symmetric_product,  ///< symmetric product of second order, for comparison

@@ -9,8 +9,9 @@ namespace polhode {
 
 /// Two independent methods for the elliptic integral of the third kind.
 enum class ThirdKind {
-  carlson,  ///< Carlson's R_J by duplication, plus a multiple of the integral over a half period
-  theta,    ///< a linear term and theta functions; R_J if ThetaIntegral does not apply
+  carlson,  ///< Carlson's R_J by duplication within a half period, plus whole half periods
+  theta,    ///< a linear term minus the argument of a theta function; R_J if ThetaIntegral does not
+            ///< apply
 };
 
 /// The angle φ by which the body precesses about L, measured in frames that follow a body axis.

@@ -14,12 +14,12 @@ namespace polhode {
 
 /// The orbit of the body-frame angular momentum: L_x = A_x cn u, L_y = A_y sn u, L_z = A_z dn u
 /// with u = u₀ + p t. L circles the axis z, the axis y has the middle moment, and x is the third
-/// axis. The amplitudes have signs, so the axes need not be right-handed, and the moments need not
-/// ascend [jacobi1849; vanzon2007a, Sec. 3, with positive amplitudes].
+/// axis. The amplitudes have signs, so the axes may be left-handed, and the moments may be in any
+/// order [jacobi1849; vanzon2007a, Sec. 3, with positive amplitudes].
 ///
-/// Every invariant is computed from the components of L, as a sum of terms with the same sign. 2E J
-/// − L² is never computed as a difference. Square roots are stored instead of squares, because even
-/// a component of 1e-170 decides when a body flips over near its middle axis.
+/// Every invariant is computed from the components of L, as a sum of terms with the same sign.
+/// Therefore 2E J − L² is never computed as a difference. Square roots are stored instead of
+/// squares, because even a component of 1e-170 decides when a body flips over near its middle axis.
 class Orbit {
  public:
   /// @param top  top with three positive moments and with L not parallel to ω = J⁻¹ L (check this
@@ -111,7 +111,7 @@ class Orbit {
   double moment(std::size_t axis) const { return moment_[axis]; }
   double norm_L() const { return L_; }
 
-  std::size_t x, y, z;  ///< indices of the body axes that have the roles x, y and z
+  std::size_t x, y, z;  ///< indices of the body axes that this class calls x, y and z
   double Ax, Ay, Az;    ///< amplitudes of the components of L [units of L]
   double p;             ///< rate of u [1/time]
   Modulus modulus;      ///< modulus k and its complement k'

@@ -116,7 +116,7 @@ POLHODE_INLINE inline Real plus_products(Real e, const std::array<Real, 3>& K1,
 
 /// The angle G as the sum of `terms` terms d_n of order X^(n+1): (2n+3) d_n = ((2n+1) c1 + K2_0)
 /// d_(n-1) + ... The sum adds the newest terms last, and their coefficients include the division by
-/// 2n+3. The dependency chain per term is therefore two operations long.
+/// 2n+3. The chain of dependent operations is therefore only two operations long per term.
 template <std::size_t terms, class Real>
 POLHODE_INLINE inline Real angle_sum(const AngleEquation<Real>& of) {
   std::array<Real, terms> d;
@@ -162,8 +162,7 @@ inline constexpr SeriesOrder short_series{6, 6, 0.15};  ///< truncation error be
 inline constexpr SeriesOrder long_series{8, 9, 0.3};    ///< truncation error below 3e-17
 inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< truncation error below 3e-8, for float
 
-/// The quaternion of the free rotation over a step, multiplied by an arbitrary positive number near
-/// 1.
+/// The quaternion of the free rotation over a step, multiplied by some positive number near 1.
 ///
 /// Let tau = t/2, M the angular momentum at tau, and C^2 = 1 - Q S^2, D^2 = 1 - P S^2, E = C D =
 /// S'. The addition theorem gives L(t) - L(0) = T s x J^-1 s with s = L(0) + L(t) and a scalar T. A
@@ -251,8 +250,8 @@ Vec3<Real> momentum_after(const Quaternion<Real>& r, const Vec3<Real>& L) {
 }
 
 /// Computes the free rotation over a step of any size, for numbers and packs. Within its range, a
-/// single series is used. Beyond this range, all lanes take as many equal sub-steps as the lane
-/// with the fastest rotation needs.
+/// single series is used. Beyond this range, the step is divided into equal sub-steps. The number
+/// of sub-steps is the same for all lanes, and the fastest rotation determines it.
 ///
 /// @param inverse_J, L, t  as for the single series, with |omega t| up to about 20 (beyond that,
 ///   the closed form is cheaper)

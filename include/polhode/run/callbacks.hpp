@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Callbacks by which the caller of a simulation, study, adviser or analysis follows the job and may
-// end it. A front end shows the progress on a terminal, in a notebook or in a log.
+// A caller of a simulation, study, adviser or analysis uses these callbacks to follow the job and
+// to end it. A front end shows the progress on a terminal, in a notebook or in a log.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,8 @@ namespace polhode {
 struct Progress {
   std::string job;               ///< name of the job's current stage, such as "equilibrating"
   std::optional<double> done{};  ///< fraction of the work, 0 to 1; empty if its amount is unknown
-  std::string detail{};          ///< current item, such as the name of a scheme; may be empty
+  std::string detail{};          ///< item that is being processed, such as the name of a scheme;
+                                 ///< may be empty
 };
 
 /// All callbacks are optional. An exception that a callback throws ends the job and is passed to

@@ -24,7 +24,7 @@ struct OutputOptions {
   std::string command = "polhode";  ///< command that writes the files, recorded in their headers
 };
 
-/// Locks the outputs of a job. If the file system has no locks, the job prints a note instead.
+/// Locks the outputs of a job. If the file system does not support locks, the job prints a note.
 class OutputLock {
  public:
   /// @throws Error  under the same conditions as FileLock()

@@ -62,7 +62,7 @@ struct Value : AnyValue {
   ~Value();
 };
 
-/// A result, with all data that its output in text and JSON needs.
+/// A result, with all data that are needed for its output as text and as JSON.
 struct Quantity {
   std::string key;  ///< key in JSON without its unit, such as "potential"; empty: only in the text
   /// Unit such as "kJ/mol"; empty if dimensionless; "[kJ/mol]" if the key omits the unit; "%" for a
@@ -75,15 +75,16 @@ struct Quantity {
   std::string label = {};  ///< label of the row in the text; without a label, there is no row,
                            ///< except for the members of a group
   std::string note = {};   ///< note after the value in the text
-  /// Column name in a CSV file. If empty, the name is the key, but members of a group have no
-  /// column; "-" means no column.
+  /// Column name in a CSV file. If the name is empty, the key is used, but a member of a group then
+  /// has no column. "-" means no column.
   std::string column = {};
   int digits = 4;  ///< digits of a number in the text
   /// Details come before all other rows, so that the text ends with the requested results.
   bool detail = false;
 };
 
-/// A value with its error, such as "1.20 ± 0.03 ps", or with four digits if its error is not known.
+/// A value with its error, such as "1.20 ± 0.03 ps". If the error is not known, the value has four
+/// digits.
 std::string text_of(const SeriesEstimate& estimate, std::string_view unit = "");
 
 /// Rows of a list as lines of text, with a blank line after the details.

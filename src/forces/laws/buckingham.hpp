@@ -12,8 +12,8 @@ namespace polhode {
 
 /// The Buckingham potential u = A exp(−B r) − c6/r⁶ [buckingham1938]. The potential has a maximum
 /// at a short distance, the inner limit. Below the inner limit, the potential falls to −∞. Sites
-/// closer than the inner limit would collapse onto each other. At such distances u and s are NaN,
-/// so that the run stops.
+/// closer than the inner limit would collapse onto each other. Below the inner limit, u and s are
+/// NaN, so that the run stops.
 template <class T = double>
 struct Buckingham {
   T A = 0;             ///< [kJ/mol]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Splits of 1/r into two parts, 1/r = u(r) + smooth(r). The short-range part u is summed over
 // pairs, and the smooth part over wave vectors. The smooth part is the potential of a unit charge
-// that is spread over a density, after which the split is named. transform(k) is the Fourier
+// that is spread over a density. The split is named after this density. transform(k) is the Fourier
 // transform of this density, with value 1 at k = 0.
 #pragma once
 

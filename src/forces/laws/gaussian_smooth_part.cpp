@@ -13,7 +13,7 @@
 namespace polhode {
 namespace {
 
-// In Chebyshev polynomials of a high degree, the coefficients of powers of y are large and nearly
+// In a Chebyshev series of a high degree, the coefficients of powers of y are large and nearly
 // cancel. With long double, the error of the sum of these terms is 1e-15.
 using Real = long double;
 constexpr std::size_t degree = SmoothPolynomial::max_degree, nodes = 3 * degree;

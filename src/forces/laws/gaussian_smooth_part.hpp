@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The smooth part of Ewald's split as a polynomial, for pair interactions that complement the mesh
-// of another program.
+// The smooth part of Ewald's split as a polynomial, for pair interactions that are used together
+// with the mesh of another program.
 #pragma once
 
 #include "forces/laws/smooth_polynomial.hpp"

@@ -11,8 +11,8 @@ namespace polhode {
 
 /// The Mie potential u = C ε ((σ/r)ⁿ − (σ/r)ᵐ) with C = n/(n − m) (n/m)^(m/(n − m)), so that the
 /// well has the depth ε [mie1903]. Powers are computed as exp(n/2 ln(σ²/r²)). The relative error of
-/// a power is |n ln(σ/r)| times the error of the logarithm. This error is small at distances where
-/// the potential is strong.
+/// a power is |n ln(σ/r)| times the error of the logarithm. The relative error is small at
+/// distances where the potential is strong.
 template <class T = double>
 struct Mie {
   T strength = 0;  ///< strength C ε [kJ/mol]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The short-range potential of a pair of sites, chosen from the list below for each pair. Systems
-// with only Lennard-Jones potentials use separate loops, in which the potential is known at compile
-// time.
+// The short-range potential of a pair of sites. Each pair can have any potential of the list below.
+// Systems with only Lennard-Jones potentials use separate loops, in which the potential is known at
+// compile time.
 #pragma once
 
 #include <variant>

@@ -11,9 +11,9 @@
 
 namespace polhode {
 
-/// A potential given by a cubic spline through the energies of a table. Below the first distance of
-/// the table, u and s are NaN, so that the run stops. Beyond the last distance u is constant. Pairs
-/// inside the cutoff are never beyond the last distance.
+/// A potential given by a table of energies, interpolated by a cubic spline. Below the first
+/// distance of the table, u and s are NaN, so that the run stops. Beyond the last distance u is
+/// constant. Pairs inside the cutoff are never beyond the last distance.
 template <class T = double>
 struct Tabulated {
   std::shared_ptr<const PotentialTable> table;
@@ -22,8 +22,8 @@ struct Tabulated {
   T intervals = 0;        ///< number of intervals, as a floating-point number
 
   using Parameters = TabulatedLaw;
-  /// Mixes the tables of two sites. The result is their common table, and is empty if the tables
-  /// differ.
+  /// Mixes the tables of two sites. The result is the table that both sites have in common. If the
+  /// tables differ, the result is empty.
   template <class Mean>
   static std::optional<Parameters> mixed(const Parameters& x, const Parameters& y, const Mean&) {
     return x == y ? std::optional(x) : std::nullopt;
@@ -63,7 +63,7 @@ struct Tabulated {
             select(too_close, nothing, select(place < last, s, Real(0)))};
   }
 
-  /// The integral beyond a distance does not exist.
+  /// A table has no integral from a distance to infinity.
   /// @throws Error  always, because a table has no values beyond its end
   double integral_beyond(double) const {
     throw Error("dispersion_correction needs the potential at all distances, but table '" +

@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// Expected time of the mesh [s]. If there are no grid points, the result is the time to spread and
-/// gather charges.
+/// Expected time of the mesh [s]. Without grid points, the result is the time to spread and gather
+/// charges.
 double expected_mesh_seconds(const Topology& topology, const MeshSettings& mesh);
 
 /// Expected time of the pairs [s], for a given cutoff of the charges [nm].

@@ -13,15 +13,15 @@
 
 namespace polhode {
 
-/// Fourier coefficients of a grid, transformed along x and z. A column of coefficients is a series
-/// of packs along y, with alternating real and imaginary parts. A pack has `tile.rows` consecutive
-/// k_x and `tile.columns` consecutive k_z ≥ 0. Before the transform along y, tiles are transposed
-/// (Tile::transpose_rows).
+/// Coefficients of a grid after the Fourier transforms along x and z. A column of coefficients is a
+/// series of packs along y, with alternating real and imaginary parts. A pack has `tile.rows`
+/// consecutive k_x and `tile.columns` consecutive k_z ≥ 0. Before the transform along y, tiles are
+/// transposed (Tile::transpose_rows).
 template <class T>
 struct MeshModes {
   std::array<std::size_t, 3> points{};
   MeshTile tile;
-  std::size_t column = 0;  ///< distance from column to column, in numbers
+  std::size_t column = 0;  ///< distance in memory between successive columns, in numbers
   Column<T> values;
 
   MeshModes() = default;
@@ -71,12 +71,12 @@ struct ModeSums {
 };
 
 POLHODE_DECLARE_LOOPS(
-    /// Transforms rows of stacks along z and x by Σ exp(−2πi (k_x x/n_x + k_z z/n_z)). The grid's
-    /// overhang is added first.
+    /// Transforms rows of stacks along z and x by Σ exp(−2πi (k_x x/n_x + k_z z/n_z)). The overhang
+    /// of the grid is added before the transform.
     void rows_to_modes(const FourierRowJob<double>& job);
     void rows_to_modes(const FourierRowJob<float>& job);
-    /// Transforms coefficients back to rows of stacks: the inverse transform times n_x n_z,
-    /// including the overhang.
+    /// Transforms coefficients back to rows of stacks, including the overhang. The result is the
+    /// inverse transform times n_x n_z.
     void modes_to_rows(const FourierRowJob<double>& job);
     void modes_to_rows(const FourierRowJob<float>& job);
     /// Multiplies coefficients by the influence function. If `sums` is given, also sums the

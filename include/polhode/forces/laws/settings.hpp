@@ -17,9 +17,10 @@ namespace polhode {
 /// contains the p-th derivative of the potential energy. A switch of class C^(p−1) keeps this p-th
 /// derivative bounded (docs/statistics.md).
 enum class Truncation {
-  molecule_switch,  ///< all site pairs of two molecules are multiplied by w(R), with R between
-                    ///< centres of mass
-  site_switch,      ///< each site pair is multiplied by w(r), with r between the sites
+  molecule_switch,  ///< all site pairs of two molecules are multiplied by w(R), where R is the
+                    ///< distance between the centres of mass
+  site_switch,      ///< each site pair is multiplied by w(r), where r is the distance between the
+                    ///< sites
   site_shift,       ///< energy and force of each site pair are shifted to 0 at the cutoff
                     ///< [toxvaerd2011]
 };

@@ -15,13 +15,13 @@
 namespace polhode {
 
 /// Expected rms error of the force on a charge due to the mesh [kJ/mol/nm], for bodies with random
-/// positions and orientations. The estimate of ballenegger2012 for independent charges is used. The
-/// form factor of each body replaces the sum of squared charges, because the charges of a neutral
-/// body largely cancel at long range.
+/// positions and orientations. The estimate of ballenegger2012 for independent charges is used. In
+/// this estimate, the form factor of each body replaces the sum of squared charges, because the
+/// charges of a neutral body largely cancel at long range.
 double expected_mesh_error(const Topology& topology, const Box& box, const MeshSettings& settings);
 
 /// A rough estimate of the rms electrostatic force on a charge in a dense liquid [kJ/mol/nm]. The
-/// estimate is the force between two rms charges at the mean distance between charges.
+/// estimate is the force between two charges of rms size at the mean distance between charges.
 double typical_force(const Topology& topology, const Box& box);
 
 /// Chooses the fastest mesh whose rms force error is at most a given fraction of the rms
@@ -35,7 +35,7 @@ class MeshChoice {
   /// @throws Error  if the accuracy is not from 1e-7 to 0.1, or there are no charges
   MeshChoice(const Topology& topology, const ForceSettings& settings);
 
-  /// Chooses the mesh for a box. Calls after the first are fast, because computed errors are
+  /// Chooses the mesh for a box. All calls except the first are fast, because computed errors are
   /// stored.
   /// @throws Error  if the box holds so few charges that the mesh would have too many points
   MeshSettings operator()(const Box& box);

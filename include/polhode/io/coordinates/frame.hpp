@@ -47,8 +47,9 @@ void complete_elements(Frame& frame);
 
 enum class MasslessSites { keep, omit };
 
-/// The frame with all sites of all bodies. A site at x from the body's centre q has r = q + x and v
-/// = p/m + ω × x. Molecules are whole, and molecule centres are wrapped into the box.
+/// The frame with all sites of all bodies. A site with the offset x from the centre q of its body
+/// has r = q + x and v = p/m + ω × x. Molecules are whole, and molecule centres are wrapped into
+/// the box.
 Frame frame_of(const State& state, const Topology& topology,
                MasslessSites massless = MasslessSites::keep);
 
@@ -82,8 +83,8 @@ FittedState fit_state(const Frame& frame, const Topology& topology);
 /// models differ by up to 0.01 nm, and isomers differ by more than 0.02 nm.
 inline constexpr double fit_tolerance = 0.02;
 
-/// Completes a topology: if its only molecule count is 0, the count becomes the number of molecules
-/// in the frame.
+/// If the only molecule count of a topology is 0, this count becomes the number of molecules in the
+/// frame.
 Topology complete_topology(Topology topology, const Frame& frame);
 
 }  // namespace polhode

@@ -53,12 +53,12 @@ std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view form
 /// Position in a coordinate file after a number of whole frames.
 struct FileMark {
   std::uint64_t frames = 0;
-  std::uint64_t bytes = 0;  ///< length of the file; 0 if the format is not measured in bytes
+  std::uint64_t bytes = 0;  ///< length of the file; 0 for formats whose marks do not use bytes
   /// CRC-64 of the file up to this position, without the bytes that change with each frame.
   std::uint64_t checksum = 0;
 };
 
-/// A named number stored with each frame, in formats that can store numbers besides atoms.
+/// A named number that is stored with each frame, if the format can store numbers besides atoms.
 struct FrameNumber {
   std::string_view name;  ///< "potential_energy"
   std::string_view unit;  ///< unit in H5MD notation, such as "kJ mol-1"
@@ -98,12 +98,12 @@ std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topolo
 /// @throws Error  if the contents have changed
 void check_frames(const std::string& path, const FileMark& mark);
 
-/// Resumes a file after the frames of a mark, and removes everything after the mark.
+/// Resumes a file at a mark: keeps the frames before the mark, and removes everything after it.
 /// @throws Error  if the file is shorter than the mark
 std::unique_ptr<FrameWriter> resume_frames(const std::string& path, const Topology& topology,
                                            const FileMark& mark, const FrameChoice& choice = {});
 
-/// Checks, before a run starts, that its frames can be written to a file.
+/// Checks before a run that a file can hold the frames of the run.
 /// @throws Error  if the format cannot hold that many atoms, or coordinates in a box of that size
 void check_fit(const std::string& path, const State& state, const Topology& topology,
                const FrameChoice& choice = {});

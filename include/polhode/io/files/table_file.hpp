@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables of results: CSV files, whose comments give their provenance.
+// Tables of results in CSV files. Comments in the files give the provenance of the results.
 #pragma once
 
 #include <cstdint>

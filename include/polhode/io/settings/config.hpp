@@ -38,8 +38,9 @@ struct SystemSettings {
                                     ///< configuration [u/nm³]
   std::optional<Vec3<double>> box;  ///< box edges, if there is no initial configuration [nm]
   double temperature = 297;         ///< temperature of initial velocities, and of a thermostat [K]
-  /// Whether velocities are drawn. If false, the initial configuration must have velocities. If not
-  /// set, velocities are drawn unless the initial configuration contains velocities.
+  /// Whether velocities are drawn. If false, the initial configuration must have velocities. If
+  /// this setting is not given, velocities are drawn unless the initial configuration contains
+  /// velocities.
   std::optional<bool> new_velocities{};
   std::uint64_t seed = 1;
   /// Path of a coordinate file, or "w512" for the built-in configuration. If empty, molecules are
@@ -73,8 +74,8 @@ struct RunSettings {
   double equilibrate = 0;  ///< length of the equilibration with velocity rescaling [ps]
   double length = 15;      ///< length of the trajectory [ps]
   double sample = 0.004;   ///< interval between samples of the energies [ps]
-  /// Interval between samples of the shadow energy [ps]; 0 for no samples. The default is 100 steps
-  /// for schemes that have a shadow energy.
+  /// Interval between samples of the shadow energy [ps]; 0 for no samples. By default, the interval
+  /// is 100 steps for schemes that have a shadow energy.
   std::optional<double> shadow_sample;
   double configurational_sample = 0;  ///< interval between samples of configurational temperatures
                                       ///< [ps]; 0: none
@@ -141,7 +142,7 @@ struct Config {
   EnsembleSettings ensemble;         ///< settings of thermostat, barostat and hybrid Monte Carlo
   std::string source;                ///< path of the run file, or "default"
   std::string text;                  ///< text of the run file as read; its hash identifies outputs
-  std::vector<std::string> notes{};  ///< notes on settings that an overlay selected by default
+  std::vector<std::string> notes{};  ///< notes on settings that follow from settings of the overlay
 
   /// A setting as written in the run file.
   struct Given {
@@ -152,8 +153,8 @@ struct Config {
                                                     ///< "forces.cutoff"
 
   bool gives(std::string_view path) const { return given.contains(path); }
-  /// The place of a setting for error messages; the source of the run file if the setting has its
-  /// default.
+  /// The place of a setting for error messages. If the setting has its default, the result is the
+  /// source of the run file.
   const std::string& place(std::string_view path) const {
     const auto found = given.find(path);
     return found == given.end() ? source : found->second.place;

@@ -19,7 +19,7 @@ inline constexpr double default_near_switch = 0.7;
 ///   inner scheme has a bath
 NestedScheme nested_scheme_of(std::string_view text);
 
-/// A user-given scheme, parsed once, together with its name or text as the user wrote it.
+/// A scheme given by the user, as a parsed scheme and as the text that the user wrote.
 struct NamedScheme : NestedScheme {
   std::string text;  ///< name, or stages as text
 

@@ -20,8 +20,8 @@ struct Override {
 
 struct Overlay {
   std::vector<Override> settings;  ///< overrides; the last setting of a key has precedence
-  /// Whether setting a pressure selects a thermostat, if the run file has neither a thermostat nor
-  /// hybrid Monte Carlo.
+  /// Whether a setting of the pressure also selects a thermostat, if the run file has neither a
+  /// thermostat nor hybrid Monte Carlo.
   bool pressure_selects_thermostat = true;
 
   /// The last override of a key, or null if there is none.

@@ -43,8 +43,8 @@ struct GromacsAtomType {
   double sigma = 0;       ///< [nm]
   double epsilon = 0;     ///< [kJ/mol]
   ShortRangeLaw law{};
-  bool one_sided = false;  ///< Whether exactly one of C6 and C12 is 0. Sigma and epsilon cannot
-                           ///< express such a potential.
+  bool one_sided = false;  ///< Whether exactly one of C6 and C12 is 0. No sigma and epsilon give
+                           ///< such a potential.
   TextPlace place;
 
   bool same_parameters(const GromacsAtomType& other) const {
@@ -116,7 +116,7 @@ GromacsTopology parse_gromacs(std::string_view text, const std::string& file,
 IncludeLoader file_loader(std::vector<std::string> folders);
 
 /// Selects the distances between real atoms that determine a rigid shape. Settles and constraints
-/// fix these distances. With `by_bonds`, the equilibrium values of bonds and angles also fix
+/// fix these distances. With `by_bonds`, the equilibrium values of bonds and angles fix further
 /// distances.
 enum class Rigidity { by_constraints, by_bonds };
 std::vector<Distance> constrained_distances(const GromacsTopology& topology,

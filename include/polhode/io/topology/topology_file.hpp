@@ -50,8 +50,8 @@ bool is_data_file(const std::string& path);
 RigidTopology read_topology(const TopologySettings& settings, const Frame* start);
 
 /// Converts the molecules of a GROMACS topology to rigid bodies. Molecules in `shapes` have the
-/// given shape. Molecules in `rigid` have the shape given by the equilibrium values of bonds and
-/// angles. If bonds and angles do not determine a shape, the mean shape in the initial
+/// given shape. The equilibrium values of bonds and angles give the shape of each molecule in
+/// `rigid`. If bonds and angles do not determine a shape, the mean shape in the initial
 /// configuration is used. Settles and constraints determine the shape of all other molecules.
 /// @throws Error  if a molecule is not rigid, with the reason
 RigidTopology rigid_topology(const GromacsTopology& gromacs, const TopologySettings& settings,

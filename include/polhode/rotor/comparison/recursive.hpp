@@ -15,7 +15,7 @@ namespace recursive {
 inline constexpr std::size_t max_terms = 14;
 using Series = std::array<double, max_terms>;
 
-/// Computes the Taylor coefficients of φ'(s) h about the point at which the angular momentum is L.
+/// Computes the Taylor coefficients of φ'(s) h about the time at which the angular momentum is L.
 /// Here s is the time in units of the step h. Euler's equations determine the derivatives. φ' = |L|
 /// (L_i²/J_i + L_j²/J_j)/(L_i² + L_j²) is a quotient of two series, with i and j perpendicular to
 /// `axis`.
@@ -49,8 +49,8 @@ inline Series angle_rate(const Vec3<double>& J, const Vec3<double>& L, double no
   return rate;
 }
 
-/// Integrates a function from 0 to 1 from its Taylor coefficients at both ends, by two-point
-/// Hermite quadrature Σ c_nk [f^{(k)}(0) + (−1)ᵏ f^{(k)}(1)]. The error is O(h^{2n+3}); the order n
+/// Integrates a function from 0 to 1 by two-point Hermite quadrature Σ c_nk [f^{(k)}(0) + (−1)ᵏ
+/// f^{(k)}(1)], given its Taylor coefficients at 0 and 1. The error is O(h^{2n+3}); the order n
 /// increases until the sum converges.
 inline double hermite_quadrature(const Series& from, const Series& to) {
   double sum = 0.5 * (from[0] + to[0]), change = std::abs(sum);
@@ -73,9 +73,9 @@ inline double hermite_quadrature(const Series& from, const Series& to) {
 
 /// Computes the free rotation by the recursive method: L by the addition theorem, and the angle
 /// about L by two-point Hermite quadrature. The method is intended for steps with |ω t| ≤ 0.5.
-/// Longer times are divided into such steps. Every L is computed from the initial L, so errors do
-/// not accumulate, and angles are summed with compensation. For a million steps or more, the closed
-/// form is used instead.
+/// Longer times are divided into such steps. Every L is computed from the initial L, so its errors
+/// do not accumulate. Angles are added by compensated (Kahan) summation. For a million steps or
+/// more, the closed form is used instead.
 ///
 /// @param J, L, t  as for closed_rotation()
 /// @return         as for closed_rotation(), with the same accuracy

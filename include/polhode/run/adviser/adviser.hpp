@@ -24,7 +24,7 @@ struct AdviserSettings {
   double seconds = 60;               ///< approximate wall-clock time of the whole search
 };
 
-/// Results of the search with a single candidate scheme.
+/// The results for one candidate scheme.
 struct Candidate {
   std::string name;  ///< name of the scheme, or its text
   Scheme scheme;

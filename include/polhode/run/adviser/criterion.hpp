@@ -33,10 +33,10 @@ struct Outcome {
   double energy_bias = 0;             ///< time-step bias of the potential energy per molecule
                                       ///< [kJ/mol]
   double pressure_bias = 0;           ///< time-step bias of the pressure [kJ/mol/nm³]
-  /// Standard errors common to all runs. These errors arise when the biases of energy and pressure
-  /// are converted to the ensemble of the run file.
+  /// Standard errors common to all runs. These errors come from the conversion of the biases of
+  /// energy and pressure to the ensemble of the run file.
   double energy_bias_error = 0, pressure_bias_error = 0;
-  double rounding = 0;  ///< R due to round-off only, estimated; 0 in double precision
+  double rounding = 0;  ///< estimate of R if round-off were the only error; 0 in double precision
 };
 
 Outcome outcome(const System& system, const Trajectory& trajectory);
@@ -64,9 +64,9 @@ struct Criterion {
 ///   bounded in an ensemble in which the bias is not known
 Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& ensemble);
 
-/// Probability with which the adviser's answer is to meet the requirement: 95 of 100 new runs must
-/// meet it. If each run meets the requirement with a probability of 0.975, fewer than 95 of 100
-/// runs do so in only 5 % of cases.
+/// Probability with which each new run is to meet the requirement. The aim is that 95 of 100 new
+/// runs meet it. If each run meets the requirement with a probability of 0.975, fewer than 95 of
+/// 100 runs do so in only 5 % of cases.
 inline constexpr double guarantee_probability = 0.975;
 
 /// The value that the bounded number (R, drift or bias) exceeds only with probability 1 −
@@ -87,8 +87,8 @@ double optimistic_bound(const std::vector<Outcome>& runs, double part);
 /// result is true for an energy drift or a bias, which a part of a run does not determine.
 bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, double part);
 
-/// Whether a run blew up or its energies drift, with a p-value below `significance_level` as in a
-/// study.
+/// Whether a run blew up, or the energies of the runs drift with a p-value below
+/// `significance_level`, as in a study.
 bool drifts(const std::vector<Outcome>& runs, double significance_level = significance);
 bool blew_up(const std::vector<Outcome>& runs);
 

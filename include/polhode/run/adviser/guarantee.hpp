@@ -17,7 +17,7 @@ namespace polhode {
 struct Guarantee {
   Requirement accuracy;
   double length = 0;  ///< length of the sections of a run to which a bound on R applies [ps]
-  Estimate expected;  ///< mean R of the confirming runs
+  Estimate expected;  ///< mean R of the runs that confirmed the step
 };
 
 /// Chooses the step that meets the accuracy of a run file, and also the scheme if the run file has
@@ -27,7 +27,7 @@ struct Guarantee {
 std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks& callbacks,
                                                 Workers& workers);
 
-/// Writes a guarantee with the chosen scheme and step to a file, because a resumed run must
+/// Writes a guarantee with the chosen scheme and step to a file. A resumed run needs the file to
 /// continue with the same scheme and step.
 void write_guarantee(const std::string& file, const Guarantee& guarantee,
                      const IntegratorSettings& integrator);
@@ -46,8 +46,8 @@ struct GuaranteeCheck {
   bool met() const { return std::abs(value.value) <= guarantee.accuracy.bound; }
 };
 
-/// Checks a run against its guarantee. The result is empty if R or the bias is not known, such as R
-/// with a thermostat.
+/// Checks a run against its guarantee. The result is empty if R or the bias is not known. For
+/// example, R is not known with a thermostat.
 std::optional<GuaranteeCheck> check_guarantee(const Guarantee& guarantee,
                                               const TrajectoryStatistics& statistics,
                                               const RunSummary& summary);

@@ -21,10 +21,10 @@ struct StepPoint {
 /// steps with a ratio of about 1.3 suffice to fit the model near these steps. The model is not
 /// meant for extrapolation.
 ///
-/// Runs with two steps from the same initial configuration are not independent: they sample the
-/// same part of the trajectory. Therefore a separate line is fitted for each initial configuration,
-/// and the scatter of these lines gives the uncertainty of the mean line. The runs at each step
-/// give the scatter of a single run.
+/// Two runs with different steps from the same initial configuration are not independent: they
+/// sample the same part of the trajectory. Therefore a separate line is fitted for each initial
+/// configuration, and the scatter of these lines gives the uncertainty of the mean line. The runs
+/// at each step give the scatter of a single run.
 class StepModel {
  public:
   /// @param order   order p of the scheme; 0 (unknown) is treated as 2
@@ -32,7 +32,7 @@ class StepModel {
   ///   same order
   StepModel(int order, const std::vector<StepPoint>& points);
 
-  /// The mean of log R at a step over initial configurations, with its standard error.
+  /// The mean of log R over initial configurations at a given step, with its standard error.
   Estimate log_ratio(double step) const;
 
   /// The prediction bound: the value below which R of a new run at the step lies with a given

@@ -24,14 +24,14 @@ namespace polhode {
 inline constexpr double default_rdf_cutoff = 1;
 
 struct AnalysisSettings {
-  /// Names of the requested observables. Requesting an observable that the frames do not allow is
-  /// an error. If empty, all observables that the frames allow are computed.
+  /// Names of the requested observables. A requested observable that the frames do not allow is an
+  /// error. If empty, all observables that the frames allow are computed.
   std::set<std::string> what;
   double from = 0;                 ///< first time to analyze; earlier frames are skipped [ps]
   std::optional<double> interval;  ///< time between frames, which overrides the times in the file
                                    ///< [ps]
   double window = 10;              ///< largest lag of correlation functions [ps]
-  std::vector<SitePair> pairs;     ///< pairs of sites for g(r); empty: all pairs of site_pairs()
+  std::vector<SitePair> pairs;     ///< pairs of sites for g(r); if empty, all pairs of site_pairs()
   std::optional<double> cutoff;    ///< cutoff of g(r) [nm]; default: `default_rdf_cutoff`, at most
                                    ///< half of the shortest edge
   double bin = 0.002;              ///< bin width of g(r) [nm]
@@ -44,7 +44,8 @@ struct Analysis {
   Topology topology;
   std::size_t frames = 0;
   double first = 0, last = 0;  ///< times of the first and last frames [ps]
-  double interval = 0;         ///< time between frames [ps]; 0 if no observable needed it
+  double interval = 0;         ///< time between frames [ps]; 0 if no observable needs evenly spaced
+                               ///< frames
   Box box;                     ///< box of the first frame
   bool has_velocities = false;
   double deviation = 0;            ///< largest distance of atoms from the sites of the rigid models

@@ -23,7 +23,7 @@ struct Analysis;
 struct AnalysisSettings;
 struct SummarySettings;
 
-/// An output table with its figure. If the figure has no panels, it is not drawn.
+/// An output table with its figure. A figure without panels is not drawn.
 struct AnalysisFile {
   std::string name;  ///< part of the file name after the prefix, such as "rdf"
   Table table;
@@ -34,7 +34,7 @@ struct AnalysisFile {
 struct FirstFrames {
   const Analysis& analysis;  ///< topology and box, and whether frames have velocities
   const AnalysisSettings& settings;
-  std::size_t lags = 0;  ///< number of lags of correlation functions, if the frames are evenly
+  std::size_t lags = 0;  ///< number of time lags of correlation functions, if the frames are evenly
                          ///< spaced
 };
 
@@ -47,7 +47,7 @@ struct AllFrames {
   std::vector<std::string>& notes;  ///< receives notes on results that could not be computed
 };
 
-/// The results of an observable, each of which may be empty.
+/// The results of an observable. Each of these lists may be empty.
 struct ObservableResults {
   Quantities quantities;          ///< quantities of the whole trajectory
   std::vector<Quantities> parts;  ///< quantities of each kind of molecule
@@ -69,7 +69,7 @@ struct ObservableKind {
   std::string name;                ///< name in the option `--what`
   std::vector<std::string> files;  ///< names of the files that the observable may write
   bool correlates_times = false;   ///< whether frames must be evenly spaced
-  /// Returns why the frames do not allow this observable; empty if they do.
+  /// Returns the reason why the frames do not allow this observable; empty if they allow it.
   std::function<std::string(const FirstFrames&)> why_not;
   std::function<std::unique_ptr<Observable>(const FirstFrames&)> begin;
 };

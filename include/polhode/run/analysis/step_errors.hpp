@@ -13,7 +13,8 @@
 
 namespace polhode {
 
-/// The energies file from which time-step errors are read, with the settings that this requires.
+/// The energies file that contains the time-step errors, and the settings that are needed to read
+/// them.
 struct StepErrorSettings {
   std::string energies;  ///< path of the energies file
   FixedMeans fixed = FixedMeans::energy;
@@ -24,8 +25,8 @@ struct StepErrorSettings {
 /// @throws Error  with the reason, if the time-step bias is not known in the ensemble of the run
 StepErrorSettings step_error_settings(const std::string& energies, const Config& config);
 
-/// Finds the time-step errors of frames in an energies file. Each frame belongs to the row with the
-/// same time. Each row is read only once, when a frame with its time is reached.
+/// Finds the time-step errors of frames in an energies file. The time-step error of a frame is in
+/// the row with the same time. Each row is read only once, when a frame with its time is reached.
 class StepErrors {
  public:
   /// @throws Error  if the file cannot be read, or is not an energies file
@@ -36,7 +37,7 @@ class StepErrors {
   /// @param has_velocities  whether the frame has a kinetic energy that can be compared with the
   ///   row
   /// @throws Error  unless exactly one row has the time of the frame, within the round-off of times
-  ///   in files. Also throws if the volume, kinetic energy or ensemble of frame and row differ
+  ///   in files. Also throws if the frame and the row differ in volume, kinetic energy or ensemble
   std::optional<StepError> at(const State& frame, bool has_velocities);
 
  private:

@@ -90,8 +90,8 @@ struct CanonicalPoint {
   int runs = 0;
   bool stable = true;                        ///< whether no run blew up
   ByQuantity<std::optional<Estimate>> mean;  ///< mean of each quantity over the runs
-  ByQuantity<std::optional<Estimate>> bias;  ///< bias of each quantity; its error includes the
-                                             ///< error of the reference
+  ByQuantity<std::optional<Estimate>> bias;  ///< bias of each quantity; the error of a bias
+                                             ///< includes the error of the reference
   Estimate correlation_time;                 ///< integrated autocorrelation time of the potential
                                              ///< energy [ps]; NaN if unknown
   Estimate acceptance, weight;
@@ -108,18 +108,18 @@ struct CanonicalPoint {
 /// The default schemes of a canonical study, used if the run file names none.
 std::vector<NamedScheme> canonical_schemes();
 
-/// The methods that a study measures, by schemes and steps. Schemes without a bath make the
+/// The methods that a study measures: each scheme at each step. Schemes without a bath make the
 /// proposals of hybrid Monte Carlo; such a method is named "hmc-SCHEME".
 /// @throws Error  under the same conditions as check_hybrid(), or if a method occurs twice
 std::vector<CanonicalMethod> canonical_methods(const StudySettings& settings);
 
-/// Time at the beginning of a run of a given length [ps] that averages exclude, because the initial
-/// configuration still affects it.
+/// The part of a run [ps] that averages exclude at the beginning, because the initial configuration
+/// still affects it. `length` is the length of the run.
 constexpr double relaxation(double length) { return 0.2 * length; }
 
-/// Performs the runs that are not in `known` yet, and reports each run when it ends. Hybrid Monte
-/// Carlo draws the initial configurations. Each run uses one thread, and each worker performs one
-/// run at a time.
+/// Performs the runs that are not in `known` yet, and reports each run when it ends. The initial
+/// configurations are drawn by hybrid Monte Carlo. Each run uses one thread, and each worker
+/// performs one run at a time.
 void perform_canonical_runs(const Config& config, const std::vector<CanonicalRun>& known,
                             const std::function<void(const CanonicalRun&)>& finished,
                             const Callbacks& callbacks, Workers& workers = Workers::serial());

@@ -46,26 +46,26 @@ struct PreparationReport {
 };
 
 /// A rough estimate of the liquid density of these molecules [u/nm³]. The estimate assumes that
-/// spheres of diameter σ about the sites fill 45 % of the volume, after subtraction of the overlap
-/// within each molecule. For liquids near their triple point this fraction is 43 % (argon) to 55 %
-/// (water).
+/// spheres of diameter σ about the sites fill 45 % of the volume. Spheres of the same molecule
+/// overlap, and the overlap counts once. For liquids near their triple point this fraction is 43 %
+/// (argon) to 55 % (water).
 /// @throws Error  if no site has a diameter
 double estimated_density(const Topology& topology);
 
 /// Prepares the system of a run file:
 /// 1. Molecules are placed on a lattice with their kinds shuffled, at the density or in the box of
-///   [system]. If [system] has neither, estimated_density() gives the density, which requires a
-///   barostat. An initial configuration replaces the lattice.
+///   [system]. If [system] has neither a density nor a box, estimated_density() gives the density.
+///   In this case, a barostat is required. An initial configuration replaces the lattice.
 /// 2. minimise() reduces forces to 100 kJ/mol/nm and torques to 10 kJ/mol.
 /// 3. The NVT stage is Langevin dynamics by BAOAB [leimkuhler2013] at a 1 fs time step, with a
 ///   friction of 5/ps.
 /// 4. If there is a barostat, the NPT stage is Langevin dynamics with barostat moves, at a time
-///   step of at most 2 fs. If the run file gives no compressibility, the barostat's value is
-///   adapted after 1/8, 1/4 and 1/2 of the stage. Once the volume fluctuations are known, they
-///   determine the compressibility. While the volume drifts, the compressibility is multiplied by
-///   4, up to 16 times the default. For a run at constant energy, momenta are then scaled so that
-///   the total energy is the mean of the last half stage. The run therefore has the requested
-///   temperature.
+///   step of at most 2 fs. If the run file gives no compressibility, the compressibility of the
+///   barostat is adapted after 1/8, 1/4 and 1/2 of the stage. Once the volume fluctuations are
+///   known, they determine the compressibility. While the volume drifts, the compressibility is
+///   multiplied by 4, up to 16 times the default. For a run at constant energy, momenta are then
+///   scaled so that the total energy equals its mean over the second half of the stage. The run
+///   therefore has the requested temperature.
 ///
 /// The function writes PREFIX-prepared.gro with velocities, and PREFIX-prepared.bin, a checkpoint
 /// with the same state to the last bit. It also writes PREFIX-prepared.toml, a run file that starts

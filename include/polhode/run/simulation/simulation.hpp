@@ -39,8 +39,8 @@ struct RunResult {
 };
 
 /// The simulation that a run file describes: a system, an optional equilibration, and a trajectory.
-/// The trajectory is bitwise the same whether it is computed by step(), by run(), or resumed, and
-/// for any number of threads.
+/// The same trajectory, bit for bit, results from step(), from run(), after resuming, and with any
+/// number of threads.
 class Simulation {
  public:
   /// Builds the system. Construction neither computes anything nor writes a file.
@@ -55,7 +55,7 @@ class Simulation {
   const System& system() const { return system_; }
   const State& state() const { return system_.state; }
   /// The state, which the caller may change between two steps. Call state_changed() after a change.
-  /// The memory of the state stays in place until the end of the simulation.
+  /// The memory address of the state does not change until the end of the simulation.
   State& state_to_change();
   /// Begins a new segment of the trajectory after a change of the state, and evaluates the forces
   /// again. Orientations are normalized.
@@ -102,20 +102,20 @@ class Simulation {
   /// @param command  command that is recorded in the file
   /// @throws RunError  if the file cannot be written
   void save(const std::string& path, const std::string& command = "Simulation::save");
-  /// Resumes from a checkpoint of the same run, which save() or run() has written. The version of
-  /// the program and its instruction set must be the same.
+  /// Resumes from a checkpoint of the same run, which save() or run() has written. The program must
+  /// have the same version and use the same instruction set as when the checkpoint was written.
   /// @throws Error  if the checkpoint is damaged, or belongs to another run, version or instruction
   ///   set
   void resume(const std::string& path);
 
   /// Continues the trajectory to the length that the run file requires. The function writes
   /// energies, trajectories, checkpoints, the final state and a figure. [output] selects files and
-  /// names. A lock keeps other processes from using the files.
+  /// names. Other processes cannot use these files, because a lock file protects them.
   /// @throws Error     before anything is computed, if outputs exist or cannot be resumed
   /// @throws RunError  if the trajectory blows up, or a file cannot be written
   RunResult run(const OutputOptions& options = {}, const Callbacks& callbacks = {});
-  /// The step of the last checkpoint, if run() threw an error after which the run can be resumed,
-  /// such as a full disk.
+  /// The step of the last checkpoint, from which a run can be resumed. The step is set if run()
+  /// threw such an error as a full disk.
   std::optional<std::size_t> resumable_step() const { return resumable_step_; }
 
  private:

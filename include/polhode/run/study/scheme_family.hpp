@@ -15,8 +15,8 @@
 namespace polhode {
 
 /// A family of schemes with one or two free parameters, such as "free x = 0.2; B(x) A(1/2) B(1 -
-/// 2*x) A(1/2) B(x)". The O(h²) error of a scheme has only two terms, α and β, which cannot
-/// determine a third parameter.
+/// 2*x) A(1/2) B(x)". The O(h²) error of a scheme has only two terms, with the prefactors α and β.
+/// These cannot determine a third parameter.
 class SchemeFamily {
  public:
   /// @throws Error  unless the text is a palindrome with one or two free parameters that determine
@@ -43,8 +43,8 @@ class SchemeFamily {
 SchemeFamily hoa2_family();
 SchemeFamily gier4_family();
 
-/// Covariances of the energy E and the error brackets a = h² V̈ and b = h² W in a run: means of
-/// products of their deviations [kJ²/mol²].
+/// Covariances in a run of three quantities: the energy E and the error brackets a = h² V̈ and b =
+/// h² W [kJ²/mol²].
 struct ErrorCovariance {
   double EE = 0, Ea = 0, Eb = 0, aa = 0, ab = 0, bb = 0;
   double VV = 0;  ///< variance of the potential energy, the denominator of R²
@@ -60,7 +60,8 @@ ErrorTerms operator-(const ErrorTerms& a, const ErrorTerms& b);
 
 /// The parameters that minimize the variance of the energy, computed from a run with the reference.
 std::vector<double> best_parameters(const ErrorCovariance& covariance, const SchemeFamily& family);
-/// The parameters that minimize the fluctuation of α V̈ + β W, which are optimal for short steps.
+/// The parameters that minimize the fluctuation of α V̈ + β W. These parameters are optimal for
+/// short steps.
 std::vector<double> best_at_short_steps(const ErrorCovariance& covariance,
                                         const SchemeFamily& family);
 

@@ -41,8 +41,8 @@ struct StudyRun {
   double rounding = 0;     ///< R due to round-off only, estimated; 0 in double precision
   /// Mean temperatures of each kind of motion; empty for old records without these temperatures.
   std::optional<Temperatures> parts;
-  double near_weight = 0;  ///< time of a near-force evaluation relative to all forces; 0 without an
-                           ///< inner scheme
+  double near_weight = 0;  ///< time of a near-force evaluation, relative to an evaluation of all
+                           ///< forces; 0 without an inner scheme
   /// Configurational temperatures over the run [K], 0 for motions without forces; empty if they
   /// were not requested.
   std::optional<ByMotion<double>> configurational{};
@@ -83,8 +83,8 @@ struct EfficiencyPoint {
   double relative_drift_bound() const;
   /// Whether the energy drift is significant and above `drift_bound`.
   bool drifts() const;
-  /// Whether the runs are stable and their energy drift is below `drift_bound` with 95 %
-  /// confidence, significant or not.
+  /// Whether the runs are stable, and their energy drift, even if significant, is below
+  /// `drift_bound` with 95 % confidence.
   bool conserves() const { return stable && relative_drift_bound() < drift_bound; }
   /// Whether round-off dominates R.
   bool at_rounding() const { return stable && ratio.value < rounding_margin * rounding; }
@@ -95,8 +95,9 @@ struct StudyPoint {
   std::string name;  ///< name of the scheme in tables and figures; see label_of()
   NestedScheme scheme;
   double step;  ///< time step [ps]
-  /// The name of the scheme in records of runs. In records, the stages follow a user-given name.
-  /// Records then distinguish different schemes that have the same name.
+  /// The name of the scheme in records of runs. In records, a user-given name is followed by the
+  /// stages of the scheme. Different schemes with the same name can thus be distinguished in the
+  /// records.
   std::string record_name() const;
   /// Force evaluations per ps.
   /// @param near_weight  cost of a near-force evaluation relative to a full force evaluation
@@ -104,8 +105,9 @@ struct StudyPoint {
 };
 std::vector<StudyPoint> study_points(const StudySettings& settings);
 
-/// The random seed of an initial configuration in a series, and of the runs that start from it. The
-/// seed is the seed of the run file + 1 + index.
+/// The random seed for an initial configuration of a series, and for the runs from this
+/// configuration. This seed is the sum of the seed in the run file, 1, and the index of the
+/// configuration.
 std::uint64_t start_seed(const Config& config, std::size_t index);
 
 /// Prepares an initial configuration of a series: draws momenta with start_seed() and equilibrates

@@ -21,8 +21,8 @@ struct TuneSettings {
   /// the families of hoa2 and gier4 are tuned.
   std::string scheme{};
   double step = 0;         ///< time step [ps]; 0: the step of the run file
-  int runs = 4;            ///< number of runs to measure, and of confirming runs from other initial
-                           ///< configurations
+  int runs = 4;            ///< number of runs for the measurement, and number of confirming runs
+                           ///< from other initial configurations
   double length = 2;       ///< length of each run [ps]
   double decorrelate = 2;  ///< equilibration of each initial configuration [ps]
   double sample = 0.02;    ///< interval between samples of error brackets [ps]

@@ -24,7 +24,8 @@ struct TopTrack {
   Quaternion<double> orientation;
   Vec3<double> L;                               ///< angular momentum in the body frame
   double energy_error = 0, momentum_error = 0;  ///< relative errors of energy and angular momentum
-  double angle = 0;  ///< angle between the orientation and the closed form [rad]
+  double angle = 0;  ///< angle between the orientation and the exact orientation (closed form)
+                     ///< [rad]
 };
 
 struct TopSample {
@@ -41,7 +42,7 @@ struct TopTrajectory {
 };
 
 /// Integrates a free top by the series and by NO_SQUISH.
-/// @param step    time step; 0 for a step in which the top initially turns by 0.2 rad
+/// @param step    time step; if 0, the time in which the top initially turns by 0.2 rad
 /// @param length  length of the trajectory; 0 for 200 steps
 /// @param stop    called at intervals; the integration ends when `stop` returns true
 /// @throws Error  under the same conditions as check_top(), or if there are not 1 to 10⁸ steps

@@ -132,7 +132,7 @@ void to_rows(const FourierRowJob<T>& job) {
   for (std::size_t n = 0; n < job.grid.stacks(); ++n) row.stack(n).transform_back(row.values(n));
 }
 
-// Calls visit(modes, address) for each group of coefficients that fills tiles.
+// Calls visit(modes, address) for each group of coefficients that fills a whole number of tiles.
 template <class T, class Visit>
 void each_tile(const ConvolveJob<T>& job, cmplx<Pack<T>>* series, const Visit& visit) {
   constexpr std::size_t rows = Tile<T>::rows;

@@ -23,19 +23,18 @@ struct RunSummary {
   double length = 0;          ///< simulated time [ps]
   double sample = 0;          ///< time between energies [ps]
   std::uint64_t samples = 0;  ///< number of samples of the energies
-  /// The ratio R; not finite if the potential energy is constant. R and energy drift are not
-  /// defined with hybrid Monte Carlo, because new momenta and rejections do not conserve any
-  /// energy.
+  /// The ratio R; not finite if the potential energy is constant. With hybrid Monte Carlo, R and
+  /// the energy drift are not defined, because new momenta and rejections change all energies.
   SeriesEstimate ratio;
   SeriesEstimate total_fluctuation;      ///< rms deviation of the conserved energy [kJ/mol]; not
                                          ///< defined if R is not defined
   SeriesEstimate potential_fluctuation;  ///< rms deviation of the potential energy [kJ/mol]
-  double rounding = 0;                   ///< R due to round-off only, estimated; 0 in double
-                                         ///< precision
+  double rounding = 0;                   ///< estimate of R if round-off were the only error; 0 in
+                                         ///< double precision
   double truncation = 0;                 ///< predicted R if the only error is the random walk
                                          ///< caused by the truncation of forces
-  bool walk_known = true;  ///< false if a system in mixed precision is too large for its noise to
-                           ///< be estimated
+  bool walk_known = true;  ///< false in mixed precision if the system is too large for an estimate
+                           ///< of its noise
   Drift drift;             ///< drift of the conserved energy [kJ/mol/ps]
   /// Random walk of the conserved energy, as a variance per time [(kJ/mol)²/ps], without
   /// mixed-precision round-off. The random walk is 0 unless there is clear evidence for it.
@@ -55,8 +54,8 @@ struct RunSummary {
   double momentum = 0;                ///< total momentum |Σ p| at the end
                                       ///< [u nm/ps]
   TemperatureEstimates temperatures;  ///< mean temperatures over the run [K]
-  /// Temperatures of the momenta on which a bath within the steps acts [K]; empty without such a
-  /// bath.
+  /// Temperatures of the momenta at the bath, if a scheme has the bath within its steps [K];
+  /// otherwise empty.
   std::optional<TemperatureEstimates> temperatures_at_bath;
   Drift potential_drift;  ///< drift of the potential energy [kJ/mol/ps]
   /// Time [ps] after which the potential energy and the volume are stationary.

@@ -26,8 +26,8 @@ struct System {
                              ///< [nm]
   double massless_deviation =
       0;  ///< deviation of massless sites, whose positions are recomputed [nm]
-  /// Whether momenta were drawn, because the initial configuration has no velocities or the run
-  /// file requests new velocities.
+  /// Whether momenta were drawn. This happens if the initial configuration has no velocities, or if
+  /// the run file requests new velocities.
   bool new_velocities = true;
   double file_temperature = 0;  ///< temperature of the velocities in the initial configuration [K]
   /// Centre-of-mass velocity that was removed from an initial configuration [nm/ps], and its
@@ -35,7 +35,8 @@ struct System {
   double removed_velocity = 0, removed_temperature = 0;
   /// How the shape of each part of a topology file was determined.
   std::vector<std::string> origins{};
-  /// Shapes that a topology file does not determine, by molecule type (RigidTopology::shapes).
+  /// The shapes of those molecule types whose shape the topology file does not determine
+  /// (RigidTopology::shapes).
   std::map<std::string, Shape> shapes{};
 };
 
@@ -45,7 +46,8 @@ struct System {
 Topology build_topology(const SystemSettings& settings);
 
 /// Builds the system of a run file: molecules, initial configuration and momenta.
-/// @throws Error  with its place, if counts, box or cutoff do not fit, or molecules overlap
+/// @throws Error  with its place, if molecule counts, box and cutoff contradict each other, or
+///   molecules overlap
 System build_system(const Config& config);
 
 /// The energies of a state of the system, given the Load at its positions. External forces may move

@@ -27,7 +27,8 @@ struct Timings {
   double all() const { return forces + near + list + motion + measurement; }
 };
 
-/// State of thermostat, barostat and hybrid Monte Carlo, with their heat and work so far.
+/// State of thermostat, barostat and hybrid Monte Carlo, and the heat and work that they have given
+/// so far.
 struct EnsembleMemory {
   double heat = 0;  ///< heat from the thermostat [kJ/mol]
   BarostatMemory barostat;
@@ -37,8 +38,8 @@ struct EnsembleMemory {
   }  ///< total heat and work [kJ/mol]
 };
 
-/// A part of a trajectory with constant settings. A change of the settings or of the state by the
-/// caller begins a new segment. Each segment has separate statistics, costs, heat and work.
+/// A part of a trajectory with constant settings. If the caller changes the settings or the state,
+/// a new segment begins. Each segment has separate statistics, costs, heat and work.
 struct Segment {
   std::uint64_t number = 1;
   std::size_t first_step = 0;  ///< number of trajectory steps before the segment
@@ -64,8 +65,8 @@ struct RunState {
   Segment segment;
 };
 
-/// The time simulated in a number of steps [ps]. Steps before the present segment may have had
-/// another step length.
+/// The time simulated in a number of steps [ps]. Steps before the present segment may have had a
+/// different length.
 double simulated(const TrajectorySettings& settings, const Segment& segment, std::size_t steps);
 /// The step at which a trajectory of the length given in the settings ends.
 std::size_t last_step(const TrajectorySettings& settings, const Segment& segment);
@@ -109,8 +110,8 @@ struct Trajectory {
 /// steps. The trajectory is the same for any number of threads. A trajectory that blows up ends
 /// early, and `failure` then reports the step and remedies. A trajectory has blown up if an energy
 /// is not finite, or if the total energy has changed by more than the initial kinetic energy. The
-/// final sample may lie between two sampling times, in which case a longer trajectory does not
-/// contain this sample.
+/// final sample may lie between two sampling times. A longer trajectory then does not contain this
+/// sample.
 /// @param from  state to resume from, bit for bit as if the trajectory had never been suspended
 Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                           const Watch& watch = {}, Workers& workers = Workers::serial(),

@@ -25,7 +25,8 @@ struct TrajectorySettings {
   double configurational_sample = 0;   ///< time between samples of configurational temperatures
                                        ///< [ps]; 0: none
   std::uint64_t seed = 0;              ///< seed of the random signs of configurational temperatures
-  double stretch = 0;           ///< length of the parts for which R is also computed [ps]; 0: none
+  double stretch = 0;           ///< length of the parts for which R is also computed [ps]; 0 for no
+                                ///< parts
   EnsembleSettings ensemble{};  ///< settings of the ensemble; the default is constant energy
 
   std::size_t steps() const { return steps_in(length); }
@@ -42,8 +43,8 @@ struct TrajectorySettings {
   std::size_t samples_per(double interval) const;
 
   /// Whether a shadow energy can be measured. The shadow energy differs from the energy by error
-  /// brackets of order h². At constant energy the shadow energy is conserved, and in other
-  /// ensembles it gives the time-step bias.
+  /// brackets of order h². The shadow energy is conserved at constant energy. In other ensembles,
+  /// it gives the time-step bias.
   bool has_shadow() const;
   /// The means that the ensemble fixes when the time-step bias is predicted; empty if the bias is
   /// not known.
