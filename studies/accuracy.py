@@ -63,7 +63,8 @@ def measured(o):
         found = dict(zip(cases, runs.parallel(o, lambda case: one(o, folder, *case[1], case[0]), cases)))
     of = {p: [found[seed, p] for seed in range(1, o.runs + 1)] for p in points}
     exact = of[min(points, key=lambda p: fmean(r["R"] for r in of[p]))]
-    # The scatter of initial configurations cancels in differences to the most accurate runs from the same configurations.
+    # From each run, the most accurate run from the same initial configuration is subtracted, which cancels the scatter of
+    # configurations.
     return {"waters": o.count, "length_ps": o.length, "points": [
         {"scheme": p[0], "step_fs": p[1], "runs": o.runs, **{q: estimate([r[q] for r in of[p]]) for q in exact[0]},
          "differences": {q: estimate([r[q] - best[q] for r, best in zip(of[p], exact)]) for q in exact[0]}} for p in points]}

@@ -63,7 +63,7 @@ def row(cell, length, reports):
     n = len(reports)
     known = [r for r in reports if r["drift_p_value"] is not None]
     shadow = [r["shadow"] for r in reports if r["shadow"]]
-    # The size of a drift is known in every run, but the error of the drift only in runs with a p-value.
+    # The size of an energy drift is known in every run, but its error is known only in runs with a p-value.
     ratio = lambda value, error, of=reports: (over_scatter([(r[value], r[error]) for r in of]) or [None])[-1]
     return {"system": f"{cell.count} {cell.model}", "scheme": f"{cell.scheme} {cell.step:g} fs", "smoothness": cell.smoothness,
             "ensemble": cell.thermostat or "NVE", "ps": length, "runs": n, "p-value": len(known) / n, "p < 5 %": 100 * fired(reports, 0.05) / n,

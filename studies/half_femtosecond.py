@@ -64,15 +64,15 @@ GROUPS = {  # (ensemble, length [ps], time steps [fs] of each scheme)
     "quick": [("constant energy", 30, {"velocity-verlet": (0.5, 1, 2, 4), "hoa2": (2, 4, 6), "gier4-fd": (3, 4, 5)})],
 }
 PAIRS = (("velocity-verlet", 2), ("velocity-verlet", 4), ("hoa2", 4), ("hoa2", 6))
-# Densities of TIP4P/2005 at 1 bar [abascal2005], as initial densities.
+# Initial densities: the densities of TIP4P/2005 at 1 bar [abascal2005].
 TIP4P_2005 = {257: 0.995, 267: 0.999, 277: 1.000, 287: 0.9995, 298: 0.997, 308: 0.994, 318: 0.990}
 POINTS = [Point(group, *WATER, ensemble, scheme, step, length) for group, of in GROUPS.items() for ensemble, length, schemes in of
           for scheme, steps in schemes.items() for step in steps]
-# The dependence of the pressure bias on the density gives the bias of the compressibility.
+# The bias of the compressibility follows from the dependence of the pressure bias on the density.
 POINTS += [Point("compression", "spce", 298.15, density, "rescaling", scheme, step, 100) for density in (0.978, 0.998, 1.018) for scheme, step in PAIRS]
 POINTS += [Point("density", "tip4p-2005", T, density, "constant pressure", scheme, step, 500) for T, density in TIP4P_2005.items()
            for scheme, step in (*PAIRS[:3], ("gier4-fd", 4))]
-# One short run of each kind.
+# One short run for each kind of run.
 SMOKE = [Point(group, *WATER, ensemble, scheme, 4, 1) for group, ensemble, scheme in (
     ("energy", SMALL, "velocity-verlet"), ("energy", SMALL, "hoa2"), ("canonical", "rescaling", "velocity-verlet"),
     ("friction", langevin(20), "baoab"), ("properties", "constant energy", "velocity-verlet"), ("structure", "hybrid Monte Carlo", "hoa2"),

@@ -15,7 +15,7 @@ from numpy.polynomial import Polynomial
 
 KEPT = ("potential_kJ_per_mol", "temperature_K", "temperature_translation_K", "temperature_rotation_K", "pressure_bar", "R",
         "temperature_configurational_K", "step_bias", "half_steps", "force_evaluations", "degrees_of_freedom_rotation")  # of a report
-# The cost of one step in force evaluations, which is the basis of comparison of points.
+# The number of force evaluations per step, which is the cost by which points are compared.
 EVALUATIONS = {"velocity-verlet": 1, "hoa2": 2, "bcss3": 3, "gier4-fd": 3, "4mn5fv": 5, "baoab": 1, "obabo": 1}
 KAPPA = 4.6e-5  # 1/bar, of SPC/E water at 298 K
 # The required biases with their units, and the names of these quantities in the record.

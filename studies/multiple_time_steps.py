@@ -6,7 +6,7 @@ from lib import curves, study
 LAWS = {"cutoff": {"cutoff": "1.0 nm"}, "reaction-field": {"cutoff": "1.0 nm", "electrostatics": "reaction-field"},
         "pme": {"cutoff": "0.9 nm", "electrostatics": "pme", "pme_accuracy": 1e-4}}
 SINGLE = {"velocity-verlet": (1, 1.5, 2, 2.5, 3), "hoa2": (2, 3, 4, 5, 6), "bcss3": (8, 9, 10, 12), "gier4-fd": (4, 5, 6)}
-# Outer scheme, inner scheme, outer steps [fs] for each number of inner steps in a drift.
+# Each entry has an outer scheme, an inner scheme, and the outer steps [fs] for each number of inner steps in a drift.
 NESTED = [("velocity-verlet", "hoa2", {2: (3, 4), 4: (8, 10, 12, 14, 16)}), ("hoa2", "hoa2", {1: (6, 8, 10), 2: (8, 10)}),
           ("hoa2", "bcss3", {1: (8, 10)}), ("hoa2", "gier4-fd", {1: (8, 9, 10, 12)}), ("bcss3", "hoa2", {1: (12, 14)}),
           ("gier4-fd", "gier4-fd", {1: (6, 8, 10)})]

@@ -59,7 +59,7 @@ struct Dual {
     return {power, power * a.slope};
   }
   friend Dual log(Dual a) { return {log(a.value), a.slope / a.value}; }
-  /// A step function. The derivative of this step function is 0 wherever it exists.
+  /// The floor, a step function whose derivative is 0 except at the steps.
   friend Dual floor(Dual a) { return floor(a.value); }
 };
 
@@ -86,7 +86,7 @@ requires(!std::is_same_v<Mask<Real>, bool>)  // plain numbers use the general ov
   return {select(mask, if_true.value, if_false.value), select(mask, if_true.slope, if_false.slope)};
 }
 
-// With a constant bound, the derivative is 0 where the bound applies.
+// With a constant bound, the derivative is 0 where the result is the bound.
 template <class Real>
 constexpr Dual<Real> min(const Dual<Real>& a, const Real& bound) {
   return {min(a.value, bound), select(a.value < bound, a.slope, Real(0))};

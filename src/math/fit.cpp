@@ -17,8 +17,8 @@ Estimate mean(std::span<const double> values) {
   return {average, n > 1 ? std::sqrt(squares / (n - 1) / n) : 0.0};
 }
 
-// The jackknife variance is (n − 1)/n Σ (value − mean)², which is (n − 1)² times the variance of
-// the mean.
+// Each value omits one point. The jackknife variance (n − 1)/n Σ (value − mean)² is (n − 1)² times
+// the variance of the mean of these values.
 double jackknife_error(std::span<const double> without) {
   return mean(without).error * static_cast<double>(without.size() - 1);
 }
@@ -77,8 +77,9 @@ double p_value(const Estimate& estimate, double degrees_of_freedom) {
 }
 
 double three_sigma_quantile(double degrees_of_freedom) {
-  constexpr double beyond = 0.0013498980316300946;  // probability beyond three standard deviations
-                                                    // one-sided, of a normal distribution
+  constexpr double beyond = 0.0013498980316300946;  // probability above the mean by more than three
+                                                    // standard deviations, for a normal
+                                                    // distribution
   return degrees_of_freedom == 0 ? 3
                                  : boost::math::quantile(boost::math::complement(
                                        boost::math::students_t(degrees_of_freedom), beyond));

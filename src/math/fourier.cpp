@@ -19,9 +19,9 @@ RealTransform::RealTransform(std::size_t min_length)
 RealTransform::~RealTransform() = default;
 RealTransform::RealTransform(RealTransform&&) noexcept = default;
 
-// pocketfft stores the coefficients of a real series as r0, r1, i1, r2, i2, ... The order here is
-// the same, except for a first imaginary part i0 = 0, which pocketfft omits. For an even length,
-// pocketfft also omits the last imaginary part.
+// pocketfft stores the coefficients of a real series as r0, r1, i1, r2, i2, ... The order in this
+// program is the same, except for a first imaginary part i0 = 0, which pocketfft omits. For an even
+// length, pocketfft also omits the last imaginary part.
 void RealTransform::forward(Column<double>& series, Column<std::complex<double>>& modes) const {
   double* const parts = reinterpret_cast<double*>(modes.data());
   std::copy_n(series.data(), size_, parts + 1);

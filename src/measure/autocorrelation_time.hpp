@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The distance between samples of a series from which on they are practically independent.
+// The distance beyond which samples of a series are practically independent.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,8 @@ struct AutocorrelationTime {
 std::optional<AutocorrelationTime> autocorrelation_time(std::span<const double> series);
 
 /// Estimates the autocorrelation time from independent runs of the same process, about their common
-/// mean [wolff2004, Eq. 31]. Short runs require this method, because deviations from the mean of a
-/// single run do not show processes slower than the run.
+/// mean [wolff2004, Eq. 31]. Short runs require this method: a process slower than a run is
+/// invisible in deviations from the run's own mean.
 /// @return  the autocorrelation time; empty with fewer than 10 samples or two windows in the
 ///   shortest run, for constant series, or if all runs together are shorter than four windows or 10
 ///   τ

@@ -23,8 +23,8 @@ struct Convergence {
   double length = 0;  ///< actual length of the run [ps]
   double relaxation =
       0;  ///< relaxation time of the quantity, or the largest lag that contributes to it [ps]
-  double needed = 0;  ///< needed length, a multiple of the relaxation time; twice the length if
-                      ///< that does not suffice [ps]
+  double needed = 0;        ///< needed length [ps]: a multiple of the relaxation time, or twice the
+                            ///< actual length if that multiple does not suffice
   const char* unit = "ps";  ///< unit of these times; "frames" if the frames have no times
   Obstacle obstacle = Obstacle::none;
   double interval = 0;  ///< sufficient interval between frames, if the interval is the obstacle
@@ -39,33 +39,33 @@ struct Convergence {
 Convergence convergence(double length, double relaxation, double multiple,
                         Obstacle other = Obstacle::none);
 
-/// The needed length for the dielectric constant, in relaxation times. The relative error of the
-/// dielectric constant is then √(2/3 · 1/30) = 15 %. Subtracting the mean of the dipole moment M,
-/// which should vanish, reduces ε by 2/30.
+/// The needed length for the dielectric constant, in relaxation times. For a run of this length,
+/// the relative error of the dielectric constant is √(2/3 · 1/30) = 15 %. Subtracting the mean of
+/// the dipole moment M, which should vanish, reduces ε by 2/30.
 inline constexpr double relaxations_of_dipole = 30;
-/// The needed length for functions of the time lag: the minimum number of windows for reliable
-/// errors.
+/// The needed run length for functions of the time lag, in units of the longest lag. Shorter runs
+/// do not give reliable errors.
 inline constexpr double windows_of_lags = 8;
 
 /// The relaxation time ∫₀^∞ ⟨M(0)·M(t)⟩ dt/⟨M²⟩ of a vector whose true mean is zero, in units of
-/// the run length. The estimate from a part of the run with the mean M̄ is |M̄|²/⟨M²⟩ times half of
-/// the part's fraction of the run. This estimate is averaged over the whole run, its halves and its
+/// the run length. A part of the run with mean M̄ gives the estimate ½ f |M̄|²/⟨M²⟩, where f is the
+/// part's fraction of the run. This estimate is averaged over the whole run, its halves and its
 /// quarters. The result is 0.29 for a vector that hardly changes during the run. For long runs the
 /// result is τ/T, with a scatter of about half of this value.
 /// @param x       column of the first of three vector components in the block sums
 /// @param square  index of M²
 double relaxation_share(const BlockMeans& blocks, std::size_t x, std::size_t square);
 
-/// Whether a statistic still changes along the run. It changes if its values for the first half and
-/// for the whole run differ by more than three_sigma(). The standard error of the statistic is also
-/// the standard deviation of this difference. The result is false if the standard error is not
-/// known.
+/// Whether a statistic still changes along the run. A statistic changes if its values for the first
+/// half and for the whole run differ by more than three_sigma(). The standard error of the
+/// statistic is also the standard deviation of this difference. The result is false if the standard
+/// error is not known.
 bool still_moving(const BlockMeans& blocks, const SeriesEstimate& whole,
                   const std::function<double(std::span<const double>)>& statistic);
 
-/// Whether a difference that should vanish, such as the difference of two values of D from
-/// different lags, does not vanish. A significant difference must exceed both three_sigma() and 10
-/// % of the value.
+/// Whether a difference that should be zero, such as the difference of two values of D from
+/// different lags, is significant. A significant difference must exceed both three_sigma() and 10 %
+/// of the value.
 bool differs(const SeriesEstimate& difference, double value);
 
 /// Whether a systematic error of a result matters. A systematic error matters if it exceeds both

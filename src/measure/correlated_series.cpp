@@ -179,8 +179,7 @@ SeriesEstimate correlation_time(const SeriesEstimate& mean, double variance, dou
   if (mean.known != Known::yes || !(variance > 0))
     return {std::nan(""), 0, mean.known == Known::yes ? Known::not_defined : mean.known};
   const double square = mean.error * mean.error;
-  // The variance about the mean of the run is smaller than the true variance. The true variance is
-  // larger by the squared error of the mean.
+  // Deviations from the mean of a run underestimate the variance by the squared error of this mean.
   const double tau = samples * square / (2 * (variance + square));
   return {tau, tau * std::sqrt(2 / mean.modes), Known::yes, mean.modes};
 }

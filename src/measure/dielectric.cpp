@@ -83,7 +83,7 @@ TotalDipole::Result TotalDipole::result(double temperature, double surroundings_
                                                                             : Obstacle::none;
   result.convergence = convergence(length, relaxation_share(means, Mx, M2) * length,
                                    relaxations_of_dipole, obstacle);
-  // The relaxation time is uncertain, too, in a short run.
+  // In a short run the relaxation time is uncertain, too.
   if (obstacle != Obstacle::none)
     result.convergence.needed = std::max(result.convergence.needed, 2 * length);
   if (!timed) result.convergence.unit = "frames";

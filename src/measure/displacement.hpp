@@ -84,7 +84,7 @@ double fitted_displacement(const BlockMeans& squared_displacement, double interv
 
 /// The convergence of the diffusion coefficient. The run must be `windows_of_lags` times as long as
 /// the longest lag. The slopes in the two halves of the window must not differ. The slopes differ
-/// as long as molecules have not left the cages of their neighbours.
+/// if the window contains lags at which molecules have not yet left the cages of their neighbours.
 Convergence diffusion_convergence(const BlockMeans& squared_displacement, double interval,
                                   const FitWindow& window);
 

@@ -48,8 +48,8 @@ Equilibration equilibration(std::span<const double> series) {
 }
 
 std::size_t equilibrium_start(std::span<const double> series) {
-  // The start with the smallest error is chosen from many, so this error is underestimated. With
-  // four standard errors, 5 % of stationary series lose samples
+  // The first sample with the smallest error is chosen from many candidates, so this error is
+  // underestimated. With a threshold of four standard errors, 5 % of stationary series lose samples
   // (tests/unit/measure/equilibration_test.cpp).
   constexpr double significant = 4;
   const Equilibration found = equilibration(series);

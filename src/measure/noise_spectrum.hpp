@@ -13,8 +13,8 @@ namespace polhode {
 /// A hypothesis about the noise: the variances of the modes, up to a common factor.
 struct Spectrum {
   double prior = 0;      ///< prior probability
-  double amplitude = 0;  ///< amplitude of the correlated part, relative to white noise
-  double time = 0;       ///< correlation time of the correlated part, divided by the length of the
+  double amplitude = 0;  ///< amplitude of the correlated noise, relative to white noise
+  double time = 0;       ///< correlation time of the correlated noise, divided by the length of the
                          ///< run
   double walk = 0;       ///< variance of a random walk in the slowest mode, relative to white noise
 };

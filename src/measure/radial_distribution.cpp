@@ -48,8 +48,8 @@ struct Bins {
   std::ptrdiff_t low, high;
 };
 
-// The function g, averaged over all bins whose distance differs by at most 1.5 %. Averaging keeps
-// the noise of single bins from affecting the search for peaks.
+// The function g, smoothed: each bin is averaged with all bins whose distance differs by at most
+// 1.5 %. Averaging keeps the noise of single bins from affecting the search for peaks.
 std::vector<double> smoothed(std::span<const double> g) {
   constexpr double part = 0.015;
   std::vector<double> smooth(g.size());
@@ -85,9 +85,9 @@ Bins about_summit(std::span<const double> g, std::ptrdiff_t top) {
           std::min(last, std::max(high, top + 2))};
 }
 
-// The bins around the smallest g between the distance r of a maximum and 1.6 r, extended by 10 % of
-// r on each side. The result is empty if g is smallest in the last bin, because the minimum may lie
-// beyond the last bin.
+// The bins around the minimum that follows a maximum at distance r: around the smallest g between r
+// and 1.6 r, extended by 10 % of r on each side. The result is empty if g is smallest in the last
+// bin, because the minimum may lie beyond the last bin.
 std::optional<Bins> about_minimum(std::span<const double> g, std::ptrdiff_t top) {
   constexpr double search_end = 1.6, part = 0.1;
   const auto last = static_cast<std::ptrdiff_t>(g.size()) - 1;
@@ -211,7 +211,7 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
       cutoff_(settings.cutoff),
       width_(settings.bin),
       bins_(checked_bins(settings)) {
-  // Sites form a kind if they are selected by the same site names.
+  // Sites that are selected by the same site names form a kind.
   std::vector<std::string> words, all_names;
   for (const SitePair& pair : pairs_) words.insert(words.end(), pair.begin(), pair.end());
   std::vector<std::vector<bool>> kinds;
@@ -233,8 +233,8 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
       throw Error(fmt::format("no site is named '{}'{} (the sites are: {})", words[w],
                               did_you_mean(words[w], all_names), join_names(all_names)));
 
-  // Weight of a pair of sites of two kinds: 1 if both selections of the pair are the same,
-  // otherwise 1 for each order of the two sites.
+  // A pair of site kinds a and b counts once if both selections of the site pair are the same;
+  // otherwise it counts once for each matching order of a and b.
   counts_.assign(kinds.size(), std::vector<std::vector<Count>>(kinds.size()));
   for (std::size_t a = 0; a < kinds.size(); ++a)
     for (std::size_t b = 0; b < kinds.size(); ++b)

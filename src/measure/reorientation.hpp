@@ -49,7 +49,8 @@ class Reorientation {
 
 /// Relaxation times of a correlation function that decays from 1 [ps].
 struct RelaxationTimes {
-  /// integral ∫ C dt, by the trapezoidal rule up to the end of the fit and the exponential beyond
+  /// integral ∫ C dt: by the trapezoidal rule up to the end of the fit, and from the fitted
+  /// exponential beyond
   SeriesEstimate integral;
   SeriesEstimate exponential;  ///< time constant of C ~ exp(−t/τ) between `from` and `to`
   double from = 0, to = 0;

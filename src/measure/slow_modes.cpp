@@ -24,9 +24,10 @@ Columns columns(const BlockMeans& means, std::size_t time, std::size_t quantity)
   return c;
 }
 
-/// The covariance of a random walk of unit rate between block means, times the square roots of
-/// their weights. Between two blocks with centres at t and t', the covariance is min(t, t'). For a
-/// block with itself, the covariance is smaller than t by a sixth of the duration of the block.
+/// The covariance of a random walk of unit rate between two block means, times the square roots of
+/// the block weights. Between two blocks with centres at t and t', the covariance is min(t, t').
+/// For a block with itself, the covariance is smaller than t by a sixth of the duration of the
+/// block.
 std::vector<double> walk_covariance(const Columns& c, double time_per_sample) {
   const std::size_t n = c.weights.size();
   std::vector<double> covariance(n * n);

@@ -63,7 +63,7 @@ class CellList {
     return cell;
   }
 
-  // Visits the cell and its neighbours with higher numbers. Each of these cells is visited once,
+  // Visits the cell and its neighbours with higher numbers. Each neighbouring cell is visited once,
   // even in a small box with few cells.
   std::vector<std::size_t> later_neighbours(std::size_t cell) const {
     const std::array at = {cell % cells_[0], cell / cells_[0] % cells_[1],

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Run-file settings that a job also accepts as command-line options and Python keywords of their
-// own.
+// Run-file settings that are also command-line options and Python keywords of a job.
 #pragma once
 
 #include <span>

@@ -14,17 +14,17 @@ namespace polhode {
 /// Makes a quantity a detail.
 Quantity detail(Quantity quantity);
 
-/// A row that is shown in the text but not in JSON; without a label, a line of its own.
+/// A row that is shown in the text but not in JSON; a row without a label is a line by itself.
 Quantity row(std::string label, std::string text);
 
 /// A row with the names of the files that were written; empty if there are none.
 Quantity row_of_files(const std::vector<std::string>& files);
 
-/// Quantities that are omitted from the text, because the text shows their numbers elsewhere.
+/// Quantities that are omitted from the text, because other rows of the text show their numbers.
 Quantities without_labels(Quantities list);
 
-/// An estimate from independent runs, as an estimate with value and error in a JSON object; not
-/// known if the value is not finite.
+/// An estimate from independent runs, which is an object with value and error in JSON; not known if
+/// the value is not finite.
 SeriesEstimate nested(const Estimate& estimate);
 
 /// Adds quantities to a list.

@@ -22,7 +22,7 @@ std::string time_text(double time) {
   return time < 1 ? fmt::format("{:g} fs", time * units::fs_per_ps) : fmt::format("{:g} ps", time);
 }
 
-/// Calls f, and adds the option to an error as its place.
+/// Calls f; if f throws an error, adds the option as the place of the error.
 template <class F>
 auto at(const Given& given, const F& read) {
   try {

@@ -42,7 +42,8 @@ struct AdviceRequest {
   /// Whether advice for hybrid Monte Carlo is requested. For hybrid Monte Carlo, no bound on a bias
   /// is needed, because there is no time-step bias.
   bool is_canonical() const;
-  /// @throws Error  also if request and run file together contain no requirement, or more than one
+  /// @throws Error  also if the request and the run file together contain no requirement, or more
+  ///   than one
   AdviserSettings settings(const Config& config) const;
   /// @param schemes_given  whether to use the candidates of the settings, which must then be a
   ///   single scheme

@@ -14,7 +14,7 @@ class Water(NamedTuple):
     density: float  # of published values of its energy or pressure [g/cm3]
 
 
-# Densities: jorgensen1983 at 298 K and 1 atm; hummer1998 at 298 K; abascal2005 at 298 K and 1 bar.
+# Sources of the densities: jorgensen1983 at 298 K and 1 atm; hummer1998 at 298 K; abascal2005 at 298 K and 1 bar.
 WATERS = (Water("tip4p", "TIP4P", 0.999), Water("spce", "SPC/E", 0.997), Water("tip4p-2005", "TIP4P/2005", 0.9979))
 
 

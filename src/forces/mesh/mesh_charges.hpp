@@ -13,9 +13,9 @@
 namespace polhode {
 
 /// The charges of all bodies, sorted by slabs. The thickness of a slab is at least the width of a
-/// spline minus one point. Charges of slabs that are not adjacent therefore never touch the same
-/// grid point. All even slabs are processed in parallel, and then all odd slabs. Within a slab,
-/// charges are in the order of slots.
+/// spline minus one point. Charges in non-adjacent slabs therefore never touch the same grid point.
+/// All even slabs are processed in parallel, and then all odd slabs. Within a slab, charges are in
+/// the order of slots.
 template <class T>
 class MeshCharges {
  public:

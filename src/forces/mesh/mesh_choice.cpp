@@ -116,8 +116,7 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
         if (x + y + z == 0) continue;
         if (cubic && (x > y || y > z)) continue;  // computed once for all orders of x, y and z
         const int orders = !cubic || (x == y && y == z) ? 1 : x == y || y == z ? 3 : 6;
-        // Sums over aliases of U², U² k² and U² k² γ, and of the first and the last of these times
-        // the form factor.
+        // Sums over aliases of U², U² k² and U² k² γ, and of U² and U² k² γ times the form factor.
         double u = 0, uk = 0, ukg = 0, u_form = 0, ukg_form = 0, kgg_form = 0;
         for (const Alias& a : axis[0][x])
           for (const Alias& b : axis[1][y])
@@ -172,7 +171,7 @@ double points_of(const MeshSettings& mesh) {
   return points;
 }
 
-/// The smallest grid of a suitable size with a distance of at most `spacing` between points.
+/// The smallest suitable grid whose points are at most `spacing` apart.
 std::array<std::size_t, 3> grid_of(const Box& box, double spacing) {
   std::array<std::size_t, 3> points{};
   for (std::size_t d = 0; d < 3; ++d) {
@@ -183,9 +182,9 @@ std::array<std::size_t, 3> grid_of(const Box& box, double spacing) {
   return points;
 }
 
-/// The maximum number of grid points. Liquids have 10 to 100 points per charge. In a sparsely
-/// filled box a finer mesh is wasteful. There a longer cutoff is better: it allows a coarser mesh
-/// and adds few pairs.
+/// The maximum number of grid points. Meshes for liquids have 10 to 100 points per charge. In a
+/// sparsely filled box a finer mesh is wasteful. A longer cutoff is better, because it allows a
+/// coarser mesh and adds few pairs.
 double max_points_for(double charges) { return std::max(0x1p21, 4096 * charges); }
 
 }  // namespace
@@ -233,8 +232,8 @@ double MeshChoice::error(double cutoff, int spacing, int order, int exponent) {
   return found->second;
 }
 
-/// Index of the coarsest spacing that is fine enough. Spacings from half to a fortieth of the
-/// cutoff are tried.
+/// Index of the coarsest spacing whose error is within the required error. Spacings from 1/2 to
+/// 1/40 of the cutoff are tried.
 int MeshChoice::coarsest(double cutoff, int order, int exponent, double required_in_unit_box) {
   int coarse = index_of(cutoff / 2), fine = index_of(cutoff / 40);
   while (fine - coarse > 1) {

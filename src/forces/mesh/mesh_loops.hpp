@@ -68,7 +68,7 @@ struct GatherJob {
 /// changes.
 template <class T>
 struct GatherDerivativeJob {
-  GatherJob<T> forces;  ///< job of the forces, without arms
+  GatherJob<T> forces;  ///< job that gathers the forces; its `arms` is null
   const SiteRecords<T>& displacements;
   const MeshGrid<T>& derivative;  ///< derivative of the potential along the displacement of all
                                   ///< charges

@@ -201,7 +201,7 @@ MeshLoad ParticleMesh<T>::convolve_on(Field& field, bool energies) {
   return load;
 }
 
-/// A unit of work: all k_y of a few k_x and k_z.
+/// A unit of work: all k_y for a few values of k_x and k_z.
 template <class T>
 void ParticleMesh<T>::convolve_column(Field& field, std::size_t column, bool energies) {
   MeshModes<T>& modes = field.modes;

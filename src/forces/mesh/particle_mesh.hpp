@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Particle mesh for the smooth part of the electrostatics, in a time nearly linear in the number of
-// charges [essmann1995]. Charges are spread over the grid, and the potential is a product in
-// reciprocal space. The forces are the exact gradient of the energy, so the mesh conserves energy
-// like any other force.
+// Particle mesh for the smooth part of the electrostatics, whose cost is nearly linear in the
+// number of charges [essmann1995]. Charges are spread over the grid, and the potential is computed
+// as a product in reciprocal space. The forces are the exact gradient of the energy, so the mesh
+// conserves energy like any other force.
 #pragma once
 
 #include <memory>

@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// The stride for rows or planes of a given size: an odd number of cache lines. With an even
-/// number, the same column of successive rows would map to few sets of the cache.
+/// The stride for rows or planes of a given size: an odd number of cache lines. With an even number
+/// of lines, the same column of successive rows would map to few sets of the cache.
 template <class T>
 std::size_t odd_lines(std::size_t numbers) {
   constexpr std::size_t line = pack_bytes / sizeof(T);

@@ -18,9 +18,8 @@ namespace polhode {
 /// Columns of thin cells along z are traversed alternately up and down, layer by layer along y.
 /// Mesh points are stored in the same order.
 struct CellGrid {
-  static constexpr double block = 16;  ///< number of bodies in a piece of a column that is as high
-                                       ///< as wide
-  static constexpr double slices = 8;  ///< number of cells along such a piece
+  static constexpr double block = 16;  ///< number of bodies in a cubic piece of a column
+  static constexpr double slices = 8;  ///< number of cells in a cubic piece of a column
 
   Vec3<double> edge{1, 1, 1};  ///< box edges [nm]
   std::array<std::size_t, 3> cells{1, 1, 1};

@@ -126,8 +126,8 @@ class SitePairs {
 };
 
 /// The polynomial P that is subtracted from 1/r between charges, and −P'/r, for each pair. The
-/// polynomial is computed by Horner's rule in y = 1 − r²/a². Each step of the rule is done for all
-/// pairs before the next step. The result is empty if no polynomial is used.
+/// polynomial is computed by Horner's rule in y = 1 − r²/a². Each step of Horner's rule is done for
+/// all pairs before the next step. The result is empty if no polynomial is used.
 template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class T>
 POLHODE_INLINE inline auto smooth_parts(
     const SitePairs<Shape, Real>& pairs,
@@ -157,7 +157,7 @@ POLHODE_INLINE inline auto smooth_parts(
   return parts;
 }
 
-/// The interaction of two charges, with charge = K q q. Divided by this factor, the energy is 1/r −
+/// The interaction of two charges, with charge = K q q. The energy divided by `charge` is 1/r −
 /// P(r) up to the cutoff if a polynomial P is subtracted, and otherwise the truncated 1/r + k r² −
 /// c.
 template <CutoffTreatment treatment, class Real, class T>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The neighbour list: all pairs of bodies with a distance of centres below the range of the
-// interaction plus a skin. Each pair is stored with the periodic image. The list is valid until a
-// centre has moved by half the skin since the last build. Until then, no pair of centres has come
-// closer by more than the skin. Rotations do not move centres, so they never invalidate the list.
+// The neighbour list: all pairs of bodies whose centres are closer than the interaction range plus
+// a skin. Each pair is stored with the periodic image. The list is valid until a centre has moved
+// by half the skin since the last build. Until then, no pair of centres has come closer by more
+// than the skin. Rotations do not move centres, so they never invalidate the list.
 //
 // The partners of a body form its row, in whole packs. Each pair is listed once, in the row of the
 // body that precedes the other body in the cyclic order of slots. If the last pack of a row would
@@ -57,7 +57,7 @@ class Neighbour {
   std::uint32_t word_;
 };
 
-/// A window of consecutive slots of a molecule type. It starts at `first` and wraps around
+/// A window of consecutive slots of a molecule type, which starts at `first` and wraps around
 /// cyclically.
 struct SlotWindow {
   std::uint32_t first = 0, count = 0;
@@ -70,11 +70,11 @@ struct ListChunk {
                                           ///< need truncation
   };
   std::uint32_t part = 0, first = 0, end = 0;  ///< slots first ≤ s < end
-  std::vector<Row> rows;                       ///< rows, by [slot − first, partner part − part]
-  std::vector<std::uint32_t> entries;          ///< words of Neighbour
-  std::uint32_t max_row = 0;                   ///< number of entries in the longest row
-  std::vector<SlotWindow> windows;             ///< for each part, the slots that occur in this
-                                               ///< chunk; empty for ghosts
+  std::vector<Row> rows;               ///< indexed by [slot − first, partner part − part]
+  std::vector<std::uint32_t> entries;  ///< words of Neighbour
+  std::uint32_t max_row = 0;           ///< number of entries in the longest row
+  std::vector<SlotWindow> windows;     ///< for each part, the slots that occur in this
+                                       ///< chunk; empty for ghosts
   const Row& row(std::size_t slot, std::size_t partner_part, std::size_t parts) const {
     return rows[(slot - first) * (parts - part) + (partner_part - part)];
   }
@@ -124,7 +124,7 @@ class NeighbourList {
   void reserve_rows();
 
   Box box_{};
-  std::vector<PairRange> ranges_;  // ranges by [part a, part b]
+  std::vector<PairRange> ranges_;  // ranges, indexed by [part a, part b]
   double allowed2_ = 0;
   std::size_t own_parts_;  // number of topology parts that are not ghosts
   Slots slots_;
@@ -140,7 +140,7 @@ struct ListJob {
   const Box& box;
   const Slots& slots;
   const SlotTree& tree;                  ///< tree of the slots
-  const std::vector<PairRange>& ranges;  ///< ranges by [part a, part b]
+  const std::vector<PairRange>& ranges;  ///< ranges, indexed by [part a, part b]
   std::size_t width;                     ///< number of pairs per pack
   std::size_t own_parts;                 ///< number of topology parts that are not ghosts
 };

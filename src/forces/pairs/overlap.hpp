@@ -7,8 +7,9 @@
 
 namespace polhode {
 
-/// The smallest allowed distance between sites of two molecules that have mass or Lennard-Jones
-/// parameters [nm]. It is half of the shortest contact in liquids, the hydrogen bond (0.17 nm).
+/// The smallest allowed distance between sites of different molecules [nm], for sites with mass or
+/// Lennard-Jones parameters. The distance is half of 0.17 nm, the length of a hydrogen bond and the
+/// shortest contact in liquids.
 inline constexpr double closest_contact = 0.085;
 
 /// Checks that no two molecules overlap.

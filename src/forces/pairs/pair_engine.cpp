@@ -200,7 +200,7 @@ void PairEngine<T>::sum_chunk(std::size_t c, PairLoop loop, bool energies,
     sum_partners(partner);
 }
 
-/// Adds the contributions of all chunks, in their order, to the slots of a chunk.
+/// Adds the contributions of all chunks, in the order of the chunks, to the slots of a chunk.
 template <class T>
 void PairEngine<T>::collect(std::size_t c, Load& load) const {
   constexpr std::uint32_t block = slot_block;

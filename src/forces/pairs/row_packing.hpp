@@ -12,8 +12,8 @@
 
 namespace polhode {
 
-/// Partners of a row that is being built, with room for a pack past the end, because packs are
-/// stored as a whole.
+/// The partners in a row that is being built. Memory for one more pack follows the last partner,
+/// because packs are stored whole.
 class RowBuffer {
  public:
   void clear() { first_ = size_ = 0; }
@@ -36,7 +36,7 @@ class RowBuffer {
   std::size_t first_ = 0, size_ = 0;
 };
 
-/// Surplus pairs that rows have handed over to the rows of slots soon after.
+/// Surplus pairs that rows have handed over to the rows of slots a little further ahead.
 class HandedPairs {
  public:
   static constexpr std::uint32_t window = 256;  ///< number of slots ahead to which pairs can be
@@ -66,8 +66,8 @@ class HandedPairs {
 };
 
 /// Hands the surplus pairs of a row over to the rows of their partners. The surplus pairs are the
-/// first pairs of the row; they are as many as the row has in excess of whole packs. They are moved
-/// only if all their partners follow soon in the same chunk.
+/// first pairs of the row; their number is the row length modulo the pack width. Surplus pairs are
+/// moved only if all their partners follow soon in the same chunk.
 inline void hand_over(std::uint32_t slot, std::uint32_t chunk_end, std::size_t width,
                       RowBuffer& row, HandedPairs& later) {
   const std::size_t surplus = row.size() % width;

@@ -13,7 +13,8 @@
 
 namespace polhode {
 
-/// Fixed-point units per box edge, chosen so that images on both sides fit into 32 bits.
+/// Fixed-point units per box edge, chosen so that periodic images on both sides of the box fit into
+/// 32 bits.
 inline constexpr std::int64_t fixed_point_edge = 1 << 30;
 
 /// The boxes of one level of a tree. Empty boxes after the last box fill the level up to a multiple

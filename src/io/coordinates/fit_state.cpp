@@ -32,7 +32,7 @@ bool matches(std::string_view atom, const Site& site) {
   if (site.mass == 0 && atom.substr(0, 1) == "X" &&
       atom.find_first_not_of("0123456789", 1) == atom.npos)
     return true;
-  // "T1" in LAMMPS data files, for a mass of no element, such as the mass of a united atom
+  // "T1" in LAMMPS data files, for a mass that fits no element, such as the mass of a united atom
   if (atom.substr(0, 1) == "T" && atom.size() > 1 && element_of_mass(site.mass).empty() &&
       atom.find_first_not_of("0123456789", 1) == atom.npos)
     return site.mass > 0;

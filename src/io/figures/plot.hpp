@@ -62,9 +62,9 @@ struct EfficiencyFigure {
 };
 
 /// Plots R against cost for each scheme [vanzon2008, Fig. 1] on linear axes, and all points on
-/// logarithmic axes. The longest usable step has an open symbol if the curve ends there. Points at
-/// the round-off limit are crossed out. Script and image are written next to the CSV file, as by
-/// energy_plot().
+/// logarithmic axes. The longest usable step has an open symbol if the curve ends at this step.
+/// Points at the round-off limit are crossed out. Script and image are written next to the CSV
+/// file, as by energy_plot().
 bool efficiency_plot(const EfficiencyFigure& figure, const std::string& format,
                      std::ostream& warnings);
 
@@ -88,7 +88,7 @@ struct AdviceFigure {
 };
 
 /// Plots R against computing time on logarithmic axes, with the models fitted by the adviser, the
-/// bound, and the chosen step. Script and image are written next to the CSV file.
+/// bound on R, and the chosen step. Script and image are written next to the CSV file.
 bool advice_plot(const AdviceFigure& figure, const std::string& format, std::ostream& warnings);
 
 /// The data of a figure that plots columns of a CSV file against "cost [1/ps]", in panels. Only

@@ -2,9 +2,9 @@
 // Checkpoint files: numbers in binary, with a checksum. A file that is truncated, altered or
 // written by another program is recognized before its data are used.
 //
-// A file consists of: 16 bytes that identify the format; the version of the format; the length of
-// the file; the program's version and instruction set; the contents; and a CRC-64 of all but the
-// length. Integers have 64 bits in the byte order of the processor.
+// A file begins with 16 bytes that identify the format, the version of the format, and the length
+// of the file. The program's version and instruction set, the contents, and a CRC-64 of everything
+// but the length follow. Integers have 64 bits in the byte order of the processor.
 #pragma once
 
 #include <cstdint>
@@ -64,7 +64,8 @@ class CheckpointReader {
   /// @throws DamagedCheckpoint  if the file is missing, not a checkpoint, truncated or altered
   /// @throws Error              if another program or instruction set wrote the file
   CheckpointReader(const std::string& path, const ProgramVersion& reader);
-  /// Reads bytes that were read from the file `path`, and verifies their checksum.
+  /// Reads a checkpoint from bytes that were already read from the file `path`, and verifies their
+  /// checksum.
   CheckpointReader(std::string bytes, const std::string& path, const ProgramVersion& reader);
   void operator()(double& x);
   void operator()(std::uint64_t& n);

@@ -8,9 +8,9 @@
 
 namespace polhode {
 
-/// The CRC-64 of bytes that follow other bytes with the checksum `before`, which is 0 for the first
-/// bytes. The polynomial is from ECMA-182, and the other conventions are from the XZ format:
-/// "123456789" gives 0x995dc9bbdf1939fa.
+/// Computes the CRC-64 of a sequence of bytes piece by piece; `before` is the checksum of the
+/// preceding bytes, or 0 at the beginning. The polynomial is from ECMA-182, and the other
+/// conventions are from the XZ format: "123456789" gives 0x995dc9bbdf1939fa.
 std::uint64_t crc64(const void* bytes, std::size_t count, std::uint64_t before = 0);
 
 /// The CRC-64 of the bytes of a file from one offset to another.

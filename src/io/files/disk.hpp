@@ -30,7 +30,7 @@ void remove_output(const std::string& path);
 /// @throws RunError  if syncing fails
 void sync_file(const std::string& path);
 
-/// Syncs the name of a file to disk. Errors of folders that do not support this are ignored.
+/// Syncs the name of a file to disk. Errors are ignored if the folder does not support syncing.
 void sync_folder(const std::string& path);
 
 /// Checks the length of a file.

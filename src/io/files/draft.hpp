@@ -7,10 +7,10 @@
 
 namespace polhode {
 
-/// A file that gets its final name only when it is complete. Until its completion the file has no
-/// name. It has a unique temporary name if the file system supports only named files, or if the
-/// extension must show the format. A draft that is never completed disappears. No other file is
-/// overwritten or removed.
+/// A file that gets its final name only when it is complete. Until then the file has no name or, if
+/// the file system supports only named files or the extension must show the format, a unique
+/// temporary name. A draft that is never completed disappears. No other file is overwritten or
+/// removed.
 class Draft {
  public:
   enum class Name { none, unique };
@@ -24,7 +24,7 @@ class Draft {
 
   /// The path under which the draft is opened for writing.
   const std::string& path() const { return draft_; }
-  /// A message about the draft with the final name of the file instead of the name of the draft.
+  /// Returns a message in which the name of the draft is replaced by the final name of the file.
   std::string with_final_name(std::string message) const;
   /// Syncs the draft to disk and renames it to the final name.
   /// @param keep  new name for an existing file; if empty, the existing file is replaced

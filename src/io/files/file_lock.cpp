@@ -31,14 +31,15 @@ std::string this_process() {
                      printable(host.data()), fmt::gmtime(std::time(nullptr)));
 }
 
-/// The first bytes of an open file, up to the length of the text of a lock.
+/// The first 512 bytes of an open file, or all bytes of a shorter file.
 std::string text_of(int file) {
   std::array<char, 512> text{};
   const ssize_t length = TEMP_FAILURE_RETRY(::pread(file, text.data(), text.size(), 0));
   return {text.data(), length > 0 ? static_cast<std::size_t>(length) : 0};
 }
 
-/// The process that holds a lock, from the text of the lock file, which may still be empty.
+/// The process that holds a lock, as stated in the lock file; "another process" while the lock file
+/// is still empty.
 std::string holder(const std::string& text) {
   const auto end = text.find('\n');
   if (!text.starts_with(head) || end == text.npos) return "another process";

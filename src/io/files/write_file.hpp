@@ -17,13 +17,14 @@ namespace polhode {
 /// A stable 64-bit hash of a text as 16 hexadecimal digits (FNV-1a).
 std::string text_hash(std::string_view text);
 
-/// Writes a table as CSV. A line of column names such as "time [ps],potential [kJ/mol]" is first,
-/// followed by "# " lines of provenance and by the rows. NaN is written as an empty field. Column
-/// names are on the first line, because numpy reads column names only from the first line.
+/// Writes a table as CSV. The first line contains column names such as "time [ps],potential
+/// [kJ/mol]". Lines of provenance, which begin with "# ", and the rows follow. NaN is written as an
+/// empty field. Column names are on the first line, because numpy reads column names only from the
+/// first line.
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance);
 
-/// Calls visit(row) for the rows of numbers within the first bytes of a table. Numbers are read
-/// back exactly as they were written.
+/// Calls visit(row) for each row of numbers within the first `bytes` bytes of a table. Numbers are
+/// read back exactly as they were written.
 /// @throws Error  if the file is shorter, has different columns, or contains an incomplete row
 void each_row(const std::string& path, std::uint64_t bytes,
               const std::vector<Table::Column>& columns,

@@ -23,8 +23,8 @@ struct Format {
   /// messages.
   std::unique_ptr<FrameReader> (*read)(std::istream& in, const std::string& file);
 
-  /// Creates the writer of a file, which starts the file or appends at a mark; null if the format
-  /// is read-only.
+  /// Creates a writer that starts a file, or appends to it at a stored position (mark); null if the
+  /// format is read-only.
   std::unique_ptr<FrameWriter> (*write)(const std::string& path, const Topology& topology,
                                         const FrameChoice& choice, const FileMark* mark);
 
@@ -39,15 +39,16 @@ struct Format {
   bool may_lack_names = false;  ///< true if atom names are optional in files of the format
 };
 
-// A coordinate has eight columns and an edge has nine, in Å with three decimals. Serials have five
-// characters.
+// In PDB files, a coordinate has eight columns and a box edge has nine, in Å with three decimals.
+// Serials have five characters.
 inline constexpr FormatLimits pdb_limits{
     .atoms = 87'440'031, .min = -99.9999, .max = 999.9999, .edge = 9999.9999};
 // Coordinates are whole numbers of 0.001 nm; the differences of coordinates must also fit in 32
 // bits.
 inline constexpr FormatLimits xtc_limits{
     .atoms = 2'147'483'647, .min = -1'073'741.8, .max = 1'073'741.8};
-// Lengths of records are signed 32-bit numbers. A record has 12 bytes per atom in TRR and 4 in DCD.
+// The lengths of TRR and DCD records are signed 32-bit numbers. A record has 12 bytes per atom in
+// TRR and 4 in DCD.
 inline constexpr FormatLimits trr_limits{.atoms = 2'147'483'647 / 12};
 inline constexpr FormatLimits dcd_limits{
     .atoms = 2'147'483'647 / 4, .same_atoms = true, .even_times = true};

@@ -11,8 +11,8 @@
 
 namespace polhode {
 
-/// A frame that is not stored as a whole. A view visits the atoms one after another, and stores
-/// only references to its sources.
+/// A frame whose atoms are not all stored at once. A view visits the atoms one after another, and
+/// stores only references to its sources.
 struct FrameView {
   std::string title;
   std::vector<AtomKind> kinds;

@@ -48,7 +48,7 @@ struct AtomLine {
   bool has_velocity = false;
 };
 
-// Kinds are identified by the characters of the residue and atom names.
+// Atom kinds are identified by the characters of the residue and atom names.
 std::uint32_t kind_of(std::string_view line, AtomKinds& kinds, const Lines& lines) {
   return kinds.of(line.substr(5, 10), [&] {
     const std::string_view name = trimmed(line.substr(10, 5));

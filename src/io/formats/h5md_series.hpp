@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The values at each frame of an H5MD file, as this program writes them.
+// The values for each frame of an H5MD file, as this program writes them.
 #pragma once
 
 #include <cstdint>

@@ -147,7 +147,7 @@ class H5mdWriter : public FrameWriter {
     const char* const part = copy.path().c_str();
     try {
       open_to_resume();  // throws an error that names missing parts
-      // The library (1.10) crashes when it closes a file on a full disk.
+      // The HDF5 library (1.10) crashes when it closes a file on a full disk.
       const bool copied = done_in_own_process([&] {
         Handle file = make_handle(
             H5Fcreate(part, H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), access_properties()),

@@ -15,7 +15,7 @@
 
 namespace polhode::hdf5 {
 
-/// An open HDF5 identifier. The identifier is closed at the end of the scope.
+/// An open HDF5 identifier. The HDF5 identifier is closed at the end of the scope.
 class Handle {
  public:
   Handle() = default;

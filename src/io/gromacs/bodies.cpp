@@ -17,8 +17,8 @@ namespace {
 // interacting sites.
 constexpr std::size_t max_atoms = 256;
 
-// The molecules of a type in the initial configuration, provided that this configuration has an
-// atom for each atom of the topology.
+// The molecules of a type in the initial configuration, which must have an atom for each atom of
+// the topology.
 class Copies {
  public:
   Copies(const GromacsTopology& gromacs, std::size_t molecule, const Frame& start)
@@ -102,7 +102,7 @@ class Shapes {
   }
 
  private:
-  // A given shape, which must agree with the settles and constraints.
+  // Checks a shape from the run file, which must agree with the settles and constraints.
   Shape check(const Shape& shape, const GromacsMolecule& molecule) const {
     const std::size_t atoms = real_atoms(molecule).size();
     if (shape.size() != atoms)

@@ -38,7 +38,7 @@ class Translation {
 
  private:
   void table(const char* name) { text_ += fmt::format("\n[{}]\n", name); }
-  /// Adds a line to the run file; with a comment that names the GROMACS parameters.
+  /// Adds a line to the run file, with a comment that names the GROMACS parameters.
   void line(const char* key, const std::string& value, const char* comment) {
     text_ += fmt::format("{:<38} # {}\n", fmt::format("{} = {}", key, value), comment);
   }

@@ -20,8 +20,8 @@ class MdpParameters {
   /// @throws Error  if a line is not "name = value", or a name occurs twice
   MdpParameters(std::string_view text, const std::string& file);
 
-  /// The value of a parameter, which is marked as translated by this call. The text is empty if the
-  /// parameter is absent or has no value.
+  /// Returns the value of a parameter, and marks the parameter as translated. The text is empty if
+  /// the parameter is absent or has no value.
   std::string text(std::string_view name);
   /// Whether the value of a parameter is a given word, compared by letters and digits. An absent
   /// parameter has the value `fallback`.

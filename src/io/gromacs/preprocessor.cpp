@@ -12,9 +12,9 @@
 namespace polhode::gromacs {
 namespace {
 
-// Limits far above the needs of real topologies. They guarantee that the preprocessor terminates
-// for any file. The limits apply to the depth of includes, the total numbers of files and
-// characters, the depths of macros and conditions, and the length of a line in characters and
+// Limits far above the needs of real topologies. The limits guarantee that the preprocessor
+// terminates for any file. The limits apply to the depth of includes, the total numbers of files
+// and characters, the depths of macros and conditions, and the length of a line in characters and
 // words. Macros can make a short file long, so the total number of words from macros is also
 // limited.
 constexpr std::size_t max_include_depth = 32, max_includes = 10'000, max_characters = 1 << 25;

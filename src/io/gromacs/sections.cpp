@@ -22,7 +22,8 @@ namespace {
 using gromacs::Line;
 using Kind = GromacsRelation::Kind;
 
-// Maximum counts, above the needs of any rigid body. They bound the memory that a file can demand.
+// Maximum counts, above the needs of any rigid body. These limits bound the memory that a file can
+// demand.
 constexpr std::size_t max_relations = 1'000'000, max_blocks = 64;
 constexpr std::int64_t any = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t lennard_jones_function = 1, buckingham_function = 2;
@@ -197,8 +198,8 @@ TypePair Parser::short_range(const FieldLine& line, std::size_t first) const {
   return function_ == buckingham_function ? buckingham(line, first) : lennard_jones(line, first);
 }
 
-// Reads σ and ε from two fields, which are σ and ε or, with combination rule 1, C6 and C12. As a
-// mark, ε is negative if only one of C6 and C12 is 0.
+// Reads σ and ε from two fields, which contain C6 and C12 instead if the combination rule is 1. A
+// negative ε marks a pair for which only one of C6 and C12 is 0.
 TypePair Parser::lennard_jones(const FieldLine& line, std::size_t first) const {
   TypePair pair{.place = line.place()};
   const bool powers = combination_ == 1;

@@ -195,8 +195,8 @@ void Parser::mass(const FieldLine& line) {
                                           // "tip4p.HW1"
 }
 
-// Reads the potential in the fields from k on. The pair style selects the potential; without a
-// style the potential is Lennard-Jones.
+// Reads the potential from the fields with index k and higher. The pair style selects the
+// potential; without a style the potential is Lennard-Jones.
 TypePair Parser::short_range(const FieldLine& line, std::size_t k) const {
   TypePair pair{.place = line.place()};
   const auto law = law_of_pair_style(data_.pair_style);

@@ -31,7 +31,7 @@ SettingMember parameter(Variant* (*type_of)(Config&), T Types::*... one) {
   });
 }
 
-/// A setting for the type, with separate parameters for each alternative.
+/// The setting `type` of a variant, with separate parameters for each alternative.
 template <class Variant>
 SettingMember type_member(Variant* (*type_of)(Config&)) {
   const auto find = [type_of](const Config& config) {

@@ -24,8 +24,8 @@ std::string title_of(const std::variant<Types...>& type) {
   return std::visit([](const auto& one) { return std::string(one.title); }, type);
 }
 
-/// " with a friction of 1 1/ps"; a setting is omitted if its default is the value of another
-/// setting and is not changed.
+/// The parameters of a thermostat as text, such as " with a friction of 1 1/ps". A parameter is
+/// omitted if it has the same value as the setting from which its default is taken.
 std::string parameters_of_thermostat(const EnsembleSettings& settings) {
   std::string text;
   std::map<std::string, std::string> values;

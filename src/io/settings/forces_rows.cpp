@@ -34,7 +34,8 @@ constexpr SettingBounds in_library(SettingBounds bounds) {
   return bounds;
 }
 
-/// Reads truncation and electrostatics. The defaults of these two settings depend on each other.
+/// Reads truncation and electrostatics. The defaults of truncation and electrostatics depend on
+/// each other.
 void read_truncation(TomlTable& table, const SettingRow& row, Config& config) {
   ForceSettings& forces = config.forces;
   const auto given = table.holds_text("electrostatics")

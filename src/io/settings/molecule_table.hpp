@@ -10,7 +10,8 @@
 namespace polhode {
 
 /// Reads a molecule from a table.
-/// @param file  file that contains the table; paths of tabulated potentials are relative to it
+/// @param file  file that contains the table; paths of tabulated potentials are relative to this
+///   file
 /// @throws Error  with file, line and key
 Molecule read_molecule_table(TomlTable table, const std::string& file);
 

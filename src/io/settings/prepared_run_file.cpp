@@ -64,8 +64,8 @@ void rewrite_system(toml::table& system, const Config& config, const std::string
   system.insert_or_assign("seed", static_cast<std::int64_t>(config.system.seed));
 }
 
-/// Writes the prefix of the preparation, which may differ from the prefix in the run file. Runs
-/// from several preparations of the same run file must not use the same prefix.
+/// Writes the output prefix of the preparation, which may differ from the prefix in the run file.
+/// Runs from several preparations of the same run file must not use the same prefix.
 void write_prefix(toml::table& document, const std::string& prefix) {
   if (!document.contains("output")) document.insert("output", toml::table{});
   if (auto* output = document["output"].as_table()) output->insert_or_assign("prefix", prefix);

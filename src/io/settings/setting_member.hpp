@@ -25,7 +25,7 @@ using SettingValue =
     std::variant<std::monostate, double, std::int64_t, bool, std::string, std::vector<std::string>>;
 
 struct SettingMember {
-  std::function<bool(const Config&)> exists;  ///< whether the setting has a meaning for the run
+  std::function<bool(const Config&)> exists;  ///< whether the setting applies to the run
   std::function<SettingValue(const Config&)> value;
   std::function<void(Config&, const SettingValue&)> set;
   SettingKind kind = SettingKind::text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The table of settings, one row for each setting. A row has the key, the member of the Config, and
-// all data for reading and checks, for the comparison of runs, for the manual and for help. The
+// the data with which the setting is read, checked, compared between runs, and documented. The
 // default of a setting is the initialiser of its member.
 #pragma once
 
@@ -100,7 +100,7 @@ void read_table(TomlTable table, const SettingTable& rows, Config& config);
 /// remains.
 void read_row(TomlTable& table, const SettingRow& row, Config& config);
 
-/// An empty reader, for settings that the functions of their table read.
+/// A function that reads nothing, for settings that another function of their table reads.
 inline void read_by_table(TomlTable&, const SettingRow&, Config&) {}
 
 /// Whether a value in internal units is finite and within the bounds of its row.
@@ -131,8 +131,8 @@ const Config& defaults();
 /// A configuration in which the setting applies, and all members have their defaults.
 Config defaults_with(const SettingRow& row);
 
-/// The names of those values of the deciding key for which a setting has a meaning; empty if the
-/// setting applies for all values.
+/// The names of the deciding key's values for which a setting applies; empty if the setting applies
+/// for all values.
 std::vector<std::string> deciding_names(const SettingRow& row);
 
 constexpr SettingBounds above(double min, std::string_view hint = {}) {

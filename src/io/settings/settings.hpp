@@ -39,7 +39,7 @@ struct SettingBounds {
   bool above = false;       ///< whether `min` is excluded
   bool below = false;       ///< whether `max` is excluded
   std::string_view hint{};  ///< text after "must be ...", with a reason or a usual value
-  /// Whether the bounds are checked in the library, because the check needs more information.
+  /// Whether the library checks the bounds later, because the check needs more information.
   bool in_library = false;
 
   bool hold(double value) const {
@@ -54,14 +54,13 @@ struct Setting {
   std::string unit;                   ///< unit in which texts state a quantity; empty for other
                                       ///< kinds
   std::string domain;                 ///< values and bounds, such as "temperature ≥ 0 K"
-  std::string fallback;               ///< its default value, possibly in words; empty if there is
-                                      ///< none
+  std::string fallback;               ///< default value, possibly in words; empty if there is none
   std::string example;                ///< an example such as "2 fs", or the names of all values;
                                       ///< empty for other kinds
   SettingBounds bounds;               ///< bounds of numbers
   std::string by;                     ///< key that decides whether the setting applies
-  std::vector<std::string> by_names;  ///< values of that key for which the setting has a meaning;
-                                      ///< empty for all values
+  std::vector<std::string> by_names;  ///< values of the deciding key for which the setting applies;
+                                      ///< empty if it applies for all values
   std::string doc;                    ///< meaning of the setting, in Markdown with the links of the
                                       ///< manual
 
@@ -83,7 +82,8 @@ const std::vector<Setting>& settings();
 
 /// Finds a setting by its path, such as "run.length", or by its key if this key occurs in a single
 /// table.
-/// @throws Error  if there is none (with the most similar names), or if several tables have the key
+/// @throws Error  if no setting matches (the message gives the most similar names), or if several
+///   tables have the key
 const Setting& setting(std::string_view path);
 
 /// The value of a setting in a run as text, such as "2 fs", or "4" for a number. The text is empty

@@ -20,7 +20,7 @@ struct ShortRangeKeys {
 enum class LawOwner { site, pair };
 
 /// Reads the keys of a short-range potential.
-/// @param file  file that contains the table; names of potential tables are relative to it
+/// @param file  file that contains the table; names of potential tables are relative to this file
 /// @throws Error  with file, line and key
 ShortRangeKeys read_short_range(TomlTable& table, LawOwner owner, const std::string& file);
 

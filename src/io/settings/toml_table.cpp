@@ -72,8 +72,8 @@ std::string toml_complaint(const std::string& what) {
       return fmt::format("{} occurs twice, and only one of the two can apply; delete one of them",
                          what.substr(open, close - open + 1));
   }
-  // Control characters have been rejected already, so this control character is the end of the
-  // line.
+  // All other control characters have been rejected already, so this control character is the end
+  // of the line.
   if (what.find("parsing string") != what.npos &&
       (what.find("control characters") != what.npos || what.find("end-of-file") != what.npos))
     return "the text is not TOML: a text in quotes has no end on this line; close it with a "

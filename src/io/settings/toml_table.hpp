@@ -28,13 +28,14 @@ toml::table parse_toml(std::string_view text, const std::string& file);
 /// - An overlay with a step removes a required accuracy, and vice versa. An overlay with a box
 ///   removes the density, and vice versa.
 /// @return  notes on settings that were selected by default
-/// @throws Error  if overrides contradict each other, or a parameter has no thermostat
+/// @throws Error  if overrides contradict each other, or a thermostat parameter is set without a
+///   thermostat
 std::vector<std::string> apply(const Overlay& overlay, toml::table& document);
 
 class TomlTable {
  public:
-  /// @param overlay  overlay that was applied to the document, for the places of errors; may be
-  ///   null
+  /// @param overlay  overlay that was applied to the document, which gives the places of errors;
+  ///   may be null
   TomlTable(const toml::table& table, std::string file, std::string path = {},
             const Overlay* overlay = nullptr)
       : table_(&table), file_(std::move(file)), path_(std::move(path)), overlay_(overlay) {}
@@ -84,8 +85,8 @@ class TomlTable {
   [[noreturn]] void refuse_kind(std::string_view key, std::string_view must) const;
   std::string text_of(const toml::node& node, std::string_view key) const;
   std::string full(std::string_view key) const;
-  /// The command-line override that set the value of a key, or a part of this value or of the
-  /// table; null if there is none.
+  /// The command-line override that set a key, a part of the key's value, or the table; null if
+  /// there is none.
   const Override* override_of(std::string_view key) const;
 
   const toml::table* table_;

@@ -38,10 +38,10 @@ class LammpsTypes {
   std::vector<std::vector<int>> numbers_;  // type numbers by [part][site]
 };
 
-/// Writes the data file, with velocities and all digits, so that positions that are read back
-/// differ only by round-off. Bonds of zero strength join the sites of a molecule, so that LAMMPS
-/// excludes the interactions between them. Lennard-Jones parameters are included if all sites have
-/// this potential.
+/// Writes the data file, including velocities, with enough digits that positions read back differ
+/// only by round-off. Bonds of zero strength join the sites of a molecule, so that LAMMPS excludes
+/// the interactions between them. Lennard-Jones parameters are included if all sites have this
+/// potential.
 void write_lammps_data(std::ostream& out, const std::string& title, const State& state,
                        const Topology& topology, const LammpsTypes& types);
 

@@ -15,8 +15,8 @@ namespace polhode {
 /// @throws Error  with file, line, the text found and the text required
 TabulatedLaw parse_potential_table(std::string_view text, const std::string& file);
 
-/// Reads the potential table to which a molecule file or run file refers. The path of the table is
-/// relative to this file. A built-in molecule refers to a built-in table.
+/// Reads a potential table, whose path is relative to the molecule file or run file that refers to
+/// the table. A built-in molecule refers to a built-in table.
 TabulatedLaw read_potential_table(const std::string& name, const std::string& named_in);
 
 }  // namespace polhode

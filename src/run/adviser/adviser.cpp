@@ -42,7 +42,7 @@ constexpr double max_sample_interval = 0.004;
 constexpr int max_lengthenings = 4;
 /// Fractions of the length of confirming runs after which hopeless sets of runs are stopped.
 constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
-/// The smallest fraction of confirming runs after which a longer step may be tried.
+/// The smallest fraction of the length of confirming runs after which a longer step may be tried.
 constexpr double telling = 1.0 / 3;
 /// Fractions of the computing time for choosing runs, for timings and for the response to the
 /// temperature (if needed), and minimum fraction for confirming runs.
@@ -55,9 +55,11 @@ constexpr double way = 0.5;
 /// error of such schemes begins as a random walk.
 double reserve(double exponent) { return 1 - 0.015 * std::clamp(exponent, 2.0, 4.0); }
 /// A scheme is postponed while its expected cost exceeds this factor times the cost of the second
-/// cheapest scheme. Differences in speed can compensate a smaller factor.
+/// cheapest scheme. If expected costs differ by less than this factor, a difference in computing
+/// speed can still decide.
 constexpr double hopeless = 1.25;
-/// Maximum cost of configurational temperatures relative to a run; force evaluations per sample.
+/// Maximum cost of sampling configurational temperatures, relative to the run, and number of force
+/// evaluations per sample.
 constexpr double temperature_share = 0.03, sample_cost = 2;
 /// The p-value below which an energy drift of the choosing runs ends the range of steps. This
 /// p-value is smaller than the usual significance level, because there are about a dozen tests.
@@ -131,8 +133,8 @@ class Adviser {
     };
   }
 
-  /// Number of force evaluations of a search without rejected steps and with the shortest runs,
-  /// for about five steps per scheme and one confirmation, at 3.3 ω force evaluations per ps.
+  /// The fewest force evaluations of a search: the shortest runs at about five steps per scheme,
+  /// and one confirmation without rejected steps, at 3.3 ω force evaluations per ps.
   double min_work() const {
     const double search = 5 * way * choosing * static_cast<double>(advice_.candidates.size());
     return confirming * 1000 * preparation_length() +
@@ -258,7 +260,7 @@ class Adviser {
       std::atomic<bool> broken = false;
       std::vector<char> done(resumable_runs.size(), 0);
       workers_.each(resumable_runs.size(), [&](std::size_t r) {
-        // At least two runs are needed for the scatter.
+        // At least two runs are needed to estimate the scatter.
         if (stop() || (broken && r >= 2)) return;
         point.runs[r] = advance(resumable_runs[r], job);
         done[r] = 1;
@@ -302,7 +304,7 @@ class Adviser {
   /// The total time of all runs, in seconds of one thread.
   double budget(double share) const { return share * settings_.seconds * workers_.threads(); }
 
-  /// The length of a run if `runs` runs together fit into a given computing time.
+  /// The length of each of `runs` runs that together fit into a given computing time.
   double affordable(double seconds, double runs, double cost) const {
     return seconds / (runs * cost * evaluation_);
   }

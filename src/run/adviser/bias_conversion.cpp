@@ -23,8 +23,8 @@ constexpr double time_constant = 0.2;     // time constant of the thermostat [ps
 constexpr double sample_interval = 0.02;  // interval between samples [ps]
 constexpr double discarded = 0.25;        // fraction of each run that is discarded
 
-/// Sums over samples, relative to `first`: U, the configurational pressure, and the products of U
-/// and this pressure with U.
+/// Sums over samples, relative to `first`: the potential energy U, the configurational pressure,
+/// and the products U² and U times this pressure.
 struct Fluctuations {
   Energies first;
   TimeBlocks blocks;

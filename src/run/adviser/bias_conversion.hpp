@@ -57,13 +57,13 @@ class BiasConversion {
   double pressure_ = 0, compressibility_ = 0;  // pressure and compressibility of the barostat
 };
 
-/// Whether the bias of a quantity (the quality of a criterion) differs between constant energy and
-/// the ensemble. The bias of the temperature difference is the same at constant energy and in other
-/// ensembles.
+/// Whether the bias of a quantity, such as the potential energy, differs between constant energy
+/// and the ensemble. The bias of the temperature difference is the same at constant energy and in
+/// other ensembles.
 bool needs_conversion(Quality quality, const EnsembleSettings& ensemble);
 
-/// Makes the conversion for the ensemble of a run file, from runs that begin with given initial
-/// configurations. The measured response is reported as a note.
+/// Measures the response to the temperature, in runs from given initial configurations, for the
+/// conversion to the ensemble of a run file. The measured response is reported as a note.
 BiasConversion bias_conversion(const Config& config, const std::vector<ResumableRun>& starts,
                                const ResponseRuns& runs, const Callbacks& callbacks,
                                const std::function<bool()>& stop, Workers& workers);

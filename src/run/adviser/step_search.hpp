@@ -38,7 +38,8 @@ inline constexpr double max_growth = 1.6;
 /// if nothing is known.
 double max_expected_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 
-/// Whether runs at a step contribute to the chosen step, and do not only guide the search.
+/// Whether runs at a step contribute to the choice of the final step, rather than only guiding the
+/// search.
 bool decides(const StepSearch& search, const std::vector<AdviserPoint>& points, double step);
 
 /// The result of the search: the largest step that is expected to meet the bound [ps], or 0 if
@@ -49,9 +50,9 @@ struct FoundStep {
 };
 FoundStep found_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 
-/// Thresholds for the bound of a step relative to the required value. A step whose bound is below
-/// `max_caution` is shorter than necessary, by at least 10 % at second order. Such a step is
-/// lengthened so that the expected bound is `aim`.
+/// Thresholds for the prediction bound at a step, as a fraction of the required value. A step whose
+/// prediction bound is below `max_caution` is shorter than necessary, by at least 10 % at second
+/// order. Such a step is lengthened so that the expected prediction bound is `aim`.
 inline constexpr double max_caution = 0.8, aim = 0.9;
 
 /// A longer step, according to R ∝ h^exponent. The longer step replaces a step if the runs at that

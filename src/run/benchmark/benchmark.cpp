@@ -94,7 +94,7 @@ struct EvaluationRepeats {
 void repeat(EvaluationRepeats& repeats, const System& water, const ForceSettings& settings,
             Workers& workers, double seconds) {
   // Memory is allocated at different addresses for each repeat, because the memory speed depends on
-  // the addresses.
+  // the address.
   const std::vector<std::byte> elsewhere(1 + 1088 * repeats.list.size());
   ForceField forces(water.topology, settings, water.state.box, workers);
   Load load;

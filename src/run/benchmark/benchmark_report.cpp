@@ -48,8 +48,7 @@ std::vector<std::size_t> sizes(const Benchmark& b) {
 
 double percent(double x) { return 100 * x; }
 
-/// A timing as a list of quantities.
-/// @param label  label of the best repeat in a table
+/// Converts a timing to a list of quantities.
 Quantities of_timing(const Timing& t, double unit, const char* label = "", const char* in = "") {
   return {{"best", in, unit * t.best, "", label},
           {"median", "", unit * t.median},

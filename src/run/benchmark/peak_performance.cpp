@@ -12,8 +12,8 @@ namespace {
 
 constexpr double cutoff = 0.9, switch_from = 0.765;  // cutoff and start of the switch [nm]
 
-// The first molecule of the built-in configuration, with partners at realistic distances that are
-// repeated until the packs are full.
+// The first molecule of the built-in configuration and its partners, which are at realistic
+// distances and repeated until the packs are full.
 template <class T>
 class WaterPairs {
  public:

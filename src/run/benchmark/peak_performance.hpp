@@ -26,7 +26,7 @@ Timing timing(std::vector<double> repeats);
 /// Time per pair of molecules [ns].
 struct BarePair {
   Timing inside;     ///< time of a pair inside the switching distance
-  Timing truncated;  ///< time of a pair within the molecule switch
+  Timing truncated;  ///< time of a pair within the switching range of the molecule switch
 };
 
 struct Limit {

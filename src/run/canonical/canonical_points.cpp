@@ -31,9 +31,9 @@ std::optional<Estimate> mean_over(const std::vector<CanonicalRun>& runs, const V
   return mean_of(std::move(values));
 }
 
-/// The mean of a quantity by exact sampling, over all methods except one. For each initial
-/// configuration, the mean over the steps is computed first. The mean over the configurations is
-/// computed next, because runs from different configurations are independent.
+/// The mean of a quantity over all methods of exact sampling, except for one method. For each
+/// initial configuration, the mean over the steps is computed first. The mean over the
+/// configurations is computed next, because runs from different configurations are independent.
 std::optional<Estimate> exact_mean(const std::vector<CanonicalMethod>& methods,
                                    const std::vector<CanonicalRun>& runs,
                                    const CanonicalMethod& without, std::size_t quantity) {

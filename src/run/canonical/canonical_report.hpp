@@ -73,7 +73,7 @@ CanonicalReport report_canonical_record(const Config& config, const std::string&
 /// manual are made.
 Quantities quantities(const CanonicalReport& report);
 
-/// A sentence on the forces, runs and bath of a canonical study.
+/// A sentence on the forces, runs and heat bath of a canonical study.
 std::string canonical_conditions(const Config& config);
 
 /// Conclusions for a criterion: a sentence for each scheme, and a sentence on the cheapest sample.

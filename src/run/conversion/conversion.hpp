@@ -34,7 +34,7 @@ struct ConversionResult {
 /// The molecules of a run file, for use as Conversion::particles.
 Topology molecules_of_run(const Config& config);
 
-/// Writes the selected frames to a file, completely or not at all. A message says so if velocities
+/// Writes the selected frames to a file, completely or not at all. A message warns if velocities
 /// are lost.
 /// @throws Error  if a format is not known or lacks names that the other format needs, if no frame
 ///   is selected, or under the conditions of check_outputs()

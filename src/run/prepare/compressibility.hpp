@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The compressibility measured in a stage at constant pressure. The compressibility determines the
-// size of barostat moves.
+// The compressibility measured in a stage at constant pressure. The size of barostat moves is set
+// according to the compressibility.
 #pragma once
 
 #include <string>
@@ -13,17 +13,18 @@ namespace polhode {
 /// The isothermal compressibility from the volume fluctuations in a stage [nm³ mol/kJ]. The
 /// compressibility is known only if its standard error is at most half of its value. In addition,
 /// the volume must not drift, because the relaxation of the volume is not a fluctuation. The stage
-/// must also have eight relaxation times of the volume, so that the variance has a relative error
+/// must also last eight relaxation times of the volume, so that the variance has a relative error
 /// of 1/2.
 /// @param length  length of the stage [ps]
 SeriesEstimate measured_compressibility(const EnergyStatistics& energies,
                                         const BarostatSettings& barostat, double length, double kT);
 
 /// The compressibility that sets the size of moves in the next stage [nm³ mol/kJ]. If the
-/// compressibility could be measured, the measured value is used. If not, the present value is
-/// used, unless the volume drift exceeds the fluctuations that this value implies. In case of such
-/// a drift, moves are too small, and the next value is four times as large, within bounds. The
-/// sampled distribution does not depend on the compressibility that sets the size of moves.
+/// compressibility could be measured, the measured value is used. If the compressibility could not
+/// be measured, the present value is used, unless the volume drifts by more than the fluctuations
+/// that this value implies. Such a drift shows that moves are too small, so the next value is four
+/// times as large, within bounds. The sampled distribution does not depend on the compressibility
+/// that sets the size of moves.
 /// @param barostat  settings of the barostat in this stage
 /// @param length    length of this stage [ps]
 double next_compressibility(const EnergyStatistics& energies, const BarostatSettings& barostat,

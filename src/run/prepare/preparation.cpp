@@ -45,7 +45,7 @@ constexpr std::uint64_t streams = std::uint64_t{1} << 40;  // number of derived 
 
 double kg_per_m3(double density) { return density / unit("kg/m3", Dimension::density); }
 
-/// A part of the preparation, with separate random numbers and statistics.
+/// A stage of the preparation, with separate random numbers and statistics.
 struct Stage {
   const char* name;
   double length;  ///< length [ps]
@@ -86,8 +86,8 @@ std::string identity_of(const Config& config, const System& system) {
   return text_hash(run + stages) + run.substr(run.find('\n')) + stages;
 }
 
-/// Scales momenta so that the total energy is the canonical mean. A run at constant energy then has
-/// the temperature of the thermostat.
+/// Scales momenta so that the total energy equals its canonical mean. A run at constant energy then
+/// has the temperature of the thermostat.
 void set_energy(System& system, double mean_total, Workers& workers) {
   State& state = system.state;
   ForceField forces(system.topology, system.forces, state.box, workers);
@@ -251,8 +251,8 @@ Trajectory Preparation::run(System& system, const TrajectorySettings& settings) 
   return trajectory;
 }
 
-/// Sets up the next stage. By now, the forces have the usual size in a liquid, and at constant
-/// pressure the volume has changed.
+/// Sets up the next stage. At this point the forces have the usual size in a liquid, and at
+/// constant pressure the volume has changed.
 void Preparation::set_up_next(const System& system, const TrajectorySettings& settings,
                               const Trajectory& trajectory) {
   constexpr double tenth_of_fs = 1e-4;

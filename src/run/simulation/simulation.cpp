@@ -120,8 +120,9 @@ bool Simulation::choose_step(const OutputOptions& options, const Callbacks& call
 
 // Checkpoints.
 
-// Call this function before the state changes, unless settings have changed. A new simulation with
-// the present settings can resume from the checkpoints of this simulation.
+// Call this function before the state changes. After a change of settings, the function may be
+// called later, because it builds the system again. A new simulation with the present settings can
+// resume from the checkpoints of this simulation.
 const std::string& Simulation::identity() {
   if (identity_.empty())
     identity_ = run_identity(config_, settings_changed_ ? build_system(config_) : system_);
@@ -337,8 +338,8 @@ void Simulation::note_begin(const Callbacks& callbacks) const {
   note_forces(system_, callbacks);
 }
 
-// For a lattice there is no warning about the step, because forces on a lattice do not show which
-// steps are stable.
+// A run from a lattice gets no warning about the step, because forces on a lattice do not show
+// which steps are stable.
 void Simulation::note_warnings(const Callbacks& callbacks) const {
   const bool lattice = config_.system.initial_configuration.empty() && config_.run.equilibrate == 0;
   for (const auto& warning :

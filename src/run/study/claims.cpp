@@ -43,8 +43,8 @@ Verdict opposite(Verdict v) {
   return v == Verdict::reproduced ? Verdict::not_reproduced : Verdict::reproduced;
 }
 
-/// The point with the longest step whose energy drift is certainly negligible; null if there is
-/// none.
+/// The point with the longest step at which the energy drift is certainly negligible; null if there
+/// is no such step.
 const EfficiencyPoint* last_conserving(const Curve& c) {
   for (std::size_t i = c.usable; i > 0; --i)
     if (c.points[i - 1].conserves()) return &c.points[i - 1];
@@ -64,8 +64,8 @@ std::string reached(const Curve& c) {
 }
 
 /// The verdict on whether a curve has steps above R = `limit` at which the energy drift is
-/// certainly negligible. A curve that ends below the limit has no such steps. Between the last such
-/// step and the end of the curve, the drift may or may not be negligible.
+/// certainly negligible. A curve that ends below the limit has no such steps. Between the last step
+/// with a negligible drift and the end of the curve, the drift may or may not be negligible.
 Verdict runs_above(const Curve& c, double limit) {
   const EfficiencyPoint* const last = last_conserving(c);
   if (last && above(*last, limit) == Verdict::reproduced) return Verdict::reproduced;
@@ -75,7 +75,7 @@ Verdict runs_above(const Curve& c, double limit) {
 }
 
 /// Whether the points around the ends of curves have the same number of runs. Curves are compared
-/// only if so, because more runs detect a smaller energy drift.
+/// only if their numbers of runs are equal, because more runs detect a smaller energy drift.
 bool equal_runs(const std::vector<const Curve*>& curves) {
   std::set<int> runs;
   for (const Curve* c : curves)

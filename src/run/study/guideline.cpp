@@ -9,7 +9,7 @@
 namespace polhode {
 namespace {
 
-/// A contribution to the relative error of R.
+/// A relative error that contributes to the error of R.
 ErrorPart share(double factor, const EfficiencyPoint& p) {
   return {factor * p.ratio.error / p.ratio.value, p.runs - 1.0};
 }
@@ -19,9 +19,9 @@ ErrorPart relative_error(const CostAtRatio& at) {
 }
 
 /// The number of points before the end of a curve. All tables, claims and figures use this end. A
-/// curve ends at the first step with a run that blew up. A curve ends earlier if all steps from
-/// some step on have an energy drift. If a step has an energy drift but a longer step has none, the
-/// drift is attributed to chance.
+/// curve ends at the first step with a run that blew up. A curve ends earlier if, from some step
+/// on, all longer steps have an energy drift. If a step has an energy drift but a longer step has
+/// none, the drift is attributed to chance.
 /// @param points  points ordered by step
 std::size_t points_before_end(const std::vector<EfficiencyPoint>& points) {
   std::size_t count = 0;
@@ -114,8 +114,8 @@ std::optional<Crossing> crossover(const Curve& finer, const Curve& coarser) {
     const auto here = advantage(R);
     if (here && above && *above <= 0 && *here > 0) {
       const auto a = cost_at(finer, R), b = cost_at(coarser, R);
-      // The log of the cost varies as −log R/exponent. The error of log R is the error of the log
-      // of the cost ratio divided by the difference of the slopes.
+      // The logarithm of a cost varies as −log R/exponent. The error of log R is the error of the
+      // log cost ratio divided by the difference of the slopes.
       const double slopes = std::abs(1 / b->exponent - 1 / a->exponent);
       const ErrorPart error = summed({relative_error(*a), relative_error(*b)});
       return Crossing{{R, slopes > 0 ? R * error.error / slopes : 0.0}, error.degrees_of_freedom};

@@ -20,8 +20,8 @@ struct CostAtRatio {
   double step = 0;                ///< time step [ps]
   double evaluations = 0;         ///< number of force evaluations per step
   double exponent = 0;            ///< local order d log R / d log h
-  bool extrapolated = false;      ///< whether R is below the smallest measured R, so that the order
-                                  ///< of the scheme was used
+  bool extrapolated = false;      ///< whether R is below the smallest measured R, so that the cost
+                                  ///< is extrapolated with the order of the scheme
   bool at_max_step = false;       ///< whether the largest step of the curve is used, because R
                                   ///< stays below the given value
 };

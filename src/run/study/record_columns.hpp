@@ -33,7 +33,7 @@ struct RecordColumn {
   bool has_sign = false;                  ///< whether negative values are valid
   bool always = false;                    ///< whether the value is also known for a
                                           ///< run that blew up
-  /// Whether a line has no number in a column.
+  /// Whether the column has no number in a given line.
   std::function<bool(const RecordFields&, std::size_t)> absent = {};
 };
 

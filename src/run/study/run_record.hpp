@@ -24,7 +24,7 @@ class RunRecord {
   void add(const Run& run);
 
   /// Reads the runs in a record. An incomplete last line, left by an interruption, is ignored, and
-  /// its run is repeated. The field of a number that a run does not have is empty. The numbers of a
+  /// its run is repeated. A field is empty if the run does not have the number. The numbers of a
   /// run that blew up are ignored.
   /// @param path        path of the record, for error messages
   /// @param provenance  provenance of the study that is being resumed; null for any study

@@ -56,8 +56,8 @@ void check_count(const std::vector<FreeParameter>& parameters) {
 
 /// The symmetric 2 × 2 covariance matrix of the two error brackets (the commutators with the
 /// factors α and β). If the two error brackets are perfectly correlated, one combination of the
-/// parameters is undetermined. A small additional term in the variance keeps the undetermined
-/// combination unchanged.
+/// parameters is undetermined. A small additional term in the variance prevents changes of the
+/// undetermined combination.
 struct Metric {
   double aa, ab, bb;
   explicit Metric(const ErrorCovariance& c)

@@ -43,7 +43,8 @@ std::vector<double> default_steps(const NestedScheme& nested, bool coarse) {
   return fs;
 }
 
-/// Assumed weight of near forces, used to distribute the work before the weight is measured.
+/// Assumed cost of near forces relative to all forces, used to distribute the work before this cost
+/// is measured.
 constexpr double typical_near_weight = 0.3;
 
 StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point,
@@ -175,8 +176,8 @@ void perform_study_runs(const Config& config, const std::vector<StudyRun>& known
 
 namespace {
 
-/// The mean difference of two temperatures over the runs that have both; empty if fewer than two
-/// runs have both.
+/// The mean difference of two temperatures over the runs in which both are known; empty if there
+/// are fewer than two such runs.
 template <class Difference>
 std::optional<Estimate> mean_difference(const std::vector<StudyRun>& runs,
                                         const Difference& difference) {

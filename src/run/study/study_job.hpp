@@ -56,7 +56,7 @@ class StudyJob {
   /// Performs the runs that are not yet in the record.
   Report run(Workers& workers) const {
     const OutputLock lock(files_.prefix + "-study.lock", callbacks_);
-    // Results of a resumed study are overwritten, but results of another study are not.
+    // Files of a resumed study are overwritten, but files of another study are not.
     if (!std::filesystem::exists(files_.runs)) check_outputs(files_.all(), existing_);
     remove_drafts(files_.all());
     typename Study::Record record(files_.runs, made_, existing_ == ExistingFiles::replace);
@@ -109,7 +109,7 @@ class StudyJob {
   }
 
   /// Makes the report of the selected runs and writes its files. All points use the same initial
-  /// configurations, so that they can be compared, even if the record has more.
+  /// configurations, even if the record has more, so that the points can be compared.
   Report report_of(const std::vector<Run>& runs) const {
     std::vector<Run> counted;
     for (const Run& run : runs)

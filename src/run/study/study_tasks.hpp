@@ -19,8 +19,8 @@ namespace polhode {
 /// Whether two time steps [ps] are equal up to round-off.
 inline bool same_step(double a, double b) { return std::abs(a - b) < 1e-12; }
 
-/// The runs of a scheme at a step, sorted by initial configuration. With this order, sums do not
-/// depend on which run ended first. The scheme has the name that records use.
+/// The runs of a scheme at a step, sorted by initial configuration. Sums over runs in this order do
+/// not depend on which run ended first. The scheme has the name that records use.
 template <class Run>
 std::vector<Run> runs_of(const std::string& scheme, double step, const std::vector<Run>& runs) {
   std::vector<Run> own;
@@ -59,7 +59,7 @@ class StudyTasks {
   bool empty() const { return tasks_.empty(); }
   const std::vector<Task>& all() const { return tasks_; }
 
-  /// Sorts runs so that the most expensive runs are first and the last runs are short.
+  /// Sorts runs by decreasing cost, so that the runs that start last are short.
   void sort_by_work() {
     std::stable_sort(tasks_.begin(), tasks_.end(),
                      [](const Task& a, const Task& b) { return a.work > b.work; });

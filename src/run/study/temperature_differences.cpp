@@ -35,7 +35,7 @@ Quantities of_limit(const EquipartitionFit& fit, Value axis, const Line& line) {
            "probability that chance alone gives a fitted a of at least this size"}};
 }
 
-/// The fitted limit for h = 0, with a p-value if it differs from 0.
+/// The fitted limit for zero step, with a p-value if the limit differs significantly from 0.
 Value limit_value(const std::optional<Line>& line) {
   if (!line) return {};
   const double p = p_value(line->intercept, line->degrees_of_freedom);

@@ -47,14 +47,15 @@ Curve polhode_of(const Vec3<double>& J, const Vec3<double>& L) {
   return curve;
 }
 
-/// Polhodes of the same energy with other L² (L²/2E between the principal moments), on all sides of
-/// the ellipsoid.
+/// Polhodes of the same energy but other values of L², on all sides of the ellipsoid; L²/2E is
+/// between the principal moments.
 std::vector<Curve> family(const Vec3<double>& J, double twice_E) {
   std::array<std::size_t, 3> axis{0, 1, 2};
   std::sort(axis.begin(), axis.end(), [&](std::size_t i, std::size_t j) { return J[i] < J[j]; });
   const std::size_t low = axis[0], middle = axis[1], high = axis[2];
   std::vector<Curve> curves;
-  // In the plane of the extreme axes, L_l²/J_l + L_h²/J_h = 2E and L_l² + L_h² = 2E J.
+  // In the plane of the axes with the largest and the smallest moment, L_l²/J_l + L_h²/J_h = 2E and
+  // L_l² + L_h² = 2E J.
   const auto start = [&](double moment) {
     Vec3<double> L;
     const double part = (moment - J[low]) / (J[high] - J[low]);

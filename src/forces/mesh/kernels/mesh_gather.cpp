@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Forces from the potential on the grid: the exact gradient with respect to the splines' weights.
+// Forces from the potential on the grid, computed with the exact derivatives of the spline weights.
 #include "mesh_sums.hpp"
 #include "polhode/base/always_inline.hpp"
 

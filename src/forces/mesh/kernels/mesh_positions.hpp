@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Grid positions of the charged sites of a pack of bodies.
+// Positions of charged sites on the grid, for a pack of bodies.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ class GridPositions {
   Vec3<Real> arm(std::size_t site) const {
     return {column_[3 + 3 * site], column_[4 + 3 * site], column_[5 + 3 * site]};
   }
-  // Loads the displacement of a site in grid spacings from the records of displacements.
+  // Loads a site's displacement, in grid spacings, from the displacement records.
   Vec3<Real> in_spacings(std::size_t site) const {
     Vec3<Real> move = centre() + arm(site);
     for (std::size_t d = 0; d < 3; ++d)
@@ -39,8 +39,8 @@ class GridPositions {
     return grid_place(column_[d], column_[3 + 3 * site + d], static_cast<std::int32_t>(points_[d]),
                       box_.edge[d]);
   }
-  // Stores the index of the grid point below a site along an edge, and returns the distance from
-  // this point.
+  // Stores the index of the grid point below a site along one axis, and returns the site's distance
+  // from this point.
   Real beyond(std::size_t site, std::size_t d, std::int32_t* index) const {
     return beyond_point(place(site, d), static_cast<std::int32_t>(points_[d]), index);
   }
@@ -52,7 +52,7 @@ class GridPositions {
   std::array<Real, 3 + 3 * max_sites + Real::width> column_;
 };
 
-// Loads and stores records of four numbers at any addresses, one record for each lane of a pack.
+// Loads and stores records of four numbers at arbitrary addresses, one record per lane of a pack.
 template <class T, class Records>
 void load_four(const Records& record, Pack<T> (&number)[4]) {
   using Tiles = Tile<T>;

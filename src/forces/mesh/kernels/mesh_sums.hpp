@@ -8,7 +8,8 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Vectors of packs whose elements are to be summed. Each charge of a pack has its own vector.
+// Vectors of packs to be summed over the elements of each pack. Each charge of a pack has its own
+// vector.
 template <class T, std::size_t vectors>
 class TileSums {
  public:
@@ -36,7 +37,7 @@ class TileSums {
   alignas(pack_bytes) T values_[vectors][3][Real::width * Real::width];
 };
 
-// The force on a charge from the gradient of the potential, per grid spacing. The force is 0 for
+// The force on a charge, computed from the potential gradient per grid spacing. The force is 0 for
 // slots without a body.
 template <class T>
 POLHODE_INLINE inline Vec3<Pack<T>> force_of(const Vec3<Pack<T>>& gradient, const GatherJob<T>& job,

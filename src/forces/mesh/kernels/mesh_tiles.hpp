@@ -25,7 +25,7 @@ class TileWeights {
                  values_ + lane * stride + before + part * record_part_width<T>);
     });
   }
-  // Returns the weights from the first weighted point of a charge on.
+  // Returns the weights of a charge, beginning with its first weighted point.
   const T* operator()(std::size_t lane) const { return values_ + lane * stride + before; }
 
  private:
@@ -33,12 +33,12 @@ class TileWeights {
   alignas(pack_bytes) T values_[Pack<T>::width * stride] = {};
 };
 
-// The weights of the splines along all edges, and of their first `derivatives` derivatives.
+// The spline weights along all edges, and the first `derivatives` derivatives of the weights.
 template <class T, std::size_t order, std::size_t derivatives>
 class ChargeWeights {
  public:
-  // Computes the weights from the distances beyond grid points. The splines along x are multiplied
-  // by a factor.
+  // Computes the weights from the distances u of the charges beyond their grid points, in grid
+  // spacings. The weights along x are multiplied by `factor`.
   void set(const Vec3<Pack<T>>& u, const Pack<T>& factor = Pack<T>(1)) {
     for (std::size_t d = 0; d < 3; ++d) {
       Pack<T> w[3][order];

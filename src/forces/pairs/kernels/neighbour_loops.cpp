@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows of partners in whole packs.
+// Rows of partners for the neighbour list, each padded to whole packs.
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The shapes (numbers of sites) of molecules for which the pair loops of an instruction set are
 // unrolled. An instruction set for old processors has only the general shape if a better set is
-// also compiled. The compile time of its loops is then much shorter.
+// also compiled, because this shortens the compile time of the loops.
 #pragma once
 
 #include "pair_rows.hpp"

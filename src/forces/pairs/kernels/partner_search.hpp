@@ -132,8 +132,8 @@ class Search {
     if (same_) bring_takers_to_front();
   }
 
-  // Moves leaves to the front of the list if they soon follow the body's leaf in the chunk. The
-  // rows of slots in these leaves can then take over surplus pairs.
+  // Moves leaves to the front of the list if they follow the body's leaf closely in the chunk. The
+  // rows of slots in the leaves at the front can then take over surplus pairs.
   void bring_takers_to_front() {
     const auto own = own_first_ + static_cast<std::uint32_t>(leaf_ * SlotTree::leaf);
     const std::uint32_t end = std::min(chunk_end_, own + HandedPairs::window);
@@ -143,7 +143,8 @@ class Search {
         leaves_.swap(k, front++);
   }
 
-  // The periodic images of the root box, and of a leaf, that are in range of this leaf.
+  // For a leaf, finds the periodic images of the root box and of the leaf itself that are in range
+  // of the leaf.
   void start(std::size_t leaf) {
     nodes_.size = 0;
     own_images_.clear();
@@ -229,7 +230,8 @@ class Search {
   // A mask of the leaves that are ahead of the body's leaf, in the pack that begins with leaf k.
   POLHODE_INLINE Mask<Real> ahead(std::size_t k) const {
     const std::size_t all = partners_[0].size;
-    // Two leaves that are all/2 apart follow each other; only the earlier leaf finds their pairs.
+    // If two leaves are all/2 apart, each is ahead of the other; only the earlier leaf finds their
+    // pairs.
     const bool even_and_late = all % 2 == 0 && leaf_ >= all / 2;
     const auto number = [](std::size_t n) { return Real(static_cast<float>(n)); };
     const Real by = lane_numbers() + (number(k) - number(leaf_));

@@ -176,9 +176,9 @@ void fields(Archive& archive, Of& c) {
   optional(archive, c.preparation, [&](auto& progress) { preparation(archive, progress); });
 }
 
-/// The orientations of an initial configuration, and its velocities if there are any, as text.
-/// Random velocities are omitted, because they follow from the seed. The text has nine digits,
-/// which is more than in text formats, but few enough to be the same on all processors.
+/// The orientations of an initial configuration, and its velocities if given, as text. Random
+/// velocities are omitted, because they follow from the seed. The text has nine digits, which is
+/// more than in text formats, but few enough to be the same on all processors.
 std::string motion_of_start(const Config& config, const System& system) {
   std::string text;
   if (config.system.initial_configuration.empty()) return text;

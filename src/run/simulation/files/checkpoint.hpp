@@ -20,7 +20,7 @@ namespace polhode {
 struct OutputMarks {
   FileMark energies;             ///< number of rows and bytes in the energies file
   std::vector<FileMark> frames;  ///< position in each trajectory file
-  std::size_t next_frame = 0;    ///< first step at which the next frame is written
+  std::size_t next_frame = 0;    ///< earliest step at which the next frame is written
 };
 
 /// The progress of a preparation, in addition to the RunState of its current stage.

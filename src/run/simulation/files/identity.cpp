@@ -15,8 +15,8 @@
 namespace polhode {
 namespace {
 
-/// The contents of the table of a tabulated potential as text, because the file may have changed.
-/// The text is empty for other potentials.
+/// The contents of the table of a tabulated potential, as text; a file name would not suffice,
+/// because the file may have changed. The text is empty for other potentials.
 std::string table_identity(const ShortRangeLaw& law) {
   const auto* tabulated = std::get_if<TabulatedLaw>(&law);
   if (!tabulated) return {};
@@ -33,8 +33,8 @@ std::string law_identity(const Site& site) {
                      table_identity(site.law));
 }
 
-/// Settings that the identity of a run contains in a different form, or that callers add as
-/// numbers.
+/// Settings that are not copied into the identity of a run, because it contains their values
+/// elsewhere, or because callers add the values as numbers.
 constexpr std::array<std::string_view, 27> stated = {
     "system.temperature",
     "system.seed",

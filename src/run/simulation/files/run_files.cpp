@@ -28,8 +28,8 @@ EnergyColumns columns_of(const Config& config) {
 }
 
 /// The files that a run writes at the end, except for files that the run also reads. Existing files
-/// are removed, because they would not agree with the trajectory until the run ends (and never if
-/// it blows up).
+/// are removed, because they would not agree with the trajectory until the run ends, and never if
+/// the run blows up.
 std::vector<std::string> last_files(const RunFileNames& names, const SystemSettings& inputs) {
   std::vector<std::string> files;
   for (const std::string& file : {names.final_state, names.plot}) {

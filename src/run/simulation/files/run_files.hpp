@@ -14,8 +14,8 @@
 namespace polhode {
 
 /// The growing files of a run: energies, trajectories and checkpoints. The files are created at the
-/// first sample, after a checkpoint that records their start. For every file there is therefore a
-/// checkpoint that refers to it.
+/// first sample, after a checkpoint that records their start. Every file is therefore listed in a
+/// checkpoint from its creation on.
 class RunFiles {
  public:
   /// @param from  checkpoint to resume from; the files are truncated to the lengths in the

@@ -15,7 +15,7 @@ namespace {
 constexpr int states = 16;
 constexpr double apart = 1e-4;  // time between the states [ps]
 
-/// Sums of a quantity over the states. The sums give the sample variance of the quantity.
+/// Sums over the states, from which the sample variance of a quantity follows.
 struct Spread {
   double sum = 0, squares = 0;
   void add(double x) {

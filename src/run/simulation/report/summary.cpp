@@ -13,8 +13,8 @@ namespace polhode {
 namespace {
 
 /// The energy drift of the run, tested against the random walk of the conserved energy. The
-/// strength of this walk is taken from the shadow energy, if sampled, and is at least the strength
-/// due to round-off. Without a shadow energy the strength is unknown.
+/// strength of the random walk is taken from the shadow energy, if sampled, and is at least the
+/// strength due to round-off. Without a shadow energy the strength of the random walk is unknown.
 Drift drift(const TrajectoryStatistics& statistics, double rounding) {
   std::vector<WalkStrength> walks = statistics.shadow.walks();
   if (walks.empty()) return statistics.energies.drift_over_walk(rounding);

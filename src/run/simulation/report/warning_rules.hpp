@@ -49,8 +49,9 @@ std::vector<Warning> warnings(const RunSummary& summary, const System& system,
 /// The temperature that a run file asks for.
 struct TargetTemperature {
   double value = 0;      ///< [K]
-  bool ignored = false;  ///< the velocities of the initial configuration were kept
-  bool kept = false;     ///< whether a thermostat or hybrid Monte Carlo controls it
+  bool ignored = false;  ///< whether this temperature has no effect, because the run keeps the
+                         ///< velocities of the initial configuration
+  bool kept = false;     ///< whether a thermostat or hybrid Monte Carlo controls the temperature
 };
 
 /// The warnings that follow from results.
@@ -66,9 +67,9 @@ bool drift_matters(const RunSummary& summary);
 /// freedom.
 ///
 /// At the start, the kinetic energy is the mean at T, and the potential energy has the canonical
-/// variance k_B T² C. All degrees of freedom share the deviation, so the temperature has the
-/// variance T² C k_B/(C + n k_B/2)². The variance is largest for C = n k_B/2, the value of harmonic
-/// oscillators.
+/// variance k_B T² C. All degrees of freedom share the deviation of the potential energy, so the
+/// temperature has the variance T² C k_B/(C + n k_B/2)². The variance is largest for C = n k_B/2,
+/// the value of harmonic oscillators.
 double temperature_scatter(double temperature, double degrees_of_freedom);
 
 }  // namespace polhode

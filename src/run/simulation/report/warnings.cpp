@@ -63,8 +63,8 @@ std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemp
   const double T = target.value;
   const SeriesEstimate mean = s.temperatures_at_bath.value_or(s.temperatures).all;
   const double error = mean.known == Known::yes ? three_sigma(mean) : far * T * std::sqrt(2 / n);
-  // The scatter due to the initial momenta counts only if they were drawn at T and no thermostat
-  // changes them.
+  // The scatter due to the initial momenta counts only if they were drawn at temperature T and no
+  // thermostat changes them.
   const double scatter = target.ignored || target.kept ? 0 : temperature_scatter(T, n);
   const double bound =
       std::max((target.ignored ? min_ignored_difference : min_temperature_difference) * T,
@@ -95,8 +95,8 @@ bool is_corrected(const RunSummary& s) {
 }
 
 /// The ratio R without the contribution of the random walk. With a thermostat, this contribution is
-/// omitted: it grows with the length of the run, but the thermostat absorbs the energy, so averages
-/// are not biased.
+/// omitted. It grows with the length of the run, but causes no bias, because the thermostat absorbs
+/// the energy.
 double stationary_ratio(const RunSummary& s) {
   if (s.ensemble.settings.constant_energy()) return s.ratio.value;
   return std::sqrt(std::max(0.0, std::pow(s.ratio.value, 2) - std::pow(s.ratio_of_walk(), 2)));
@@ -355,7 +355,7 @@ std::vector<Warning> warnings_of_results(const RunSummary& s,
 std::vector<Warning> warnings(const RunSummary& s, const System& system,
                               const TrajectorySettings& settings, const Config& config,
                               Workers& workers) {
-  // The velocities of a file may have any temperature, unless the run file gives a temperature.
+  // Velocities from a file may have any temperature, unless the run file gives a temperature.
   const bool of_file = !system.new_velocities && config.run.equilibrate == 0;
   std::optional<TargetTemperature> target;
   if (config.system.temperature == 0)

@@ -27,8 +27,8 @@ void check_finite(std::size_t body, const char* quantity, const Vec3<double>& v)
   if (!finite(v)) refuse(body, quantity, v, "the components must be finite numbers");
 }
 
-/// Checks that the angular momentum along an axis with no moment of inertia is only round-off,
-/// relative to the norm of the angular momentum.
+/// Checks that the angular momentum along an axis with no moment of inertia is zero within the
+/// round-off of the whole angular momentum.
 void check_axes(std::size_t body, const Vec3<double>& ell, const Quaternion<double>& orientation,
                 const Vec3<double>& J) {
   constexpr double rounding = 1e-9;

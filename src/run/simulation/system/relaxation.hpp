@@ -36,8 +36,8 @@ inline constexpr double max_initial_force = 2e4, max_initial_torque = 500;
 /// configurations, or are not finite.
 bool molecules_overlap(const System& system, const State& state);
 
-/// Rejects a lattice with overlapping molecules if dynamics would start directly from it. Other
-/// initial configurations are not checked.
+/// Rejects a lattice with overlapping molecules if the dynamics would start from this lattice
+/// without minimisation. Other initial configurations are not checked.
 /// @throws Error  with two molecules, and a density at which the lattice does not overlap
 void check_lattice(const System& system, const Config& config);
 

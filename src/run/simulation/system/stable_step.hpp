@@ -16,9 +16,9 @@ namespace polhode {
 inline constexpr double near_stability = 0.4;
 
 /// The step at which a run comes near the stability limit of its scheme [ps]. This step is
-/// `near_stability` times the limit for the fastest degrees of freedom at the positions of a state.
-/// The step is infinite if nothing moves, or with an inner scheme, because the limit of nested
-/// schemes is not known.
+/// `near_stability` times the stability limit for the fastest degrees of freedom at given
+/// positions. The step is infinite if nothing moves, or with an inner scheme, because the limit of
+/// nested schemes is not known.
 double max_stable_step(const System& system, const State& state, const TrajectorySettings& settings,
                        Workers& workers = Workers::serial());
 

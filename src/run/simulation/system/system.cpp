@@ -116,8 +116,7 @@ std::string density_advice(const Config& config, const System& system) {
                          });
 }
 
-// Minimisation moves overlapping molecules apart, and so does an equilibration that starts from a
-// lattice.
+// Minimisation moves overlapping molecules apart, and so does an equilibration from a lattice.
 void check_apart(const Config& config, const System& system) try {
   const bool is_lattice = config.system.initial_configuration.empty();
   if (!config.run.minimise && !(is_lattice && config.run.equilibrate > 0))

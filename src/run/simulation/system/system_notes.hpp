@@ -11,7 +11,7 @@
 namespace polhode {
 
 /// Gives notes on the molecules of a topology file and on how their rigid shapes were determined. A
-/// note also gives the deviation of atoms in the initial configuration from the rigid bodies if
+/// note also reports how far atoms of the initial configuration deviate from the rigid bodies, if
 /// this deviation exceeds round-off. The deviation of massless sites is also given if it exceeds
 /// the deviation of the atoms.
 void note_molecules(const System& system, const Callbacks& callbacks);

@@ -14,8 +14,8 @@
 namespace polhode {
 namespace {
 
-/// Copies the positions, which show the molecules that collided. Copying only the positions at each
-/// step costs half as much as copying the state.
+/// Copies the positions, which show the molecules that collided. Copying only the positions takes
+/// half as long as copying the whole state.
 void copy_positions(const State& from, State& to) {
   to.q = from.q;
   to.orientation = from.orientation;

@@ -18,9 +18,9 @@ struct BlowUp : RunError {
   std::string cause;
 };
 
-/// Stores the positions that a report of a blow-up needs. From the initial positions the report
-/// computes a step that would have been short enough. The positions before the last step show the
-/// molecules that collided.
+/// Stores the positions that a report of a blow-up needs. From the initial positions, the report
+/// computes a step that would have been short enough to avoid the blow-up. The positions before the
+/// last step show the molecules that collided.
 class BlowUpReport {
  public:
   /// Constructs the report; all arguments are kept by reference.

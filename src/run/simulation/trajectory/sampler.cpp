@@ -67,8 +67,8 @@ Energies Sampler::energies_now(std::size_t step, double exchanged, Clocks& clock
   report_.not_finite(step, e.what());
 }
 
-/// Whether a quantity that is sampled at intervals of `every` [ps] is due at this sample; 0 for
-/// never.
+/// Whether a quantity with the sampling interval `every` [ps] is due at this sample; never if
+/// `every` is 0.
 bool Sampler::due(double every) const {
   return every > 0 && statistics_.energies.samples % settings_.samples_per(every) == 0;
 }
@@ -113,9 +113,9 @@ void Sampler::sample_at_bath() {
 
 /// Checks the change of the energy. At constant energy, the change is measured from the start. With
 /// a bath, the change is measured from the last sample, because the bath absorbs a drift. The
-/// change is compared with the initial kinetic energy or, if that is almost zero, with the released
-/// potential energy. Hybrid Monte Carlo needs no check, because it rejects trajectories with a
-/// large change of the energy.
+/// change is compared with the initial kinetic energy or, if this energy is almost zero, with the
+/// released potential energy. Hybrid Monte Carlo needs no check, because it rejects trajectories
+/// with a large change of the energy.
 void Sampler::check_energy(std::size_t step, const Energies& now) {
   const Energies& first = statistics_.energies.first;
   const bool constant_energy = settings_.ensemble.constant_energy();

@@ -47,8 +47,8 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
                                        .list = forces.list_memory(system.state.box)}
                             : RunState{};
   };
-  // A piece of the equilibration that was interrupted is repeated. The first piece begins with the
-  // separation of overlapping molecules.
+  // If the equilibration was interrupted, the interrupted piece is repeated. The first piece begins
+  // by separating overlapping molecules.
   RunState here = resumable();
   bool stopped = false;
   if (done == 0)
