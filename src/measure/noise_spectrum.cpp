@@ -43,7 +43,8 @@ struct WeightedSums {
   double residual() const { return std::max(0.0, values - product * product / line); }
 };
 
-/// The hypothesis of one spectrum plus a random walk of known strength, before normalization.
+/// The hypothesis that the noise has a given spectrum plus a random walk of known strength; its
+/// probability is not normalized yet.
 /// @param known  variance per time of the known random walk
 /// @param scale  sum of squares of all modes, to which the likelihood is relative
 Hypothesis hypothesis(const SlowModes& modes, const Spectrum& spectrum, double known,

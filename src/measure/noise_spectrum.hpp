@@ -19,11 +19,10 @@ struct Spectrum {
   double walk = 0;       ///< variance of a random walk in the slowest mode, relative to white noise
 };
 
-/// The spectra of white noise with an exponentially correlated part.
+/// Spectra of white noise plus exponentially correlated noise.
 std::vector<Spectrum> stationary_noise();
-/// The spectra of white noise with a random walk of any strength. Noise that is correlated over a
-/// part of the run cannot be distinguished from a random walk, which makes the slope more
-/// uncertain.
+/// Spectra of white noise plus a random walk of any strength. Noise that is correlated over a part
+/// of the run cannot be distinguished from a random walk, which makes the slope more uncertain.
 std::vector<Spectrum> walking_noise();
 
 /// A spectrum with its posterior probability and the slope that follows from it.

@@ -160,7 +160,7 @@ bool is_line(const Quantity& q) {
 }
 
 /// Adds quantities as rows.
-/// @param details  whether to add details and values that do not exist
+/// @param details  whether to add the details, rather than all other quantities
 void add_rows(std::vector<TextRow>& rows, const Quantities& list, bool details,
               std::size_t level = 0) {
   for (const Quantity& q : list) {

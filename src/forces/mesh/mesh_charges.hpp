@@ -36,7 +36,7 @@ class MeshCharges {
   const T* moves() const { return moves_.data(); }
 
  private:
-  // The slots that a task places, and the index of their first charge.
+  // The slots whose charges a task places, and the index of the first of these charges.
   struct Block {
     std::size_t part, first, end, charge;
   };

@@ -89,9 +89,9 @@ class WaveTable {
   std::vector<std::optional<Value>> values_;
 };
 
-/// The mean square error for given grid spacings in a box of 1 nm³. The mean square error scales as
-/// 1/V and does not otherwise depend on the box, because the sum over wave vectors approximates an
-/// integral. A small grid therefore suffices.
+/// The mean square error of forces for given grid spacings in a box of 1 nm³. The mean square error
+/// scales as 1/V and does not otherwise depend on the box, because the sum over wave vectors
+/// approximates an integral. A small grid therefore suffices.
 double mean_square_error(const ChargeDistribution& distribution, const Vec3<double>& spacing,
                          int order, const CompactSplit& split) {
   constexpr std::size_t points = 12, half = points / 2, aliases = 3;

@@ -50,8 +50,8 @@ InfluenceValue Influence::operator()(const std::array<std::size_t, 3>& n) const 
   const double all = x.all * y.all * z.all;
   const double all_k2 =
       x.all_k2 * y.all * z.all + x.all * y.all_k2 * z.all + x.all * y.all * z.all_k2;
-  // The sum Σ U² ρ and its slope. Aliases with small terms are omitted, because they do not affect
-  // the error.
+  // The sum Σ U² ρ and the slope of this sum. Aliases with small terms are omitted, because they do
+  // not affect the error.
   const double min_share = 1e-3 * x.near[0].share * y.near[0].share * z.near[0].share;
   TransformValue density{0, 0};
   for (const Alias& a : x.near)

@@ -24,8 +24,8 @@ struct ChargeRecord {
   static constexpr std::size_t stride = 4;
 };
 
-/// A job that places charges on the grid, in blocks of slot_block bodies. Within a block, the
-/// charges of the first site of all bodies come first.
+/// A job that places charges on the grid, in blocks of slot_block bodies. Each block contains the
+/// charges of the first site of all bodies, followed by the charges of the second site, and so on.
 template <class T>
 struct PlaceChargesJob {
   const Box& box;
@@ -52,7 +52,7 @@ struct SpreadJob {
   MeshGrid<T>& grid;
 };
 
-/// A job that gathers the forces of the potential on bodies.
+/// A job that computes the forces on bodies from the potential on the grid.
 template <class T>
 struct GatherJob {
   const Box& box;
@@ -64,8 +64,8 @@ struct GatherJob {
   Mat3<double>* arms;       ///< accumulates Σ arm ⊗ force over all sites; null if not needed
 };
 
-/// A job that gathers derivatives of forces, for bodies that are displaced while the potential
-/// changes.
+/// A job that computes the derivatives of forces along a displacement of the bodies, including the
+/// change of the potential.
 template <class T>
 struct GatherDerivativeJob {
   GatherJob<T> forces;  ///< job that gathers the forces; its `arms` is null
@@ -84,10 +84,10 @@ POLHODE_DECLARE_LOOPS(
     /// Adds the derivative of the charges along displacements to the grid.
     void spread_dipoles(const SpreadJob<double>& job);
     void spread_dipoles(const SpreadJob<float>& job);
-    /// Adds forces and torques on some bodies to their sums.
+    /// Adds forces and torques on some bodies to the sums of these bodies.
     void gather_forces(const GatherJob<double>& job);
     void gather_forces(const GatherJob<float>& job);
-    /// Adds the derivatives of forces and torques on some bodies to their sums.
+    /// Adds the derivatives of forces and torques on some bodies to the sums of these bodies.
     void gather_derivative(const GatherDerivativeJob<double>& job);
     void gather_derivative(const GatherDerivativeJob<float>& job);)
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The neighbour list: all pairs of bodies whose centres are closer than the interaction range plus
-// a skin. Each pair is stored with the periodic image. The list is valid until a centre has moved
-// by half the skin since the last build. Until then, no pair of centres has come closer by more
-// than the skin. Rotations do not move centres, so they never invalidate the list.
+// a skin. Each pair is stored with the periodic image of the partner. The list is valid until a
+// centre has moved by half the skin since the last build. Until then, no pair of centres has come
+// closer by more than the skin. Rotations do not move centres, so they never invalidate the list.
 //
 // The partners of a body form its row, in whole packs. Each pair is listed once, in the row of the
 // body that precedes the other body in the cyclic order of slots. If the last pack of a row would

@@ -25,8 +25,8 @@ class PairEngine {
  public:
   /// @param ghost_parts  number of parts at the end of the topology that are ghosts: copies of
   ///   bodies whose forces another engine computes. Ghosts do not interact with each other, and the
-  ///   forces on them are not computed. The energy and the virial include half of each pair with a
-  ///   ghost.
+  ///   forces on them are not computed. The energy and the virial include half of the contribution
+  ///   of each pair with a ghost.
   PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
              Workers& workers, std::size_t ghost_parts = 0);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From atoms to rigid bodies.
+// Converts atoms to rigid bodies.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The script of curves in panels.
+// The gnuplot script for curves in one or more panels.
 #include <algorithm>
 #include <string>
 #include <vector>

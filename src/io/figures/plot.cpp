@@ -23,8 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file of a program on the search path; empty if there is none. Relative folders of the search
-// path are skipped, so that no program in the folder of the data is run.
+// The path of a program that is found on the search path; empty if the program is not found.
+// Relative folders of the search path are skipped, so that no program in the folder of the data is
+// run.
 std::string found_program(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::string_view rest = path == nullptr ? "" : path;

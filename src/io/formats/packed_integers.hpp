@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Coordinates of XTC files: integers, packed into as few bits as their range needs. Consecutive
-// atoms that are close to each other are stored as small differences; each run of small differences
-// states whether the next differences have a smaller or larger range. The encoding is defined by
-// the XDR routine xdr3dcoord (F. van Hoesel), which all programs that read XTC files share.
+// atoms that are close to each other are stored as small differences. Each sequence of small
+// differences states whether the next differences have a smaller or larger range. The encoding is
+// defined by the XDR routine xdr3dcoord (F. van Hoesel), which all programs that read XTC files
+// share.
 #pragma once
 
 #include <array>

@@ -38,8 +38,8 @@ struct More {
   std::string_view by{};              ///< key that decides whether this setting applies
   std::string_view not_set = "none";  ///< text that stands for a missing value
   ReadSetting read = nullptr;         ///< function that replaces read_row()
-  bool free = false;                  ///< whether a resumed run may have another value
-  std::vector<SettingKind> kinds{};   ///< kinds, if the member does not determine them
+  bool free = false;                  ///< whether a resumed run may have a different value
+  std::vector<SettingKind> kinds{};   ///< kinds of values, if the member does not determine them
 };
 
 struct SettingRow {

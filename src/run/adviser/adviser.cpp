@@ -38,14 +38,14 @@ constexpr std::size_t max_refusals = 10;
 constexpr double preparation = 2;  // longest preparation [ps], in steps of 1 fs
 /// Maximum interval between energy samples [ps]; fewer samples would make R less accurate.
 constexpr double max_sample_interval = 0.004;
-/// Maximum number of trials of a longer step because R is well below the bound.
+/// Maximum number of times that a longer step is tried because R is well below the bound.
 constexpr int max_lengthenings = 4;
 /// Fractions of the length of confirming runs after which hopeless sets of runs are stopped.
 constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
 /// The smallest fraction of the length of confirming runs after which a longer step may be tried.
 constexpr double telling = 1.0 / 3;
-/// Fractions of the computing time for choosing runs, for timings and for the response to the
-/// temperature (if needed), and minimum fraction for confirming runs.
+/// Fractions of the computing time: for choosing runs, for timings, for the response to the
+/// temperature (if needed), and the minimum for confirming runs.
 constexpr double choosing_share = 0.35, clock_share = 0.1, response_share = 0.15,
                  min_confirming_share = 0.3;
 /// Length of preliminary runs, relative to runs near the final step.
@@ -55,11 +55,9 @@ constexpr double way = 0.5;
 /// error of such schemes begins as a random walk.
 double reserve(double exponent) { return 1 - 0.015 * std::clamp(exponent, 2.0, 4.0); }
 /// A scheme is postponed while its expected cost exceeds this factor times the cost of the second
-/// cheapest scheme. If expected costs differ by less than this factor, a difference in computing
-/// speed can still decide.
+/// cheapest scheme. A smaller cost ratio can be outweighed by computing speed.
 constexpr double hopeless = 1.25;
-/// Maximum cost of sampling configurational temperatures, relative to the run, and number of force
-/// evaluations per sample.
+/// Maximum relative cost of configurational temperatures; number of force evaluations per sample.
 constexpr double temperature_share = 0.03, sample_cost = 2;
 /// The p-value below which an energy drift of the choosing runs ends the range of steps. This
 /// p-value is smaller than the usual significance level, because there are about a dozen tests.
@@ -236,7 +234,7 @@ class Adviser {
     point.usable = !blew_up(point.runs) && !drifts(point.runs, significance_level);
   }
 
-  /// Whether neither a blow-up nor an energy drift excludes the step of a point.
+  /// Whether the step of a point is excluded neither by a blow-up nor by an energy drift.
   bool calm(const AdviserPoint& point) const {
     return !blew_up(point.runs) &&
            (settings_.criterion.quality == Quality::drift || !drifts(point.runs));

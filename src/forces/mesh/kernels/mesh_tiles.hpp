@@ -12,7 +12,7 @@ namespace {
 
 // Weights of `order` grid points along an edge for each charge of a pack, padded with zeros. The
 // first tile begins up to three points before the first weighted point, and the last tile ends up
-// to three points after the last.
+// to three points after the last weighted point.
 template <class T>
 class TileWeights {
  public:
@@ -59,9 +59,9 @@ class ChargeWeights {
   TileWeights<T> weights_[3][derivatives + 1];
 };
 
-// The number of tiles along an edge that overlap with `order` points. A tile has `length` points,
-// and the first tile begins `offset` points before the first weighted point. If the number of tiles
-// varies little, its largest value is used for all charges, as a constant.
+// The number of tiles along an edge that contain any of `order` consecutive points. A tile has
+// `length` points, and the first tile begins `offset` points before the first weighted point. If
+// the number of tiles varies little, its largest value is used for all charges, as a constant.
 template <std::size_t order, std::size_t length>
 struct TileCount {
   static constexpr std::size_t max = (order + 2 * length - 2) / length;

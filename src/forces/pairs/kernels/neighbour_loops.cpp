@@ -9,7 +9,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// The smallest cyclic window of a part's slots that contains all marked blocks.
+// The smallest cyclic window of the slots of a topology part that contains all marked blocks.
 SlotWindow window_of(const Slots::Part& part, const std::vector<std::uint8_t>& marked) {
   constexpr auto block = static_cast<std::uint32_t>(slot_block);
   const std::uint32_t first = part.first / block, blocks = (part.count + block - 1) / block;

@@ -116,7 +116,8 @@ class PairRows {
   ListChunk::Row row(std::uint32_t slot) const {
     return job_.chunk.row(slot, job_.partner_part, job_.list.slots().parts.size());
   }
-  // The first slot with partners at or after `slot`, or the end of the chunk.
+  // The first slot at or after `slot` that has partners, or the end of the chunk if no such slot is
+  // left.
   std::uint32_t with_partners(std::uint32_t slot) const {
     while (slot < job_.chunk.end && row(slot).begin == row(slot).end) ++slot;
     return slot;
@@ -312,7 +313,7 @@ void run(const PairJob<T>& job, const PairStrengths<Law>& strengths) {
   }
 }
 
-// Runs the loop unrolled for the first shape that fits the molecules. If no shape fits, or if a
+// Runs the unrolled loop of the first shape that fits the molecules. If no shape fits, or if a
 // potential is not Lennard-Jones, the general loop is used.
 template <class Number, class... Shapes, class T>
 void run_fitting(const PairJob<T>& job) {

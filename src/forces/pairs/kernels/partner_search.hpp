@@ -277,7 +277,7 @@ class Search {
     found.size = size;
   }
 
-  // Tests the slots of the body's leaf, or of its image at `to`, that follow the slot of the body.
+  // Tests the slots that follow the body's slot in its leaf, or in the image of this leaf at `to`.
   void scan_later(Neighbour leaf, std::size_t own, const Vec3<float>& to, Found& found) const {
     for (std::uint32_t k = 0; k < SlotTree::leaf; k += Real::width) {
       const auto along = [&](std::size_t d) {

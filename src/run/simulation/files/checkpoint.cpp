@@ -207,7 +207,7 @@ std::string outputs_of(const OutputSettings& output, const Topology& topology) {
   return text;
 }
 
-/// Whether all blocks that were read have the number of sums of a new object.
+/// Whether all blocks read from a file have as many sums as a new object.
 bool fit(const TimeBlocks& blocks, const TimeBlocks& fresh) {
   const std::size_t sums = fresh.blocks.front().sum.size();
   return blocks.samples_per_block >= 1 &&
@@ -216,7 +216,7 @@ bool fit(const TimeBlocks& blocks, const TimeBlocks& fresh) {
          });
 }
 
-/// Whether a response that was read is empty, or has the number of sums of a new response.
+/// Whether a response read from a file is empty, or has as many sums as a new response.
 bool fit(const StepResponse& read, const StepResponse& fresh) {
   return read.first.size() == (read.blocks.blocks.empty() ? 0 : fresh.first.size()) &&
          fit(read.blocks, fresh.blocks);

@@ -277,9 +277,9 @@ std::optional<Warning> rough_truncation(const System& system, const TrajectorySe
 }
 
 std::optional<Warning> distant_sites(const System& system) {
-  // Largest plausible bond length [nm]. The bound separates two cases. The longest actual bonds, in
-  // coarse-grained chains, have 0.47 nm. The shortest bond, 0.74 Å in H2, would be read as 0.74 nm
-  // if ångström were mistaken for nm.
+  // Largest plausible bond length [nm]. The bound is above the longest actual bonds, 0.47 nm in
+  // coarse-grained chains. The bound is below 0.74 nm, the value given for the shortest bond, 0.74
+  // Å in H2, if ångström are mistaken for nm.
   constexpr double max_bond = 0.6;
   for (const auto& part : system.topology.parts) {
     std::vector<Site> atoms;

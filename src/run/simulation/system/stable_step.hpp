@@ -23,9 +23,9 @@ double max_stable_step(const System& system, const State& state, const Trajector
                        Workers& workers = Workers::serial());
 
 /// The step to try after a run blew up [ps]. The step is max_stable_step() at the initial
-/// positions, as in the warning before the run. If half of the run's step is shorter, half of the
-/// run's step is the result. The result is empty if molecules overlap at the initial positions,
-/// because their forces give no information about the step.
+/// positions, as in the warning before the run, if this step is shorter than the run's step.
+/// Otherwise the step is half of the run's step. The result is empty if molecules overlap at the
+/// initial positions, because their forces give no information about the step.
 std::optional<double> shorter_step(const System& system, const State& start,
                                    const TrajectorySettings& settings,
                                    Workers& workers = Workers::serial());
