@@ -101,8 +101,8 @@ def agreement(o, found):
             weights = np.array([error ** -2 for *_, error in group])
             for (m, mean, error), w in zip(group, weights):
                 common = np.average([value for _, value, _ in group], weights=weights)
-                # The common mean contains the mean of this point, so the variance of the difference is reduced by the variance
-                # of the common mean.
+                # The common mean includes the compared mean, so the variance of the difference is reduced by the variance of
+                # the common mean.
                 result.append({"system": s, "method": m, "quantity": of, "mean": mean, "error": error,
                                "deviation": float((mean - common) / sqrt(max(1 / w - 1 / weights.sum(), 1e-300)))})
     return result

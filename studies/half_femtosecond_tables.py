@@ -18,7 +18,7 @@ KEPT = ("potential_kJ_per_mol", "temperature_K", "temperature_translation_K", "t
 # The number of force evaluations per step, which is the cost by which points are compared.
 EVALUATIONS = {"velocity-verlet": 1, "hoa2": 2, "bcss3": 3, "gier4-fd": 3, "4mn5fv": 5, "baoab": 1, "obabo": 1}
 KAPPA = 4.6e-5  # 1/bar, of SPC/E water at 298 K
-# The required biases with their units, and the names of these quantities in the record.
+# The required biases of quantities with their units, and the names of the quantities in the record.
 REQUIRED = {"difference": (0.1, "K"), "potential": (0.01, "kJ/mol"), "pressure": (4, "bar")}
 BIASES = {"difference": "rotation_minus_translation_K", "potential": "potential_kJ_per_mol", "pressure": "pressure_bar"}
 

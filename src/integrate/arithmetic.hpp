@@ -18,7 +18,7 @@ using NamedValues = std::map<std::string, double, std::less<>>;
 ///   number, a result that is not finite, or parentheses nested too deeply
 double expression(Scanner& scanner, const NamedValues& names);
 
-/// Whether a word is a function of expressions, so that it cannot be a name.
+/// Whether a word is a function of expressions, and therefore not allowed as a name.
 bool is_function(std::string_view word);
 
 }  // namespace polhode

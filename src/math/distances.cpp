@@ -39,7 +39,7 @@ struct Frame {
 };
 
 // Because distances d are rounded, a point may appear to be outside the span of the other points.
-// The height h of this point above the span then satisfies h² ≈ 2 d times the round-off error. A
+// For such a point, the height h above the span satisfies h² ≈ 2 d times the round-off error. A
 // point that violates the triangle inequality has h² < 0, and is detected because its distances do
 // not fit.
 bool is_flat(double height2, double length) {

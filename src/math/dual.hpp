@@ -2,7 +2,7 @@
 // Dual numbers a + b ε with ε² = 0. A formula evaluated with dual numbers yields the value and the
 // derivative along a direction, both exact to rounding. Dual numbers of packs differentiate the
 // pair loops. Constants are multiplied as plain numbers, and unused values are not computed. Sums
-// of products and powers of distances have their own short formulas. The computing time is close to
+// of products and powers of distances have separate short formulas. The computing time is close to
 // the cost of a hand-written derivative.
 #pragma once
 

@@ -25,7 +25,7 @@ struct Convergence {
       0;  ///< relaxation time of the quantity, or the largest lag that contributes to it [ps]
   double needed = 0;        ///< needed length [ps]: a multiple of the relaxation time, or twice the
                             ///< actual length if that multiple does not suffice
-  const char* unit = "ps";  ///< unit of these times; "frames" if the frames have no times
+  const char* unit = "ps";  ///< unit of the length and times; "frames" if the frames have no times
   Obstacle obstacle = Obstacle::none;
   double interval = 0;  ///< sufficient interval between frames, if the interval is the obstacle
                         ///< [ps]
@@ -49,17 +49,17 @@ inline constexpr double windows_of_lags = 8;
 
 /// The relaxation time ∫₀^∞ ⟨M(0)·M(t)⟩ dt/⟨M²⟩ of a vector whose true mean is zero, in units of
 /// the run length. A part of the run with mean M̄ gives the estimate ½ f |M̄|²/⟨M²⟩, where f is the
-/// part's fraction of the run. This estimate is averaged over the whole run, its halves and its
-/// quarters. The result is 0.29 for a vector that hardly changes during the run. For long runs the
-/// result is τ/T, with a scatter of about half of this value.
+/// part's fraction of the run. The estimates from the whole run, its halves and its quarters are
+/// averaged. The result is 0.29 for a vector that hardly changes during the run. For long runs the
+/// result is τ/T, with a scatter of about half of τ/T.
 /// @param x       column of the first of three vector components in the block sums
 /// @param square  index of M²
 double relaxation_share(const BlockMeans& blocks, std::size_t x, std::size_t square);
 
 /// Whether a statistic still changes along the run. A statistic changes if its values for the first
 /// half and for the whole run differ by more than three_sigma(). The standard error of the
-/// statistic is also the standard deviation of this difference. The result is false if the standard
-/// error is not known.
+/// statistic is also the standard deviation of the difference between the values for the first half
+/// and for the whole run. The result is false if the standard error is not known.
 bool still_moving(const BlockMeans& blocks, const SeriesEstimate& whole,
                   const std::function<double(std::span<const double>)>& statistic);
 

@@ -67,8 +67,9 @@ class Modes {
 /// The number of slowest modes that determine the noise of a mean. The number of modes is doubled
 /// if the noise is white.
 constexpr std::size_t slowest = 4;
-/// Limits of the ratio between the mean squares of the slowest modes and all faster modes. These
-/// limits also determine the growth of the noise towards the next slower mode (docs/statistics.md).
+/// Limits of the ratio between the mean squares of the slowest modes and all faster modes. The
+/// limits of this ratio also determine the growth of the noise towards the next slower mode
+/// (docs/statistics.md).
 constexpr double white = 1.5, too_slow = 10, growth = 0.113;
 
 /// The noise of the mean, estimated from the slowest modes.

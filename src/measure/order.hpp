@@ -9,9 +9,9 @@
 namespace polhode {
 
 /// The measured order of a scheme. The test system is an asymmetric body with unlike sites in a
-/// smooth anharmonic field. This body is the smallest system that couples translation, rotation and
-/// all terms of the gradient kick. For nested schemes, the harmonic part of the field takes the
-/// role of the near forces, whatever the inner cutoff.
+/// smooth anharmonic field. An asymmetric body with unlike sites is the smallest system that
+/// couples translation, rotation and all terms of the gradient kick. For nested schemes, the
+/// harmonic part of the field takes the role of the near forces, whatever the inner cutoff.
 struct OrderMeasurement {
   struct Point {
     double step;   ///< time step [ps]

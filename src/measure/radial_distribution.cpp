@@ -109,8 +109,8 @@ double value(const Cubic& c, double x) { return c[0] + x * (c[1] + x * (c[2] + x
 
 // The least-squares cubic through `sign` times g at x = −half, −half + 1, ..., half, or a
 // polynomial of lower degree for fewer than four points. The cubic is a sum of polynomials that are
-// orthogonal on these points. The points are symmetric about 0, so each orthogonal polynomial is x
-// times the previous one, minus a multiple of the one before that.
+// orthogonal on the fitted points. The points are symmetric about 0. Each orthogonal polynomial is
+// therefore x times the previous polynomial, minus a multiple of the polynomial two degrees lower.
 Cubic fitted_cubic(std::span<const double> g, double sign) {
   const double half = static_cast<double>(g.size() - 1) / 2;
   Cubic sum{}, polynomial{1}, last{};

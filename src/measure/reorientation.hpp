@@ -58,8 +58,8 @@ struct RelaxationTimes {
                             ///< as long as `to`
 };
 
-/// Computes the relaxation times. The exponential is fitted to C between 1/e and 1/e³. In this
-/// range librations have decayed and the noise is still small. ln C is fitted by a line with
+/// Computes the relaxation times. The exponential is fitted to C between 1/e and 1/e³. Between 1/e
+/// and 1/e³, librations have decayed and the noise is still small. ln C is fitted by a line with
 /// weights C², because the errors of C are all similar in this range. The result is empty if C does
 /// not decay to 1/e³ within the available lags.
 std::optional<RelaxationTimes> relaxation_times(const BlockMeans& correlation, double interval);

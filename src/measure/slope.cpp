@@ -10,8 +10,8 @@
 namespace polhode {
 namespace {
 
-/// A random walk is reported if the data make a random walk more probable than stationary noise by
-/// this factor.
+/// A random walk is reported if it is more probable than stationary noise by at least the factor
+/// `clear_evidence`.
 constexpr double clear_evidence = 3;
 
 /// The energy drift with its significance, averaged over the posterior.

@@ -109,8 +109,8 @@ void TimeCorrelation::sum_up(Workers& workers) {
 }
 
 // Adds Σ_t b(t) a(t − lag) over new times t, where a contains all frames, and b contains zeros
-// followed by the new frames. The transform of this sum is the transform of b times the complex
-// conjugate of the transform of a.
+// followed by the new frames. The transform of Σ_t b(t) a(t − lag) is the transform of b times the
+// complex conjugate of the transform of a.
 void TimeCorrelation::sum_up(std::size_t group) {
   const std::size_t held = before_ + fresh_, row = lags_ + chunk_;
   Scratch scratch(transform_);

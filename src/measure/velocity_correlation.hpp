@@ -29,7 +29,7 @@ class VelocityCorrelation {
   /// directions of the two axes normal to the molecule are therefore not known either.
   BlockMeans angular(std::size_t part, std::size_t axis, Workers& workers = Workers::serial());
 
-  /// The principal axes with a nonzero moment of inertia, because only these have an angular
+  /// The principal axes with a nonzero moment of inertia, because only these axes have an angular
   /// velocity. For a linear body, one of the two equivalent axes represents both.
   std::vector<std::size_t> turning_axes(std::size_t part) const;
   /// Whether the molecules of a part are linear.
@@ -46,10 +46,10 @@ class VelocityCorrelation {
 BlockMeans running_integral(const BlockMeans& correlation, double interval);
 
 /// The convergence of the running integral at the last lag. The run must be `windows_of_lags` times
-/// as long as the last lag. The integrals up to the last lag and up to half of it must agree, and
-/// the trapezoidal rule must be accurate. The error of the trapezoidal rule is a third of the
-/// change when its interval is doubled (Richardson). The error is smaller if C is smooth at lag 0,
-/// as in dynamics without friction.
+/// as long as the last lag. The integrals up to the last lag and up to half of the last lag must
+/// agree, and the trapezoidal rule must be accurate. The error of the trapezoidal rule is a third
+/// of the change when its interval is doubled (Richardson). The error is smaller if C is smooth at
+/// lag 0, as in dynamics without friction.
 Convergence integral_convergence(const BlockMeans& correlation, double interval);
 
 /// The normalized function C(t)/C(0), which is exactly 1 at lag 0. If C(0) vanishes, the result is

@@ -10,7 +10,8 @@ namespace polhode {
 namespace {
 
 // The division into blocks depends only on the number of bodies, so that sums do not depend on the
-// number of threads. There are few blocks, so that their sums fit on the stack.
+// number of threads. The number of blocks is small, so that the sums of all blocks fit on the
+// stack.
 constexpr std::size_t max_blocks = 64;
 std::size_t block_of(std::size_t size) {
   return std::max<std::size_t>(4096, blocks(size, max_blocks));

@@ -15,8 +15,8 @@ namespace polhode {
 namespace {
 
 // Relative tolerance of moments of inertia: smaller differences between moments are treated as
-// zero. Coordinates have at least 10 digits, and moments (squares of coordinates) have a few times
-// this round-off error.
+// zero. Coordinates have at least 10 digits. Moments, as squares of coordinates, have a few times
+// the round-off error of coordinates.
 constexpr double same_moment = 1e-9;
 
 // Maximum number of sites, far above the needs of a rigid molecule. The pair loops allow 64

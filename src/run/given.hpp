@@ -21,8 +21,8 @@ struct Given {
   explicit operator bool() const { return !text.empty(); }
 };
 
-/// An entry in the list of options of a request. Front ends declare and fill options in loops over
-/// these lists.
+/// An entry in the list of options of a request. Front ends loop over the list to declare and fill
+/// all options.
 template <class Request>
 struct RequestOption {
   const char* name;  ///< name such as "max_force", for the option --max-force and the keyword

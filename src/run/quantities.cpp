@@ -287,7 +287,7 @@ std::string documented(const Quantities& list, const std::string& prefix) {
 
 }  // namespace
 
-// These members are defined here, where the type of a group of quantities is complete.
+// Members of Value that need the complete type of a group of quantities are defined here.
 Value::Value() = default;
 Value::Value(bool yes) : AnyValue(yes) {}
 Value::Value(std::int64_t count) : AnyValue(count) {}

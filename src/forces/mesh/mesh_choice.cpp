@@ -269,8 +269,8 @@ void MeshChoice::try_cutoff(double cutoff, Orders orders, const Box& box, Best& 
   }
 }
 
-/// Finds the cheapest mesh. Every fourth cutoff is tried first with the usual order. Then the
-/// cutoffs around the best cutoff are tried with all orders.
+/// Finds the cheapest mesh. First, every fourth cutoff is tried, with splines of the usual order.
+/// After that, the cutoffs around the best cutoff are tried with splines of all orders.
 MeshSettings MeshChoice::cheapest(const Box& box) {
   constexpr int stride = 4;
   constexpr Orders all{MeshSettings::min_order, MeshSettings::max_order}, usual{5, 5};

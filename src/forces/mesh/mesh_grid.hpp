@@ -44,8 +44,8 @@ struct MeshGrid {
   bool is_large() const { return values.size() * sizeof(T) > (std::size_t{1} << 20); }
 };
 
-/// The numbers of points along x and y are multiples of this number, so that tiles of any shape
-/// fill the grid.
+/// The numbers of grid points along x and y are multiples of `mesh_multiple`, so that tiles of any
+/// shape fill the grid.
 inline constexpr std::size_t mesh_multiple = 4;
 
 POLHODE_DECLARE_LOOPS(

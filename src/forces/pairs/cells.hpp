@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A grid of cells over the box, and the order of bodies by cells. Bodies that are close in space
-// then become close in memory.
+// A grid of cells over the box, and the order of bodies by cells. Bodies in the order of cells are
+// close in memory if they are close in space.
 #pragma once
 
 #include <algorithm>
@@ -41,13 +41,13 @@ struct CellGrid {
   }
 };
 
-/// The slots of each molecule type begin at a multiple of this number, and therefore with a whole
+/// The slots of each molecule type begin at a multiple of `slot_block`, and therefore with a whole
 /// pack of any width.
 inline constexpr std::size_t slot_block = 64;
 
 /// Bodies sorted by molecule type and then by cell, where each type has a separate grid of cells. A
-/// slot is a position in this order. The slots of a type begin at a multiple of slot_block. Unused
-/// slots before the next type repeat a body of the type and are ignored.
+/// slot is a position in the sorted order. The slots of a type begin at a multiple of slot_block.
+/// Unused slots before the next type repeat a body of the type and are ignored.
 struct Slots {
   struct Part {
     std::uint32_t first = 0, count = 0;

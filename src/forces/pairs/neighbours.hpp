@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The neighbour list: all pairs of bodies whose centres are closer than the interaction range plus
 // a skin. Each pair is stored with the periodic image of the partner. The list is valid until a
-// centre has moved by half the skin since the last build. Until then, no pair of centres has come
-// closer by more than the skin. Rotations do not move centres, so they never invalidate the list.
+// centre has moved by half the skin since the last build. While the list is valid, no pair of
+// centres comes closer by more than the skin. Rotations do not move centres, so they never
+// invalidate the list.
 //
 // The partners of a body form its row, in whole packs. Each pair is listed once, in the row of the
 // body that precedes the other body in the cyclic order of slots. If the last pack of a row would
 // be partly empty, the surplus pairs are moved to the rows of the partners, provided that these
-// rows come later. Nearly all lanes are then used. Some partners are certain to stay inside the
-// switching distance while the list is valid. Such partners come first in a row, because their
-// pairs need no truncation.
+// rows come later. Because surplus pairs are moved, nearly all lanes are used. Partners that are
+// certain to stay inside the switching distance while the list is valid come first in a row,
+// because their pairs need no truncation.
 //
 // Bodies of the last parts of a topology may be ghosts: copies of bodies of another list. Ghosts
 // are partners of other bodies and have no rows.
@@ -96,8 +97,8 @@ class NeighbourList {
   NeighbourList(const Topology& topology, const ForceSettings& settings, const Box& box,
                 std::size_t ghost_parts = 0);
 
-  /// Sets another box, with the topology and settings of the constructor. The list has to be built
-  /// before it is used again.
+  /// Sets another box, with the topology and settings of the constructor. The list must be built
+  /// again before its next use.
   /// @throws Error  if the box is too small; the list is then unchanged
   void set_box(const Topology& topology, const ForceSettings& settings, const Box& box);
 
@@ -111,7 +112,7 @@ class NeighbourList {
   /// Whether the bodies of a part of the topology are ghosts.
   bool is_ghost(std::size_t part) const { return part >= own_parts_; }
 
-  /// The squared displacement since the last build up to which the list is valid [nm²].
+  /// Largest squared displacement since the last build for which the list is still valid [nm²].
   double allowed2() const { return allowed2_; }
   /// The pack width for which the list was built; 0 before the first build in the present box.
   std::size_t width() const { return width_; }

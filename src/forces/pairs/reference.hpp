@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A direct computation of forces, over every pair of molecules and every periodic image within
-// range, without neighbour list and packs. The pair loops are tested against this computation. With
-// dual numbers this computation gives exact derivatives.
+// range, without neighbour list and packs. The pair loops are tested against the direct
+// computation. With dual numbers, the direct computation gives exact derivatives.
 #pragma once
 
 #include <algorithm>

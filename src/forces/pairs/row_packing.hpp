@@ -60,7 +60,7 @@ class HandedPairs {
   }
 
  private:
-  // Both arrays are indexed by the slot modulo `window`.
+  // `pairs_` and `counts_` are indexed by the slot modulo `window`.
   std::unique_ptr<std::uint32_t[]> pairs_;
   std::vector<std::uint32_t> counts_;
 };

@@ -19,9 +19,9 @@ struct FixedShape {
   static constexpr Count<sites_a_> sites_a{};
   static constexpr Count<sites_b_> sites_b{};
   static constexpr std::size_t max_b = sites_b_;
-  /// Numbers of sites of molecules a and b that are processed together. These groups of sites are
-  /// large enough to hide the latency of each operation, and small enough to stay in registers.
-  /// Dual numbers need twice as many registers.
+  /// Numbers of sites of molecules a and b that are processed together. Groups of sites that are
+  /// processed together are large enough to hide the latency of each operation, and small enough to
+  /// stay in registers. Dual numbers need twice as many registers.
   static constexpr std::size_t a_at_once = sites_a_;
   template <class Real>
   static constexpr std::size_t b_at_once = is_dual<Real> ? 1 : std::min<std::size_t>(2, sites_b_);

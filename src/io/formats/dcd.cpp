@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // DCD, the trajectory format of CHARMM and NAMD. A DCD file consists of records, each between two
-// copies of its length. It contains positions as float in Å, a unit cell, and a common time
+// copies of its length. A DCD file contains positions as float in Å, a unit cell, and a common time
 // interval for all frames.
 #include <cmath>
 #include <limits>

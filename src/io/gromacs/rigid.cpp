@@ -41,9 +41,10 @@ std::optional<double> first_number(const GromacsTopology& topology, const Gromac
   return found->second;
 }
 
-// Function types whose first parameter is the equilibrium length or angle. For bonds, these types
-// are harmonic, fourth power, Morse and cubic. For angles, these types are harmonic, cosine,
-// Urey-Bradley, quartic and restricted.
+// Function types whose first parameter is the equilibrium length or angle. For bonds, the function
+// types with an equilibrium length are harmonic, fourth power, Morse and cubic. For angles, the
+// function types with an equilibrium angle are harmonic, cosine, Urey-Bradley, quartic and
+// restricted.
 bool has_minimum(const GromacsRelation& r) {
   constexpr std::array bonds = {1, 2, 3, 4, 6}, angles = {1, 2, 5, 6, 10};
   const auto& known = r.kind == Kind::bond ? bonds : angles;

@@ -45,8 +45,8 @@ std::string symbol(const LammpsData& data, const DataAtom& atom) {
   return type.site.empty() ? fmt::format("T{}", atom.type) : type.site;
 }
 
-// Names a kind of molecule after its elements: "OH2" for O, H, H. The sites of this kind are named
-// "O", "H1", "H2".
+// Names a kind of molecule after its elements: "OH2" for O, H, H. The sites of the kind "OH2" are
+// named "O", "H1", "H2".
 void give_names(const LammpsData& data, std::span<const DataAtom> atoms, Kind& kind) {
   std::map<std::string, int> number;
   for (const DataAtom& atom : atoms) ++number[symbol(data, atom)];

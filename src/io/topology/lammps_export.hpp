@@ -40,8 +40,8 @@ class LammpsTypes {
 
 /// Writes the data file, including velocities, with enough digits that positions read back differ
 /// only by round-off. Bonds of zero strength join the sites of a molecule, so that LAMMPS excludes
-/// the interactions between them. Lennard-Jones parameters are included if all sites have this
-/// potential.
+/// the interactions between them. Lennard-Jones parameters are included if all sites have a
+/// Lennard-Jones potential.
 void write_lammps_data(std::ostream& out, const std::string& title, const State& state,
                        const Topology& topology, const LammpsTypes& types);
 

@@ -67,7 +67,7 @@ Energies energies_of_start(System start) {
   return energies(start.state, start.bodies, load);
 }
 
-/// The error of a response. If the error cannot be estimated, it is taken to be as large as the
+/// The error of a response. An error that cannot be estimated is taken to be as large as the
 /// response.
 double error_of(const SeriesEstimate& estimate) {
   return estimate.known == Known::yes ? estimate.error : std::abs(estimate.value);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The time-step bias in the ensemble of a run. This bias is converted from the bias at constant
-// energy that the adviser's runs predict (docs/theory.md, Eqs. (51) and (52)).
+// The time-step bias in the ensemble of a run. The bias in the run's ensemble is converted from the
+// bias at constant energy that the adviser's runs predict (docs/theory.md, Eqs. (51) and (52)).
 #pragma once
 
 #include <functional>

@@ -18,15 +18,15 @@ struct StepSearch {
 };
 
 /// The next step to measure [ps]; empty when the search is complete. Steps grow by at most a factor
-/// of `max_growth` over the largest usable step. In the worst case, a single run then blows up at
-/// the stability limit. If a step beyond the stability limit is known, steps grow by less than half
-/// of the distance to that step.
+/// of `max_growth` over the largest usable step. With this limit, a single run blows up at the
+/// stability limit in the worst case. If a step beyond the stability limit is known, steps grow by
+/// less than half of the distance to that step.
 ///
 /// For R, the search finds the step at which R equals the bound, first from the order of the scheme
-/// and then by interpolation. The search ends with points at 1, 0.9 and 0.8 of this step. The final
-/// step is smaller, because R must stay below the bound in nearly all runs. An energy drift or a
-/// bias is hidden by noise at small steps. For energy drift and bias, the steps form a geometric
-/// series that ends where the bound is violated.
+/// and then by interpolation. The search ends with points at 1, 0.9 and 0.8 of the step at which R
+/// equals the bound. The final step is smaller, because R must stay below the bound in nearly all
+/// runs. An energy drift or a bias is hidden by noise at small steps. For energy drift and bias,
+/// the steps form a geometric series that ends where the bound is violated.
 /// @param points  points measured so far, ordered by step
 std::optional<double> next_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 

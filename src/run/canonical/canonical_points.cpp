@@ -16,7 +16,7 @@ namespace {
 /// known, so it needs no reference measurement.
 constexpr bool is_temperature(std::size_t quantity) { return quantity >= 1 && quantity <= 4; }
 
-/// The mean over the finite values; empty if there are fewer than two such values.
+/// The mean over the finite values; empty if there are fewer than two finite values.
 std::optional<Estimate> mean_of(std::vector<double> values) {
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
   if (values.size() < 2) return std::nullopt;

@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// A text with everything that determines the runs of a canonical study. This text prevents the use
-/// of records of a different study.
+/// A text with everything that determines the runs of a canonical study, so that records of a
+/// different study are not used.
 std::string canonical_identity(const Config& config, const System& system);
 
 using CanonicalRecord = RunRecord<CanonicalRun>;

@@ -41,7 +41,7 @@ struct HybridRun {
                                     // run blew up
 };
 
-/// The mean over runs; NaN unless all runs have this value.
+/// The mean over runs; NaN unless the value is known for all runs.
 Estimate mean_over(const std::vector<HybridRun>& runs, double HybridRun::*value) {
   std::vector<double> values;
   for (const HybridRun& run : runs) values.push_back(run.*value);

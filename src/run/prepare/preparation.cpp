@@ -86,8 +86,8 @@ std::string identity_of(const Config& config, const System& system) {
   return text_hash(run + stages) + run.substr(run.find('\n')) + stages;
 }
 
-/// Scales momenta so that the total energy equals its canonical mean. A run at constant energy then
-/// has the temperature of the thermostat.
+/// Scales momenta so that the total energy equals its canonical mean. After this scaling, a run at
+/// constant energy has the temperature of the thermostat.
 void set_energy(System& system, double mean_total, Workers& workers) {
   State& state = system.state;
   ForceField forces(system.topology, system.forces, state.box, workers);
@@ -172,7 +172,7 @@ TrajectorySettings Preparation::settings_of(std::size_t stage) const {
   return settings;
 }
 
-// Finds the checkpoint from which to resume, if this is requested and there is a checkpoint.
+// Finds the checkpoint from which to resume, if resuming is requested and a checkpoint exists.
 bool Preparation::find_checkpoint() {
   const bool resumes = options_.existing == ExistingFiles::resume;
   const bool exists = std::filesystem::exists(files_.checkpoint);

@@ -164,7 +164,7 @@ void Simulation::check_length(std::size_t steps_done, const Segment& segment) co
                     settings_->length, simulated(*settings_, segment, steps_done)));
 }
 
-// Finds the checkpoint from which to resume, if this is requested and there is a checkpoint.
+// Finds the checkpoint from which to resume, if resuming is requested and a checkpoint exists.
 // Existing files of another run are rejected.
 std::optional<FoundCheckpoint> Simulation::find_checkpoint(const RunFileNames& names,
                                                            const OutputOptions& options,

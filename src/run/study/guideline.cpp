@@ -18,10 +18,10 @@ ErrorPart relative_error(const CostAtRatio& at) {
   return {at.error / at.cost, at.degrees_of_freedom};
 }
 
-/// The number of points before the end of a curve. All tables, claims and figures use this end. A
-/// curve ends at the first step with a run that blew up. A curve ends earlier if, from some step
-/// on, all longer steps have an energy drift. If a step has an energy drift but a longer step has
-/// none, the drift is attributed to chance.
+/// The number of points before the end of a curve. All tables, claims and figures use the same end
+/// of a curve. A curve ends at the first step with a run that blew up. A curve ends earlier if,
+/// from some step on, all longer steps have an energy drift. If a step has an energy drift but a
+/// longer step has none, the drift is attributed to chance.
 /// @param points  points ordered by step
 std::size_t points_before_end(const std::vector<EfficiencyPoint>& points) {
   std::size_t count = 0;

@@ -28,8 +28,8 @@ struct CostAtRatio {
 
 struct Guideline {
   double ratio = 0;                               ///< given value of R
-  std::vector<std::optional<CostAtRatio>> costs;  ///< cost of each scheme; empty if this R cannot
-                                                  ///< be reached without energy drift
+  std::vector<std::optional<CostAtRatio>> costs;  ///< cost of each scheme; empty if the scheme
+                                                  ///< cannot reach the given R without energy drift
   std::optional<std::size_t> best;                ///< index of the cheapest scheme
 };
 
@@ -54,7 +54,7 @@ std::vector<Guideline> guidelines(const std::vector<Curve>& curves,
 /// The R below which a scheme is cheaper than another scheme.
 struct Crossing {
   Estimate ratio;
-  double degrees_of_freedom = 0;  ///< degrees of freedom of the error of this R
+  double degrees_of_freedom = 0;  ///< degrees of freedom of the error of R
 };
 
 /// The value of R below which `finer` is cheaper than `coarser`, if the two curves cross within the

@@ -10,8 +10,8 @@
 
 namespace polhode {
 
-/// A text with everything that determines the runs of a study. This text prevents the use of
-/// records of a different study.
+/// A text with everything that determines the runs of a study, so that records of a different study
+/// are not used.
 std::string study_identity(const Config& config, const System& system);
 
 /// The record of a study; records of any version of the program can be read.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Differences between kinetic and configurational temperatures and between translation and
-// rotation, at each step and for zero step. These differences are part of the results of studies
-// and of the adviser.
+// rotation, at each step and for zero step. Temperature differences are part of the results of
+// studies and of the adviser.
 #pragma once
 
 #include <vector>

@@ -42,9 +42,9 @@ inline Pack<float> in_image(Pack<float> c, PackIndex<float> words, std::size_t d
 // Processes the rows of a chunk pack by pack, as a software pipeline. While the pairs of a pack are
 // computed, the processor also transposes the partner records of the next pack, and adds up the
 // results of the previous pack. Transposing and adding mostly move data, whereas pairs need mostly
-// arithmetic, so the stages overlap well. Each stage is a separate function. If such a function
-// were inlined into the pair loop, it would be compiled again for each potential and kind of
-// result. The compile time would be much longer, and the loops would not be faster.
+// arithmetic, so the stages overlap well. Each stage is a separate function. If a stage were
+// inlined into the pair loop, the stage would be compiled again for each potential and kind of
+// result. Inlining would greatly increase the compile time, without making the loops faster.
 //
 // If Number is a dual number, the records of displacements are read as well, and the derivatives of
 // forces and torques are added up.

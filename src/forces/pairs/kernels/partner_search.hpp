@@ -18,8 +18,8 @@ namespace polhode::POLHODE_LOOPS {
 namespace {
 
 // Upper bound on the round-off of distances. Positions are compared in fixed point and float, with
-// errors of 2⁻³⁰ of an edge and 2⁻²² of a distance. For distances of a few nm the bound is larger
-// than these errors.
+// errors of 2⁻³⁰ of an edge and 2⁻²² of a distance. For distances of a few nm, the bound is larger
+// than the errors of positions and distances.
 constexpr double rounding = 1e-5;  // [nm]
 
 using Real = Pack<float>;

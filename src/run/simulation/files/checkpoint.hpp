@@ -51,7 +51,7 @@ struct Checkpoint {
 /// outputs, but not on the length of the run.
 std::string run_identity(const Config& config, const System& system);
 
-/// Writes a checkpoint, completely or not at all. The checkpoint that was the newest is kept as the
+/// Writes a checkpoint, completely or not at all. The newest checkpoint so far is kept as the
 /// previous checkpoint.
 /// @throws RunError  if the file cannot be written
 void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
@@ -81,9 +81,9 @@ struct FoundCheckpoint {
                      ///< checkpoint
 };
 
-/// Finds the newest checkpoint of a run, or the previous one if the newest is damaged. The steps
-/// after the previous checkpoint are then computed again, with bitwise identical results. The
-/// result is empty if there is no checkpoint.
+/// Finds the newest checkpoint of a run, or the previous one if the newest is damaged. If the
+/// previous checkpoint is used, the steps after this checkpoint are computed again, with bitwise
+/// identical results. The result is empty if there is no checkpoint.
 /// @throws Error  if both checkpoints are damaged, or another run, program or instruction set wrote
 ///   them
 std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,

@@ -20,7 +20,7 @@ class RunFiles {
  public:
   /// @param from  checkpoint to resume from; the files are truncated to the lengths in the
   ///   checkpoint
-  /// @throws Error  if a file was changed; no file is modified then
+  /// @throws Error  if a file was changed; in this case no file is modified
   RunFiles(const RunFileNames& names, const Topology& topology, const Config& config,
            const Provenance& provenance, const std::string& identity,
            const FoundCheckpoint* from = nullptr);

@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// Warnings about the ensemble of a run. Causes are a drifting volume, too few accepted barostat
-/// moves, too few or too many accepted trajectories of hybrid Monte Carlo, and a mean of
+/// Warnings about the ensemble of a run. Causes of warnings are a drifting volume, too few accepted
+/// barostat moves, too few or too many accepted trajectories of hybrid Monte Carlo, and a mean of
 /// exp(−ΔH/kT) that is not 1 (docs/manual/ensembles.md, Warnings).
 std::vector<Warning> ensemble_warnings(const RunSummary& summary);
 

@@ -11,7 +11,7 @@
 namespace polhode {
 
 /// The mean square error of an integrated force, in units of J v^{n+1} h^{n+1}. The n-th derivative
-/// of the force has a jump J at a random time. For the kicks of a scheme, this mean square error is
+/// of the force has a jump J at a random time. For the kicks of a scheme, the mean square error is
 /// the variance of Σ b_i B̃_{n+1}(c_i − θ)/(n+1)!. Kick i has the weight b_i and follows drifts of
 /// total length c_i, and B̃ are periodic Bernoulli polynomials.
 /// @param n  order of the derivative, from 1 to 3

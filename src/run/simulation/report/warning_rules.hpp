@@ -36,8 +36,9 @@ std::optional<Warning> step_near_stability(const System& system, const Trajector
 
 /// Warns of a truncation that is not smooth enough for scheme and step. The warning is given if the
 /// predicted random walk of the total energy exceeds 0.1 % of the fluctuation of the potential
-/// energy. This fluctuation is estimated by the canonical fluctuation of the kinetic energy, kT
-/// √(n/2) for n degrees of freedom. The value of the warning is the R of the random walk.
+/// energy. The fluctuation of the potential energy is estimated by the canonical fluctuation of the
+/// kinetic energy, kT √(n/2) for n degrees of freedom. The value of the warning is the R of the
+/// random walk.
 std::optional<Warning> rough_truncation(const System& system, const TrajectorySettings& settings);
 
 /// All warnings about ions, the time step and the results of a run (docs/manual/outputs.md,
@@ -63,8 +64,8 @@ std::vector<Warning> warnings_of_results(const RunSummary& summary,
 bool drift_matters(const RunSummary& summary);
 
 /// The standard deviation of the mean temperature of runs at constant energy, with momenta drawn or
-/// rescaled at a temperature T [K]. This standard deviation is at most T/√(2n) for n degrees of
-/// freedom.
+/// rescaled at a temperature T [K]. The standard deviation of the mean temperature is at most
+/// T/√(2n) for n degrees of freedom.
 ///
 /// At the start, the kinetic energy is the mean at T, and the potential energy has the canonical
 /// variance k_B T² C. All degrees of freedom share the deviation of the potential energy, so the

@@ -40,8 +40,8 @@ constexpr double min_walk_ratio = 0.005;             // relative to the fluctuat
                                                      // energy
 constexpr double min_fall = 0.02;                    // relative to the kinetic energy
 constexpr double max_pressure_kbar = 5;
-/// The p-value of slopes for a warning. This p-value is a tenth of the usual significance level,
-/// because these tests are made on every run.
+/// The p-value of slopes for a warning. The p-value for a warning is a tenth of the usual
+/// significance level, because slopes are tested in every run.
 constexpr double significance_level = 0.001;
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
@@ -241,9 +241,9 @@ double temperature_scatter(double temperature, double degrees_of_freedom) {
 std::optional<Warning> cutoff_of_ions(const System& system) {
   if (!is_plain(system.forces.electrostatics)) return std::nullopt;
   const Molecule* ion = nullptr;
-  // Largest net charge due to rounding [e]. The rounded charges of a neutral molecule with 200
-  // sites and four decimals add up to at most this value. Two such charges 1 nm apart have an
-  // energy of 0.014 kJ/mol, 0.6 % of kT at 300 K.
+  // Largest net charge due to rounding [e]. For a neutral molecule of 200 sites, charges with four
+  // decimals add up to at most 0.01 e. Two charges of 0.01 e that are 1 nm apart have an energy of
+  // 0.014 kJ/mol, 0.6 % of kT at 300 K.
   constexpr double neutral = 0.01;
   for (const auto& part : system.topology.parts)
     if (part.count > 0 && std::abs(part.molecule.charge()) > neutral &&

@@ -22,9 +22,9 @@ ForceSettings near_settings(const ForceSettings& whole, const InnerScheme& inner
 void check_near(const ForceSettings& whole, const NestedScheme& scheme, const std::string& place);
 
 /// The computing time of a near-force evaluation relative to an evaluation of all forces, in the
-/// current state of the system. Energies and list builds are not included. Both evaluations are
-/// repeated several times in alternation, and the minima are used. Without an inner scheme, the
-/// relative computing time is 0.
+/// current state of the system. Energies and list builds are not included. The evaluations of near
+/// forces and of all forces are repeated several times in alternation, and the minimum times are
+/// used. Without an inner scheme, the relative computing time is 0.
 double near_weight(const System& system, const std::optional<InnerScheme>& inner);
 
 }  // namespace polhode

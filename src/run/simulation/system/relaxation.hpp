@@ -19,8 +19,8 @@ namespace polhode {
 Minimisation minimise(System& system, const MinimisationSettings& settings = {},
                       const MinimisationWatch& watch = {}, Workers& workers = Workers::serial());
 
-/// Makes a watch that reports the progress of a minimisation, and ends the minimisation when the
-/// callbacks request this.
+/// Makes a watch that reports the progress of a minimisation, and ends the minimisation on request
+/// of the callbacks.
 MinimisationWatch watch_of(const Callbacks& callbacks);
 
 /// The result of a minimisation as text, such as "minimised in 312 steps: largest force 9.98
@@ -29,7 +29,8 @@ MinimisationWatch watch_of(const Callbacks& callbacks);
 std::string description(const Minimisation& minimisation);
 
 /// The largest forces [kJ/mol/nm] and torques [kJ/mol] with which dynamics can begin at a 1 fs time
-/// step. These bounds are larger than the forces and torques in liquids.
+/// step. The bounds on initial forces and torques are larger than the forces and torques in
+/// liquids.
 inline constexpr double max_initial_force = 2e4, max_initial_torque = 500;
 
 /// Whether molecules of a state overlap: forces or torques exceed the bounds for initial

@@ -17,7 +17,7 @@ namespace polhode {
 void note_molecules(const System& system, const Callbacks& callbacks);
 
 /// Gives a note on the use of velocities in the initial configuration. The note is given only if
-/// there are such velocities, and if the run file has a temperature or a seed.
+/// the initial configuration has velocities, and if the run file has a temperature or a seed.
 void note_velocities(const System& system, const Config& config, const Callbacks& callbacks);
 
 /// Gives notes on thermostat, barostat and hybrid Monte Carlo, unless the run is at constant

@@ -102,7 +102,7 @@ void Sampler::sample_configurational(std::size_t step, const std::optional<StepE
 }
 
 /// Samples the kinetic energies of the momenta on which a bath within the steps acts. The momenta
-/// at full steps differ from these momenta by a kick.
+/// at full steps differ by a kick from the momenta on which the bath acts.
 void Sampler::sample_at_bath() {
   const double kick_after = settings_.scheme.kick_after_bath();
   if (kick_after == 0 || settings_.inner) return;
