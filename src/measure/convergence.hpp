@@ -18,7 +18,8 @@ enum class Obstacle {
   interval           ///< the integrand is sampled too rarely
 };
 
-/// The length of a run, the length that a result needs, and the obstacle if it is not converged.
+/// The length of a run, the length that a result needs, and the obstacle if the result is not
+/// converged.
 struct Convergence {
   double length = 0;  ///< actual length of the run [ps]
   double relaxation =

@@ -25,7 +25,7 @@ std::vector<Spectrum> stationary_noise();
 /// of the run cannot be distinguished from a random walk, which makes the slope more uncertain.
 std::vector<Spectrum> walking_noise();
 
-/// A spectrum with its posterior probability and the slope that follows from it.
+/// A spectrum with its posterior probability and the resulting slope.
 struct Hypothesis {
   double probability = 0;
   double walk = 0;                ///< variance per time of the random walk of the spectrum

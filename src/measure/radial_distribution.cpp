@@ -141,8 +141,8 @@ Extremum maximum(std::span<const double> g, const Bins& bins, double sign) {
                                          static_cast<std::size_t>(bins.high - bins.low + 1)),
                                sign);
   // The maximum is where the slope is zero, given by one of the two roots of the slope. An end of
-  // the range is used only if the slope has no zero inside, because noise may make the value at the
-  // end higher.
+  // the range is used only if the slope has no zero inside the range, because noise may make the
+  // value at the end higher.
   const double root = std::sqrt(c[2] * c[2] - 3 * c[1] * c[3]);
   const double inside = c[2] < 0 ? c[1] / (root - c[2]) : (-c[2] - root) / (3 * c[3]);
   const double end = value(c, -half) > value(c, half) ? -half : half;

@@ -40,7 +40,7 @@ std::vector<double> walk_covariance(const Columns& c, double time_per_sample) {
   return covariance;
 }
 
-/// Subtracts from rows and columns their components along a unit vector.
+/// Subtracts the components along a unit vector from the rows and columns of a matrix.
 void project_out(std::vector<double>& matrix, const std::vector<double>& unit) {
   const std::size_t n = unit.size();
   const auto subtract = [&](std::size_t row, std::size_t column) {

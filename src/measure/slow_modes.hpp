@@ -15,7 +15,7 @@ namespace polhode {
 struct SlowModes {
   double samples = 0, length = 0;  ///< number of samples, and length of the run [time]
   std::vector<double> values;      ///< coefficients of the series
-  std::vector<double> line;        ///< coefficients of a series with the time as its values
+  std::vector<double> line;        ///< coefficients of the series whose values are the times
   std::vector<double> walk;        ///< variance of each coefficient for a random walk with variance
                                    ///< 1 per time
 

@@ -198,8 +198,8 @@ int index_of(double spacing) {
   return static_cast<int>(std::floor(std::log(0.25 / spacing) / std::log(1.03)));
 }
 
-/// Cutoffs of the short-range Coulomb pairs that are tried. The cutoffs are about 3 % apart, and
-/// multiples of 0.01 nm.
+/// Cutoffs of the short-range Coulomb interaction that are tried. The cutoffs are about 3 % apart,
+/// and multiples of 0.01 nm.
 double cutoff_of(int n) { return std::round(40 * std::pow(1.03, n)) / 100; }
 
 /// The longest cutoff that the neighbour list allows in a box.
@@ -244,9 +244,9 @@ int MeshChoice::coarsest(double cutoff, int order, int exponent, double required
 }
 
 void MeshChoice::try_cutoff(double cutoff, Orders orders, const Box& box, Best& best) {
-  // In water the actual error is 0.3 to 1.5 times the expected error. The error can be smaller
-  // because molecules screen each other. The error can be larger because the sum over wave
-  // vectors is coarse. The safety margin covers an error that is larger than expected.
+  // In water the actual error of mesh forces is 0.3 to 1.5 times the expected error. The error can
+  // be smaller because molecules screen each other. The error can be larger because the sum over
+  // wave vectors is coarse. The safety margin covers an error that is larger than expected.
   constexpr double margin = 1.5;
   const double required = settings_.pme_accuracy * typical_force(topology_, box) / margin;
   const double required_in_unit_box = required * std::sqrt(box.volume());

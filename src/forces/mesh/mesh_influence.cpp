@@ -19,7 +19,7 @@ double power(double x, int n) {
 Influence::Influence(const MeshSettings& settings, const Box& box)
     : split_(settings.cutoff, settings.exponent), volume_(box.volume()) {
   // The contribution of wave number n + l × points, an alias of n, decreases as l^(2 − 2 order).
-  // The sum of the omitted aliases is below 1e-9.
+  // The omitted aliases add up to less than 1e-9.
   constexpr int aliases = 30;
   for (std::size_t d = 0; d < 3; ++d) {
     const auto points = static_cast<double>(settings.points[d]);

@@ -53,7 +53,7 @@ class ParticleMesh {
   /// of threads. The function does not allocate memory.
   MeshLoad operator()(const Slots& slots, const SiteRecords<T>& records, T* sums, bool energies);
 
-  // The three steps of an evaluation follow, in the order of their calls.
+  // The following three functions are the steps of an evaluation, in the order of their calls.
   /// Spreads the charges onto the grid.
   void spread(const Slots& slots, const SiteRecords<T>& records);
   /// Replaces the charges on the grid by their potential. Returns the energy, and the virial of a

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the pairs of two molecules are truncated at the cutoff.
+// The cutoff treatment: how the interactions of two molecules are truncated.
 #pragma once
 
 #include "forces/laws/laws.hpp"

@@ -21,17 +21,17 @@ namespace polhode {
 template <class Real>
 struct PairLoad {
   Vec3<Real> f{};                   ///< force on b [kJ/mol/nm]
-  Vec3<Real> tau_b{};               ///< torque on b about its centre [kJ/mol]
+  Vec3<Real> tau_b{};               ///< torque on molecule b about its centre [kJ/mol]
   Real van_der_waals{}, coulomb{};  ///< energies [kJ/mol], only if requested
 
-  /// Torque on a about its centre [kJ/mol]. Every force acts along the line between two sites or
-  /// between the centres, so the torques about any common point cancel: tau_a + tau_b + R × f = 0.
-  /// If all sites are at the centre, the result is 0 only up to round-off.
+  /// Torque on molecule a about its centre [kJ/mol]. Every force acts along the line between two
+  /// sites or between the centres, so the torques about any common point cancel: tau_a + tau_b + R
+  /// × f = 0. If all sites are at the centre, the result is 0 only up to round-off.
   Vec3<Real> tau_a(const Vec3<Real>& R) const { return -(tau_b + cross(R, f)); }
 };
 
-/// The switch between centres of mass. The energy U = w(R) u gives the forces w s between sites,
-/// and −w'(R) u between the centres.
+/// The molecule switch, a function of the distance between the centres of mass. The energy U = w(R)
+/// u gives the forces w s between sites, and −w'(R) u between the centres.
 template <class Real, class T>
 class MoleculeSwitch {
  public:

@@ -43,7 +43,8 @@ class Neighbour {
   /// The periodic image given to padding lanes, which is too far away to interact. Along x, the
   /// distance between two bodies in the box is less than an edge plus the skin. After a shift by
   /// two edges, the distance is more than an edge minus the skin, which exceeds every cutoff range.
-  /// The same is true in fixed point, which wraps around after four edges.
+  /// The fixed-point distance, which wraps around after four edges, also exceeds every cutoff
+  /// range.
   static constexpr Image nowhere{-2, 0, 0};
 
   /// The bits of a periodic image. The bits of direction d are the two highest bits of word << 2 d.

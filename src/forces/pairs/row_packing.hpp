@@ -39,7 +39,7 @@ class RowBuffer {
 /// Surplus pairs that rows have handed over to the rows of slots a little further ahead.
 class HandedPairs {
  public:
-  static constexpr std::uint32_t window = 256;  ///< number of slots ahead to which pairs can be
+  static constexpr std::uint32_t window = 256;  ///< number of following slots to which pairs can be
                                                 ///< handed over
   static constexpr std::uint32_t room = 32;     ///< maximum number of pairs that a slot can receive
 

@@ -41,8 +41,8 @@ Quaternion<Real> closed_rotations(const Vec3Column& J, const Vec3<Real>& L, doub
 /// x^14/14! are below 5e-20. Half angles of displacements are about 1e-6.
 constexpr double max_half_angle = 0.25;
 
-/// The rotation R(v) by the vector v, from the series of sin and cos. Larger angles are treated
-/// body by body.
+/// The rotation R(v) by the vector v, from the series of sin and cos. Rotations by larger angles
+/// are computed body by body.
 Quaternion<Real> rodrigues_pack(const Vec3<Real>& v) {
   const Real y = Real(0.25) * norm2(v);  // half angle squared
   if (any(y > Real(max_half_angle * max_half_angle))) {

@@ -34,7 +34,7 @@ class FigureScript {
   /// `curves`, `name`, `colour`, `filled`, `open`, `first`, `last`.
   FigureScript& schemes(const std::vector<SchemeRows>& schemes);
 
-  /// The script, with the style and the template data/plots/NAME.gp.
+  /// The gnuplot script, including the common style and the template data/plots/NAME.gp.
   std::string with(std::string_view name) const;
 
  private:

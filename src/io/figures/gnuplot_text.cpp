@@ -17,7 +17,7 @@ std::string gnuplot_file(std::string_view path) {
   return gnuplot_text("./" + std::filesystem::path(path).filename().string());
 }
 
-// A backslash at the end of a line would join it with the next line.
+// A backslash at the end of a line would join the line with the next line.
 std::string gnuplot_comment(std::string_view text) {
   std::string line = printable(text);
   while (line.ends_with('\\')) line.pop_back();

@@ -40,8 +40,8 @@ struct EnergyFigure {
 /// @param format  "svg" or "png"
 bool energy_plot(const EnergyFigure& figure, const std::string& format, std::ostream& warnings);
 
-/// Draws a figure of curves. Script and image are written next to the CSV file, under its name with
-/// other extensions.
+/// Draws a figure of curves. Script and image are written next to the CSV file, under the same name
+/// with other extensions.
 /// @param format  "svg" or "png"
 bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings);
 

@@ -14,7 +14,7 @@ struct SchemeStyle {
 };
 
 /// The styles of the schemes of a figure, from data/plots/schemes.toml. Schemes that are not in
-/// this file, such as schemes written as text, get the unused styles in order.
+/// schemes.toml, such as schemes written as text, get the unused styles in order.
 std::vector<SchemeStyle> scheme_styles(const std::vector<std::string>& schemes);
 
 }  // namespace polhode

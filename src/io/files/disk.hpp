@@ -21,8 +21,8 @@ std::string remedy_of(int error);
 /// @throws Error  if the folder does not exist or cannot be written to
 void check_folder(const std::string& path);
 
-/// Removes the name of an output that will be written again. Other names of the same contents, such
-/// as the target of a symbolic link, do not change.
+/// Unlinks an output file that will be written again. Other names of the same file, such as the
+/// target of a symbolic link, are kept.
 /// @throws Error  if the name cannot be removed
 void remove_output(const std::string& path);
 

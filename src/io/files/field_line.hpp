@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A line of a text file as fields separated by blanks, with its position for errors.
+// A line of a text file as fields separated by blanks, with the position of the line for error
+// messages.
 #pragma once
 
 #include <cstddef>

@@ -19,7 +19,7 @@ std::string stream_text(std::istream& in, const std::string& file, std::size_t e
 /// Opens a file for reading. Throws an Error with the name of the file.
 std::ifstream open_text_file(const std::string& path);
 
-/// A message about the first byte that cannot occur in a text file; empty if there is none.
+/// A message about the first byte that cannot occur in a text file; empty if there is no such byte.
 std::optional<std::string> odd_byte(std::string_view text, const std::string& file);
 
 }  // namespace polhode

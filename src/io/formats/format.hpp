@@ -28,8 +28,8 @@ struct Format {
   std::unique_ptr<FrameWriter> (*write)(const std::string& path, const Topology& topology,
                                         const FrameChoice& choice, const FileMark* mark);
 
-  /// Throws an Error if a file has changed since its mark was stored; null if the format is
-  /// read-only.
+  /// Throws an Error if a file has changed since its position (mark) was stored; null if the format
+  /// is read-only.
   void (*check)(const std::string& path, const FileMark& mark);
 
   /// Creates a reader of a file, for formats that are not read sequentially.

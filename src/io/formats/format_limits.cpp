@@ -79,8 +79,8 @@ void FrameFit::check_alone(const FrameExtent& frame) const {
 }
 
 // In the format with the lowest precision, times are floats with a relative round-off error of
-// 2⁻²⁴. The round-off error of the time enters the expected time twice: directly and, multiplied by
-// the number of frames, through the interval.
+// 2⁻²⁴. This round-off error affects the expected time twice: directly and, multiplied by the
+// number of frames, through the interval.
 void FrameFit::check_time(const FrameExtent& frame) const {
   if (before_ < 2) return;
   const auto n = static_cast<double>(before_);

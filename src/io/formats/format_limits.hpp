@@ -37,8 +37,8 @@ struct FrameExtent {
 
 FrameExtent extent_of(const Frame& frame);
 
-/// The extent of all frames that a run with this box can write. Molecular centres are in the box,
-/// but sites may be outside.
+/// The extent of all frames that a run with a given box can write. Molecular centres are in the
+/// box, but sites may be outside.
 FrameExtent extent_of(const State& state, const Topology& topology, const FrameChoice& choice);
 
 /// Checks the frames that are written to one file.

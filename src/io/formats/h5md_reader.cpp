@@ -34,7 +34,7 @@ struct Series {
   };
   std::optional<Pairing> pairing;
 
-  // The index of the value at the step or time of a frame of positions, if there is such a value.
+  // The index of the value at the step or time of a frame of positions, if such a value exists.
   std::optional<hsize_t> place(hsize_t position) const {
     if (!changes) return 0;
     if (!pairing) return position;
@@ -91,7 +91,7 @@ class H5mdReader : public FrameReader {
     bytes_ = bytes.size();
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_fapl_core(access, 1 << 16, false);
-    // The library copies the bytes, although its interface declares the bytes as mutable.
+    // The HDF5 library copies the bytes, although its interface declares the bytes as mutable.
     H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size());
     file_ = {H5Fopen("image", H5F_ACC_RDONLY, access), H5Fclose};
   }

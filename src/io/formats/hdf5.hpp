@@ -32,7 +32,7 @@ class Handle {
   operator hid_t() const { return id_; }  // implicit: the C interface takes it everywhere
   bool is_open() const { return id_ >= 0; }
   /// Gives up the identifier without closing it. Closing an object that could not be written makes
-  /// the library (1.10) crash.
+  /// the HDF5 library (1.10) crash.
   void abandon() { id_ = -1; }
   /// Closes the identifier before the end of the scope. The result is negative if data could not be
   /// written.
@@ -43,8 +43,9 @@ class Handle {
   herr_t (*close_)(hid_t) = nullptr;
 };
 
-/// Turns off the library's messages on stderr, because errors are thrown. Also turns off writing at
-/// exit, because the library would crash on a full disk. Call this function first.
+/// Turns off the library's messages on stderr, because this program throws errors instead. Also
+/// turns off writing at exit, because the library would crash on a full disk. Call this function
+/// first.
 inline void be_quiet() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

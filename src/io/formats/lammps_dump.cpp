@@ -132,8 +132,8 @@ class LammpsDumpReader : public FrameReader {
     return *count;
   }
 
-  // The boundaries are three words such as "pp pp pp". A triclinic box has other words before the
-  // boundaries.
+  // The boundary conditions are three words such as "pp pp pp". A triclinic box has other words
+  // before the boundaries.
   void read_box(Frame& frame, std::string_view boundaries) {
     for (auto word = take_word(boundaries); !word.empty(); word = take_word(boundaries))
       if (word != "pp")

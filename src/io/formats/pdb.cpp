@@ -127,8 +127,8 @@ class PdbReader : public FrameReader {
     return atom;
   }
 
-  // Residue numbers that do not fit are written as letters or stars, or start again at 0. Residues
-  // are therefore counted.
+  // Residue numbers that do not fit into their columns are written as letters or stars, or start
+  // again at 0. Residues are therefore counted.
   int residue(std::string_view field) {
     if (residue_ == 0 || field != residue_field_) {
       residue_field_ = field;

@@ -15,9 +15,9 @@ inline constexpr std::size_t max_texts = 3;           // maximum number of texts
 inline constexpr std::size_t max_text_length = 1024;  // maximum length in bytes
 
 /// The `count` strings of an attribute, at most `max_texts`. The result is empty if the strings
-/// cannot be read. The strings are read in a separate process, because the library (1.10) trusts
-/// the lengths in the file. A damaged file can make the library write out of bounds or loop
-/// forever.
+/// cannot be read. The strings are read in a separate process, because the HDF5 library (1.10)
+/// trusts the lengths in the file. A damaged file can make the HDF5 library write out of bounds or
+/// loop forever.
 std::vector<std::string> variable_texts(hid_t attribute, hid_t type, std::size_t count);
 
 }  // namespace polhode::hdf5

@@ -15,8 +15,8 @@ std::optional<LammpsLaw> law_of_pair_style(std::string_view style) {
       name.remove_suffix(suffix.size());
       break;
     }
-  // Some unsupported styles begin the same way: lj/cut/soft, lj/cut/thole/long, lj/cut/dipole/cut,
-  // buck/mdf.
+  // Some unsupported styles begin with the name of a supported style: lj/cut/soft,
+  // lj/cut/thole/long, lj/cut/dipole/cut, buck/mdf.
   constexpr std::pair<std::string_view, LammpsLaw> known[] = {
       {"lj/cut", LammpsLaw::lennard_jones},
       {"lj/cut/coul/cut", LammpsLaw::lennard_jones},

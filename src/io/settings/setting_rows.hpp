@@ -17,7 +17,7 @@
 
 namespace polhode {
 
-/// The unit in which texts state a quantity; empty for a pure number, or if the setting is not a
+/// The unit in which a quantity is written; empty for a pure number, or if the setting is not a
 /// number.
 struct SettingUnit {
   std::optional<Dimension> dimension{};
@@ -96,8 +96,8 @@ const SettingRow& setting_row(std::string_view table, std::string_view key);
 /// Reads all rows of a table. The table must not contain other keys.
 void read_table(TomlTable table, const SettingTable& rows, Config& config);
 
-/// Reads one setting according to its kind, unit and bounds. If the key is absent, the default
-/// remains.
+/// Reads one setting according to its kind, unit and bounds. If the key is absent, the setting
+/// keeps its default.
 void read_row(TomlTable& table, const SettingRow& row, Config& config);
 
 /// A function that reads nothing, for settings that another function of their table reads.
@@ -121,7 +121,7 @@ std::string complaint(const SettingRow& row);
 /// A description of the error in the value of a setting; empty if the value is valid.
 std::string wrong_value(const SettingRow& row, const Config& config);
 
-/// The value of a setting in a run as text, such as "2 fs"; empty if the setting has no meaning for
+/// The value of a setting in a run as text, such as "2 fs"; empty if the setting does not apply to
 /// the run.
 std::string text_of(const SettingRow& row, const Config& config);
 

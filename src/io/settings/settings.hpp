@@ -51,7 +51,7 @@ struct SettingBounds {
 struct Setting {
   std::string table, key;
   std::vector<SettingKind> kinds;     ///< kinds that the value of the setting may have
-  std::string unit;                   ///< unit in which texts state a quantity; empty for other
+  std::string unit;                   ///< unit in which a quantity is written; empty for other
                                       ///< kinds
   std::string domain;                 ///< values and bounds, such as "temperature ≥ 0 K"
   std::string fallback;               ///< default value, possibly in words; empty if there is none
@@ -90,8 +90,8 @@ const Setting& setting(std::string_view path);
 /// if the setting does not apply to the run, or if the default depends on more than the settings.
 std::string value_text(const Setting& setting, const Config& config);
 
-/// A description of the error in a value of a setting in internal units; empty if the value is
-/// valid.
+/// A description of what is wrong with a setting's value, which is in internal units; empty if the
+/// value is valid.
 std::string wrong_value(std::string_view path, double value);
 
 /// Paths and values of the settings that determine a run, such as "thermostat.friction" and "1
@@ -99,7 +99,7 @@ std::string wrong_value(std::string_view path, double value);
 std::vector<std::pair<std::string, std::string>> recorded_settings(
     const Config& config, const std::vector<std::string_view>& tables = {});
 
-/// The meaning of a setting without the links and marks of Markdown.
+/// The meaning of a setting without Markdown links and markup.
 std::string plain_text(std::string_view markdown);
 
 /// The meaning of a setting in a few words, with its values or an example, for help texts.

@@ -17,7 +17,7 @@ namespace {
 
 // Maximum number of parts of a dotted key. The TOML library recurses into dotted keys without a
 // limit, and into nested values up to a depth of 256. The stack must be large enough for the
-// product of both depths.
+// product of the depths of dotted keys and of nested values.
 constexpr std::size_t max_dots = 8;
 
 // The position of the end of the string that begins at a quote.

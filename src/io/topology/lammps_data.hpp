@@ -35,7 +35,7 @@ struct LammpsData {
   };
   /// A kind of molecule: bodies with the same types and charges in the same shape.
   struct Kind {
-    std::string name;  ///< name from the elements in the order of atoms, such as "OH2"
+    std::string name;  ///< name made from the elements in the order of the atoms, such as "OH2"
     std::vector<std::string> sites;
     std::size_t first = 0;  ///< index of the first atom of the kind
     std::size_t count = 0;

@@ -458,7 +458,7 @@ class Adviser {
     candidate.step = step;
   }
 
-  /// Shortens the step of a candidate after runs that did not confirm it.
+  /// Shortens the step of a candidate after unsuccessful confirming runs.
   /// @param part  fraction of the length that the runs covered
   void shorten(Candidate& candidate, const AdviserPoint& point, double part) const {
     const double factor = calm(point) && candidate.model

@@ -75,8 +75,9 @@ double error_of(const SeriesEstimate& estimate) {
 
 }  // namespace
 
-// cov(A, H) = kT² ∂⟨A⟩/∂T and cov(K, H) = kT ⟨K⟩. A function of positions is uncorrelated with K,
-// and the kinetic part of the pressure is proportional to T.
+// In the canonical ensemble, cov(A, H) = kT² ∂⟨A⟩/∂T for the energy H and any quantity A, and
+// cov(K, H) = kT ⟨K⟩ for the kinetic energy K. A function of positions is uncorrelated with the
+// kinetic energy K, and the kinetic part of the pressure is proportional to T.
 IsochoricResponse isochoric_response(const std::vector<System>& starts, double temperature,
                                      const ResponseRuns& runs, const std::function<bool()>& stop,
                                      Workers& workers) {

@@ -9,8 +9,8 @@
 namespace polhode {
 
 void check_forces(double frequency, const std::string& source) {
-  // The frequency exceeds 0.1 per ps in any liquid and in most gases. If the frequency is far
-  // lower, the forces are only round-off errors.
+  // The Einstein frequency exceeds 0.1 per ps in any liquid and in most gases. If the frequency is
+  // far lower, the forces are only round-off errors.
   constexpr double min_frequency = 1e-6;
   if (!(frequency > min_frequency))
     throw Error(

@@ -94,7 +94,8 @@ std::optional<double> next_of_ladder(const StepSearch& search, const Range& rang
   const auto broken =
       std::find_if(p.begin(), p.end(), [&](const AdviserPoint& point) { return !meets(point); });
   if (broken == p.begin()) {
-    // A smaller step reduces a bias, but not noise, so two smaller steps are tried.
+    // A smaller step reduces a bias, but not the noise of the measured bias, so two smaller steps
+    // are tried.
     const double step = p.front().step / ladder;
     return step > 0.6 * search.first ? std::optional(step) : std::nullopt;
   }

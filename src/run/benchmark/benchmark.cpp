@@ -174,7 +174,7 @@ StepTiming summary_of(const StepRepeats& repeats, const Motion& motion) {
   return s;
 }
 
-// Measures all kinds of evaluations and steps for one size, interleaved.
+// Measures all kinds of evaluations and steps for one system size, in interleaved order.
 class Measurement {
  public:
   Measurement(std::size_t molecules, const BenchmarkSettings& settings, const Effort& effort,

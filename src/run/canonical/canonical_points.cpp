@@ -13,7 +13,7 @@ namespace polhode {
 namespace {
 
 /// Whether a quantity, given by its index, is a temperature. The exact value of a temperature is
-/// known, so it needs no reference measurement.
+/// known, so no reference measurement is needed.
 constexpr bool is_temperature(std::size_t quantity) { return quantity >= 1 && quantity <= 4; }
 
 /// The mean over the finite values; empty if there are fewer than two finite values.

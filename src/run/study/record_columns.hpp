@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The columns of a record of runs. Each column is stated once, for both writing and reading.
+// The columns of a record of runs. Each column is defined once, for both writing and reading.
 #pragma once
 
 #include <fmt/core.h>

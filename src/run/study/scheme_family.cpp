@@ -170,7 +170,8 @@ namespace {
 Values minimum(const ErrorCovariance& c, const SchemeFamily& family, const ErrorTerms& from) {
   const Metric metric(c);
   const auto change = [&](const Values& at) { return error_terms(family.at(at)) - from; };
-  // The variance is infinite if the text has no value, as for the root of a negative number.
+  // The variance is infinite if the text of the scheme cannot be evaluated, as for the root of a
+  // negative number.
   const auto cost = [&](const Values& at) {
     try {
       const ErrorTerms d = change(at);

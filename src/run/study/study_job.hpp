@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A study from settings to files: all parts that are independent of the measured quantities.
+// The parts of a study, from settings to files, that do not depend on the measured quantities.
 #pragma once
 
 #include <fmt/core.h>

@@ -20,7 +20,7 @@ namespace polhode {
 inline bool same_step(double a, double b) { return std::abs(a - b) < 1e-12; }
 
 /// The runs of a scheme at a step, sorted by initial configuration. Sums over runs in this order do
-/// not depend on which run ended first. The scheme has the name that records use.
+/// not depend on which run ended first. The scheme is given by its name in the records.
 template <class Run>
 std::vector<Run> runs_of(const std::string& scheme, double step, const std::vector<Run>& runs) {
   std::vector<Run> own;

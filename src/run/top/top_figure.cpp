@@ -24,7 +24,8 @@ namespace {
 using Curve = std::vector<Vec3<double>>;
 constexpr double pi = std::numbers::pi;
 
-/// The polhode: ω along a period of the loop of L. The polhode is a single point if L is constant.
+/// The polhode: the angular velocity ω during one period of L. The polhode is a single point if L
+/// is constant.
 Curve polhode_of(const Vec3<double>& J, const Vec3<double>& L) {
   const ScaledTop top(J, L, 0);
   const auto omega = [&](const Vec3<double>& l) {

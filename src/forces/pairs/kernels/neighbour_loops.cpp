@@ -45,7 +45,7 @@ class RowWriter {
   void operator()(std::uint32_t slot, const Found& found, float inside2, bool own_type) {
     sort(found, inside2);
     if (own_type) share(slot, inside_, handed_inside_);
-    // Pairs in excess of whole packs are moved to the pairs that may need truncation.
+    // Pairs that exceed whole packs are moved to the group of pairs that may need truncation.
     for (std::size_t left = inside_.size() % width_; left > 0; --left)
       truncated_.push(inside_.pop());
     if (own_type) share(slot, truncated_, handed_truncated_);
@@ -63,7 +63,8 @@ class RowWriter {
   }
 
  private:
-  // Separates partners that are certain to stay inside the switching distance from all others.
+  // Separates partners that are certain to stay inside the switching distance from all other
+  // partners.
   void sort(const Found& found, float inside2) {
     inside_.clear();
     truncated_.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The derivative of the pair loops, in double precision.
+// The pair loops for derivatives of forces, in double precision.
 #include "pair_shapes.hpp"
 
 namespace polhode::POLHODE_LOOPS {

@@ -72,9 +72,10 @@ inline Real distance2(const Vec3<Real>& centres, const Vec3<Real>& halves) {
 // Finds the partners of bodies one after the other. The bodies of a leaf share the list of leaves
 // in range.
 //
-// Leaves of one molecule type have a cyclic order. Leaf b is ahead of leaf a if it follows a by at
-// most half the number of leaves. Each pair of bodies is found only once, from the body in leaf a.
-// Within a leaf, the pair is found from the body in the lower slot.
+// Leaves of one molecule type have a cyclic order. Leaf b is ahead of leaf a if b follows a in this
+// order by at most half the number of leaves. If leaf b is ahead of leaf a, a pair of bodies in a
+// and b is found only from the body in leaf a. Within a leaf, the pair is found from the body in
+// the lower slot.
 class Search {
  public:
   Search(const ListJob& job, const ListChunk& chunk, std::size_t partner_part)

@@ -61,7 +61,7 @@ void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint
 /// @throws DamagedCheckpoint  if the file is missing, truncated or changed
 /// @throws Error              if another program wrote it
 Checkpoint read_checkpoint(const std::string& path, const ProgramVersion& reader);
-/// Reads a checkpoint from bytes that were read from the file `path`.
+/// Reads a checkpoint from bytes that were already read from the file `path`.
 Checkpoint parse_checkpoint(std::string bytes, const std::string& path,
                             const ProgramVersion& reader);
 
@@ -81,9 +81,9 @@ struct FoundCheckpoint {
                      ///< checkpoint
 };
 
-/// Finds the newest checkpoint of a run, or the previous one if the newest is damaged. If the
-/// previous checkpoint is used, the steps after this checkpoint are computed again, with bitwise
-/// identical results. The result is empty if there is no checkpoint.
+/// Finds the newest checkpoint of a run, or the previous checkpoint if the newest checkpoint is
+/// damaged. If the previous checkpoint is used, the steps after this checkpoint are computed again,
+/// with bitwise identical results. The result is empty if there is no checkpoint.
 /// @throws Error  if both checkpoints are damaged, or another run, program or instruction set wrote
 ///   them
 std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,

@@ -65,7 +65,7 @@ constexpr std::array<std::string_view, 27> stated = {
     "output.massless_sites",
 };
 
-/// The text of all other settings that differ from their defaults.
+/// The text of all settings that are not in `stated` and differ from their defaults.
 std::string further_settings(const Config& config) {
   const auto defaults = recorded_settings(Config{});
   std::string text;

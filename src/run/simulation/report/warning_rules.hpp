@@ -20,8 +20,8 @@ std::string line_of(const Warning& warning);
 /// net charge [e].
 std::optional<Warning> cutoff_of_ions(const System& system);
 
-/// A warning about a molecule with a site that is too far from all other sites for a bond. The
-/// positions were probably given in ångström instead of nm.
+/// A warning about a molecule with a site that is so far from all other sites that no bond is
+/// plausible. The likely cause is that positions are in ångström instead of nm.
 std::optional<Warning> distant_sites(const System& system);
 
 /// Warns if velocities of the initial configuration do not have the temperature of the run file,
@@ -29,8 +29,8 @@ std::optional<Warning> distant_sites(const System& system);
 /// standard deviations of a canonical kinetic temperature, T √(2/n) for n degrees of freedom.
 std::optional<Warning> velocities_of_file(const System& system, const Config& config);
 
-/// Warns of a step beyond max_stable_step() at the state of the system. The value of the warning is
-/// the step times the Einstein frequency of the fastest degrees of freedom.
+/// Warns if the step exceeds max_stable_step() in the current state of the system. The value of the
+/// warning is the step times the Einstein frequency of the fastest degrees of freedom.
 std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
                                            Workers& workers = Workers::serial());
 
@@ -55,7 +55,7 @@ struct TargetTemperature {
   bool kept = false;     ///< whether a thermostat or hybrid Monte Carlo controls the temperature
 };
 
-/// The warnings that follow from results.
+/// The warnings that follow from the results of a run.
 /// @param target  target temperature; empty if any temperature is valid
 std::vector<Warning> warnings_of_results(const RunSummary& summary,
                                          const std::optional<TargetTemperature>& target);

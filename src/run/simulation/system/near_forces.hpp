@@ -17,8 +17,8 @@ namespace polhode {
 /// @throws Error  if the near forces would have a longer range than the full forces
 ForceSettings near_settings(const ForceSettings& whole, const InnerScheme& inner);
 
-/// Checks that the near forces of an inner scheme fit the full forces; throws an Error with the
-/// place of the inner scheme if they do not fit.
+/// Checks that the cutoff of the near forces does not exceed the cutoff of the full forces;
+/// otherwise throws an Error with the place of the inner scheme.
 void check_near(const ForceSettings& whole, const NestedScheme& scheme, const std::string& place);
 
 /// The computing time of a near-force evaluation relative to an evaluation of all forces, in the

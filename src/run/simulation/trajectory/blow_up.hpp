@@ -36,7 +36,7 @@ class BlowUpReport {
   [[noreturn]] void blow_up(std::size_t step, std::string cause) const;
 
   /// Ends the trajectory because an energy or a force is not finite. The report has a note if a
-  /// potential has a smallest distance (inner limit).
+  /// potential is not defined below a smallest distance (inner limit).
   [[noreturn]] void not_finite(std::size_t step, const std::string& cause) const;
 
  private:

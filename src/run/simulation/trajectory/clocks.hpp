@@ -10,8 +10,8 @@
 
 namespace polhode {
 
-/// Measures the computing time of each part of the program; for a resumed run, the earlier time is
-/// added.
+/// Measures the computing time of each part of the program; for a resumed run, the time before the
+/// interruption is added.
 class Clocks {
  public:
   /// @param near  near forces of an optional inner scheme

@@ -33,7 +33,7 @@ class TimedIntegrator {
   TimedIntegrator(const TimedIntegrator&) = delete;
   TimedIntegrator& operator=(const TimedIntegrator&) = delete;
 
-  /// Calls f with the integrator, which is a simple or a nested one.
+  /// Calls f with the integrator, which is simple or nested.
   template <class F>
   decltype(auto) apply(const F& f) {
     return single_ ? f(*single_) : f(*nested_);
