@@ -61,7 +61,7 @@ class HostileNames(Sandbox):
             for verb in ("run", "prepare", "minimise", "study"):
                 if verb != "run" and length < 246:
                     continue  # their names are shorter
-                self.refused((verb, "run.toml", "--output=" + length * "b"), ["bytes; the maximum is 235 bytes, since the name"], verb)
+                self.refused((verb, "run.toml", "--output=" + length * "b"), ["bytes; the maximum is 235 bytes, since the temporary file"], verb)
 
     def test_folders_run_files_and_prefixes_in_them(self):
         for name in HOSTILE:

@@ -120,7 +120,7 @@ class Shadow(Sandbox):
         self.write("run.toml", SMALL)
         for options, *words in [(("--step", "2"), "--step", "no unit"), (("--step", "0 fs"), "longer than 0"),
                                 (("--runs", "1"), "--runs", "1"), (("--runs", "two"), "--runs"),
-                                (("--length", "0.1 ps"), "100 fs", "20 samples", "interval between samples"),
+                                (("--length", "0.1 ps"), "100 fs", "20 intervals between samples", "interval between samples"),
                                 (("--sample", "0 fs"), "--sample", "longer than 0"), (("--decorrelate", "1 nm"), "time"),
                                 (("--threads", "0"), "--threads")]:
             self.refused(("tune-scheme", "run.toml", *options), words)

@@ -89,7 +89,7 @@ TEST_CASE("a truncation that makes the energy walk is noted at the start, with w
     for (const std::string part : {"2 continuous derivatives", "molecule-switch", "smoothness = 3"})
       CHECK(text.find(part) != std::string::npos);
   }
-  CHECK(warned(site_switch + "smoothness = 1\n").find("1 continuous derivative,") !=
+  CHECK(warned(site_switch + "smoothness = 1\n").find("1 continuous derivative;") !=
         std::string::npos);
   CHECK(warned(reaction_field).empty());
   CHECK(warned("electrostatics = \"pme\"\n").empty());
