@@ -200,7 +200,7 @@ void PairEngine<T>::sum_chunk(std::size_t c, PairLoop loop, bool energies,
     sum_partners(partner);
 }
 
-/// Adds the contributions of all chunks, in the order of the chunks, to the slots of a chunk.
+/// Adds what all chunks, in their order, contribute to the slots of chunk `c`.
 template <class T>
 void PairEngine<T>::collect(std::size_t c, Load& load) const {
   constexpr std::uint32_t block = slot_block;

@@ -34,8 +34,7 @@ std::string name_beside(const std::string& path) {
       .string();
 }
 
-/// The final name of the file whose draft has a given name; empty if this is not the name of a
-/// draft.
+/// The name that a draft has after it is finished; empty if `name` is not the name of a draft.
 std::string_view final_name(std::string_view name) {
   if (!name.starts_with(front) || name.size() <= longer || name[longer - 1] != '-') return {};
   const std::string_view number = name.substr(front.size(), digits);

@@ -340,8 +340,8 @@ class Adviser {
 
   /// Runs every promising candidate at the steps that its search still needs.
   void search_steps() {
-    // The estimate assumes runs at about five steps per scheme. An R of 0.5 % costs about 3.3 ω
-    // force evaluations per ps.
+    // The estimate assumes runs with about five different time steps for each scheme. An R of 0.5 %
+    // costs about 3.3 ω force evaluations per ps.
     const double runs = 5.0 * choosing * static_cast<double>(advice_.candidates.size());
     const double max_length = std::min(config_.run.length, 600 / frequency_);
     const double length = std::clamp(affordable(budget(choosing_share), runs, 3.3 * frequency_),

@@ -112,10 +112,10 @@ void Sampler::sample_at_bath() {
 }
 
 /// Checks that the energy has not changed by more than is physically possible. At constant energy,
-/// the change is measured from the start. With a bath, the change is measured from the last sample,
-/// because the bath absorbs a drift. The change is compared with the initial kinetic energy or, if
-/// this energy is almost zero, with the released potential energy. Hybrid Monte Carlo needs no
-/// check, because it rejects trajectories with a large change of the energy.
+/// the change is measured since the start. With a bath, the change is measured since the last
+/// sample, because the bath absorbs a slow energy drift. The change is compared with the initial
+/// kinetic energy or, if this energy is almost zero, with the released potential energy. Hybrid
+/// Monte Carlo needs no check, because it rejects trajectories with a large change of the energy.
 void Sampler::check_energy(std::size_t step, const Energies& now) {
   const Energies& first = statistics_.energies.first;
   const bool constant_energy = settings_.ensemble.constant_energy();
