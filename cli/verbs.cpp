@@ -9,6 +9,7 @@ namespace polhode::cli {
 Action advise_verb(Command& command);
 Action analyze_verb(Command& command);
 Action bench_verb(Command& command);
+Action bias_verb(Command& command);
 Action convert_verb(Command& command);
 Action energy_verb(Command& command);
 Action export_verb(Command& command);
@@ -45,6 +46,8 @@ const std::vector<VerbGroup>& verb_groups() {
        {{"advise", "choose scheme and step for a required accuracy and confirm them by runs",
          advise_verb},
         {"study", "measure accuracy and cost of schemes, as in the paper's figure", study_verb},
+        {"bias", "compute the time-step bias of averages from the energies of any program",
+         bias_verb},
         {"tune-scheme", "optimize the scheme parameters for a system and step", tune_scheme_verb},
         {"verify", "measure the order of a scheme", verify_verb}}},
       {"look up and try out",

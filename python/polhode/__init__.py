@@ -14,6 +14,7 @@ units such as "2 fs", or quantities of pint or openmm.unit. Invalid input raises
 """
 
 from . import _core, _jobs
+from ._bias import bias, time_step_bias
 from ._files import Frame, read, read_frames, write
 from ._jobs import *
 from ._lookup import Molecule, Scheme, molecules, schemes, verify
@@ -31,9 +32,9 @@ from .forces import ExternalForces
 __version__ = _core.version
 
 __all__ = ["EnergySeries", "Error", "ExternalForces", "Frame", "Molecule", "OutputError",
-           "Progress", "Report", "Run", "RunError", "Scheme", "Settings", "Simulation", "State",
+           "Progress", "Report", "Run", "RunError", "Scheme", "Settings", "Simulation", "State", "bias",
            "free_rotation", "instruction_set", "measure", "merge", "molecules", "quantity", "read", "read_frames",
-           "rotate_table", "rotation_matrix", "schemes", "settings", "top", "verify", "write"]
+           "rotate_table", "rotation_matrix", "schemes", "settings", "time_step_bias", "top", "verify", "write"]
 __all__ += _jobs.__all__
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Python functions for schemes, molecules, quantities, and errors of means.
+// Python functions for schemes, molecules, quantities, errors of means, and the bias of logs.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -15,6 +15,7 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/measure/correlated_series.hpp"
+#include "run/bias/log_bias.hpp"
 #include "run/listing/molecules.hpp"
 #include "run/listing/schemes.hpp"
 #include "run/listing/verification.hpp"
@@ -73,6 +74,14 @@ void bind_lookup(nb::module_& m) {
     const double lambda = request.gradient_lambda(scheme);
     const nb::gil_scoped_release released;
     return report_text(quantities(verify(scheme, order, lambda)));
+  });
+  m.def("bias", [](const std::string& path, const std::vector<std::string>& names,
+                   const std::vector<std::vector<double>>& columns, const Options& given) {
+    const auto request = request_of<BiasRequest>(given);
+    const nb::gil_scoped_release released;
+    const EngineLog log =
+        columns.empty() ? read_engine_log(path) : log_of_columns(path, names, columns);
+    return report_text(quantities(log_bias(log, request)));
   });
   m.def("molecules_json",
         [](const std::string& name) { return json_text(records(find_molecules(name))); });

@@ -17,6 +17,7 @@
 #include "polhode/run/study/tune.hpp"
 #include "run/adviser/advice_report.hpp"
 #include "run/benchmark/benchmark_report.hpp"
+#include "run/bias/log_bias.hpp"
 #include "run/canonical/canonical_report.hpp"
 #include "run/canonical/hybrid_adviser.hpp"
 #include "run/listing/molecules.hpp"
@@ -133,6 +134,10 @@ TEST_CASE("the manual has the keys of results as their lists state them") {
       "advise", "hybrid",
       quantities(HybridAdvice{.scheme = "hoa2", .pilots = {choice}, .finalists = {}, .equal = {}}));
   check_manual("tune-scheme", "tuning", quantities(tuning()));
+  check_manual("bias", "log bias",
+               quantities(LogBias{.energy_unit = "`energy_unit`",
+                                  .columns = {{"potential", "kJ/mol", {}, {}, {}}},
+                                  .at_constant_temperature = SeriesEstimate{}}));
   check_manual("verify", "verification",
                quantities(Verification{NamedScheme("hoa2"), {{{0.01, 0.1}}, 2}, 2}));
   check_manual("bench", "benchmark", quantities(benchmark(), {"a processor", "avx2", {1}}));

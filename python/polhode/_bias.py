@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT
+"""The time-step bias of averages from the energies of any program."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from typing import Any
+
+from . import _core
+from ._quantities import text_of
+from ._results import Report
+from ._types import Path, Quantity
+from .errors import Error
+
+__all__ = ["bias", "time_step_bias"]
+
+
+def bias(log: Path | Mapping[str, Any], temperature: Quantity | None = None, *, total: str | None = None,
+         potential: str | None = None, energy_unit: str | None = None, start: float | None = None,
+         stop: float | None = None) -> Report:
+    """Computes the time-step bias of averages from energies at constant energy, as ``polhode bias``.
+
+    Args:
+        log: a file (log of LAMMPS, .xvg, CSV; .edr if pyedr is installed), or columns by name, such as a
+            dict of arrays or a DataFrame. A name may contain its unit, as in "Total Energy (kJ/mol)".
+        temperature: temperature; default: the mean of the temperature in the log
+        total: column of the total energy; default: the column with a usual name
+        potential: column of the potential energy; default: the column with a usual name
+        energy_unit: unit of energies: kJ/mol, kcal/mol, eV or lj; default: the unit in the log
+        start: first time used, in the unit of the log; default: the first row
+        stop: last time used, in the unit of the log; default: the last row
+
+    Returns:
+        Report: with the keys of ``polhode bias --json``.
+
+    Raises:
+        Error: if the energy was not constant, or has too few digits.
+    """
+    given = {"temperature": text_of(temperature), "total": total, "potential": potential, "energy_unit": energy_unit,
+             "start": start, "stop": stop}
+    texts = {name: str(value) for name, value in given.items() if value is not None}
+    if isinstance(log, (str, os.PathLike)):
+        name, columns = os.fspath(log), {}
+        if name.lower().endswith(".edr"):
+            columns = _edr(name)
+    else:
+        name, columns = "columns", {title: log[title] for title in log}
+    values = [[float(x) for x in column] for column in columns.values()]
+    return Report("bias", json.loads(_core.bias(name, list(map(str, columns)), values, texts)), [])
+
+
+time_step_bias = bias
+
+
+def _edr(path):
+    """The columns of a binary file of GROMACS, with their units."""
+    try:
+        import pyedr
+    except ImportError:
+        raise Error(f"{path}: an .edr file is read by pyedr, which is not installed; install it, or write "
+                    f"the energies as text by 'gmx energy'") from None
+    units = pyedr.get_unit_dictionary(path)
+    return {f"{name} ({units[name]})" if units.get(name) else name: column
+            for name, column in pyedr.edr_to_dict(path).items()}

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "run/bias/engine_log.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "io/files/split_words.hpp"
+#include "io/files/text_file.hpp"
+#include "io/formats/lines.hpp"
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+namespace {
+
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+std::vector<std::string> words_of(std::string_view line) {
+  std::vector<std::string> words;
+  for (auto word = take_word(line); !word.empty(); word = take_word(line)) words.emplace_back(word);
+  return words;
+}
+
+/// The fields between separators, without blanks and quotation marks around them.
+std::vector<std::string> fields_of(std::string_view line, char separator) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"')
+      quoted = !quoted;
+    else if (c == separator && !quoted)
+      fields.emplace_back();
+    else
+      fields.back() += c;
+  }
+  for (std::string& field : fields) field = trimmed(std::string(field));
+  return fields;
+}
+
+/// The text between the first pair of quotation marks.
+std::string quoted_part(std::string_view line) {
+  const auto begin = line.find('"'), end = line.rfind('"');
+  return begin < end ? std::string(line.substr(begin + 1, end - begin - 1)) : "";
+}
+
+/// A column from a title such as "Total Energy (kJ/mole)" or "total [kJ/mol]".
+LogColumn column_of(const std::string& title) {
+  const auto open = title.find_first_of("([");
+  if (open == title.npos) return {title, "", {}};
+  const auto close = title.find_first_of(")]", open);
+  return {
+      std::string(trimmed(title.substr(0, open))), title.substr(open + 1, close - open - 1), {}};
+}
+
+std::optional<std::vector<double>> numbers_of(const std::vector<std::string>& fields) {
+  std::vector<double> row;
+  for (const std::string& field : fields) {
+    const auto value = parsed<double>(field);
+    if (!value) return std::nullopt;
+    row.push_back(*value);
+  }
+  return row;
+}
+
+/// Appends a row to the columns.
+void add_row(EngineLog& log, const Lines& lines, const std::vector<std::string>& fields) {
+  if (fields.size() != log.columns.size())
+    lines.refuse(
+        fmt::format("the row has {} fields; it must have {}, one for each column; if the log is "
+                    "still being written, copy it and delete the incomplete last row",
+                    fields.size(), log.columns.size()));
+  for (std::size_t k = 0; k < fields.size(); ++k)
+    log.columns[k].values.push_back(
+        fields[k].empty() ? std::nan("") : lines.number(fields[k], log.columns[k].name.c_str()));
+}
+
+/// The unit of a column of `gmx energy`, which lists each unit once for all columns.
+std::string gromacs_unit(const std::string& name, const std::string& units) {
+  if (units.find(')') == units.rfind(')')) return column_of(units).unit;
+  const std::string known = lower(name);
+  if (known.starts_with("temperature") || known.starts_with("t-")) return "K";
+  if (known.starts_with("pres")) return "bar";
+  if (known.starts_with("box-")) return "nm";
+  if (known == "volume") return "nm^3";
+  if (known == "density") return "kg/m^3";
+  return units.find("(kJ/mol)") == units.npos ? "" : "kJ/mol";
+}
+
+EngineLog read_xvg(Lines& lines) {
+  EngineLog log{lines.file(), "xvg file", {{"Time", "ps", {}}}, 1, {}};
+  std::string units;
+  while (const auto line = lines.next()) {
+    const auto words = words_of(*line);
+    if (words.empty() || words[0].starts_with('#') || words[0] == "&") continue;
+    if (words[0] == "@") {
+      const bool legend = words.size() > 3 && words[1].starts_with('s') && words[2] == "legend";
+      if (legend) log.columns.push_back({quoted_part(*line), "", {}});
+      if (words.size() > 2 && words[1] == "yaxis") units = quoted_part(*line);
+      continue;
+    }
+    if (words[0].starts_with('@')) continue;
+    add_row(log, lines, words);
+  }
+  for (std::size_t k = 1; k < log.columns.size(); ++k)
+    log.columns[k].unit = gromacs_unit(log.columns[k].name, units);
+  return log;
+}
+
+EngineLog read_csv(Lines& lines) {
+  EngineLog log{lines.file(), "CSV file", {}, 1, {}};
+  char separator = ',';
+  while (const auto line = lines.next()) {
+    if (trimmed(*line).empty()) continue;
+    if (log.columns.empty()) {
+      const auto start = line->find_first_not_of("# ");
+      const std::string_view head = line->substr(std::min(start, line->size()));
+      separator = *std::ranges::max_element(std::string_view(",;\t"), {},
+                                            [&](char c) { return std::ranges::count(head, c); });
+      for (const std::string& title : fields_of(head, separator))
+        log.columns.push_back(column_of(title));
+    } else if (!line->starts_with('#')) {
+      add_row(log, lines, fields_of(*line, separator));
+    }
+  }
+  return log;
+}
+
+/// The unit of energies for each unit system of LAMMPS.
+std::string lammps_energy_unit(const std::string& system) {
+  if (system == "real") return "kcal/mol";
+  if (system == "metal") return "eV";
+  return system == "lj" ? "lj" : "";
+}
+
+/// What a log of LAMMPS says besides its rows.
+struct LammpsState {
+  std::string units;
+  bool is_lj = false;
+  std::optional<bool> per_atom;  ///< as set by thermo_modify norm
+  double atoms = 1;
+
+  void read(const std::vector<std::string>& words) {
+    if (words[0] == "units" && words.size() == 2) {
+      units = lammps_energy_unit(words[1]);
+      is_lj = words[1] == "lj";
+    }
+    for (std::size_t k = 1; k + 1 < words.size(); ++k) {
+      if (words[0] == "thermo_modify" && words[k] == "norm") per_atom = words[k + 1] == "yes";
+      if (words[0] == "Loop" && words[k + 1] == "atoms")
+        atoms = parsed<double>(words[k]).value_or(1);
+    }
+  }
+};
+
+EngineLog read_lammps(Lines& lines) {
+  EngineLog log{lines.file(), "LAMMPS log", {}, 1, {}};
+  LammpsState state;
+  int runs = 0;
+  bool within = false;
+  while (const auto line = lines.next()) {
+    const auto words = words_of(*line);
+    if (words.empty()) continue;
+    state.read(words);
+    if (words[0] == "Loop") within = false;
+    if (words[0] == "Step") {
+      log.columns.clear();
+      for (const std::string& name : words)
+        log.columns.push_back({name, name.ends_with("Eng") ? state.units : "", {}});
+      within = true;
+      ++runs;
+    } else if (within && numbers_of(words)) {
+      add_row(log, lines, words);
+    }
+  }
+  if (state.per_atom.value_or(state.is_lj)) log.divisor = state.atoms;
+  if (log.divisor > 1)
+    log.notes.push_back(fmt::format("energies are divided by {:.0f} atoms", log.divisor));
+  if (runs > 1) log.notes.push_back(fmt::format("the log has {} runs; the last one is used", runs));
+  return log;
+}
+
+/// Leaves out columns with empty fields, which are quantities that were not sampled in each row.
+void drop_incomplete(EngineLog& log) {
+  const auto dropped = std::erase_if(log.columns, [](const LogColumn& c) {
+    return std::ranges::any_of(c.values, [](double x) { return std::isnan(x); });
+  });
+  if (dropped > 0)
+    log.notes.push_back(fmt::format("columns with empty fields are left out ({})", dropped));
+}
+
+bool has_line_starting(const std::string& text, const std::string& start) {
+  for (std::istringstream in(text); in;) {
+    std::string line;
+    std::getline(in, line);
+    if (trimmed(line).starts_with(start)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+const LogColumn* EngineLog::find(const std::vector<std::string>& names) const {
+  for (const std::string& name : names)
+    for (const LogColumn& column : columns)
+      if (lower(column.name) == lower(name)) return &column;
+  return nullptr;
+}
+
+EngineLog parse_engine_log(const std::string& text, const std::string& file) {
+  std::istringstream in(text);
+  Lines lines(in, file);
+  EngineLog log;
+  if (has_line_starting(text, "@ s0 legend") || has_line_starting(text, "@    xaxis"))
+    log = read_xvg(lines);
+  else if (has_line_starting(text, "Step "))
+    log = read_lammps(lines);
+  else
+    log = read_csv(lines);
+  drop_incomplete(log);
+  if (log.samples() == 0 || log.columns.size() < 2)
+    throw Error(
+        "there are no rows of energies; the file must be a log of LAMMPS with 'thermo_style "
+        "custom', an .xvg file of 'gmx energy', or a CSV file with the column names in its first "
+        "line",
+        file);
+  return log;
+}
+
+EngineLog log_of_columns(const std::string& name, const std::vector<std::string>& titles,
+                         const std::vector<std::vector<double>>& columns) {
+  EngineLog log{name, "columns", {}, 1, {}};
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    log.columns.push_back(column_of(titles.at(k)));
+    if (columns[k].size() != columns[0].size())
+      throw Error(
+          fmt::format("'{}' has {} values, but '{}' has {}; all columns must be equally long",
+                      titles[k], columns[k].size(), titles[0], columns[0].size()),
+          name);
+    if (!std::ranges::all_of(columns[k], [](double x) { return std::isfinite(x); }))
+      throw Error(
+          fmt::format("'{}' has a value that is not finite; leave out such rows", titles[k]), name);
+    log.columns.back().values = columns[k];
+  }
+  if (log.samples() == 0 || log.columns.size() < 2)
+    throw Error("there are no rows of energies; give at least the total energy and a quantity",
+                name);
+  return log;
+}
+
+EngineLog read_engine_log(const std::string& path) {
+  if (lower(path).ends_with(".edr"))
+    throw Error(
+        "an .edr file is binary; write its energies as text by 'gmx energy -f FILE.edr -o "
+        "energies.xvg', or read it in Python with pyedr",
+        path);
+  return parse_engine_log(file_text(path), path);
+}
+
+}  // namespace polhode
