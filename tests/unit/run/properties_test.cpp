@@ -214,14 +214,15 @@ TEST_CASE("a force field that receives a choice of meshes has the bits of a new 
   const MeasureSettings settings = request.settings();
   const PointSystem point(settings, settings.points[0]);
   const System system = build_system(configuration_of(point.common));
+  ForceSettings forces = system.forces;
+  forces.mesh.reset();
   State wider = system.state;
-  for (std::size_t i = 0; i < wider.size(); ++i) wider.q.set(i, 1.1 * wider.q[i]);
-  wider.box = Box{1.1 * wider.box.edge};
-  ForceField first(system.topology, system.forces, system.state.box);
+  for (std::size_t i = 0; i < wider.size(); ++i) wider.q.set(i, 1.5 * wider.q[i]);
+  wider.box = Box{1.5 * wider.box.edge};
+  ForceField first(system.topology, forces, system.state.box);
   REQUIRE(first.mesh_choice());
-  ForceField next(system.topology, system.forces, wider.box, Workers::serial(),
-                  first.mesh_choice());
-  ForceField fresh(system.topology, system.forces, wider.box);
+  ForceField next(system.topology, forces, wider.box, Workers::serial(), first.mesh_choice());
+  ForceField fresh(system.topology, forces, wider.box);
   CHECK(next.settings().mesh->points == fresh.settings().mesh->points);
   CHECK(next.settings().mesh->cutoff == fresh.settings().mesh->cutoff);
   CHECK(next.settings().mesh->exponent == fresh.settings().mesh->exponent);
