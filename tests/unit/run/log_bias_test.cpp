@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "errors.hpp"
+#include "../errors.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/math/random.hpp"
 
