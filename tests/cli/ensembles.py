@@ -96,7 +96,7 @@ class Ensembles(Sandbox):
         for name, words in [("ensemble", ["Langevin thermostat", "stochastic cell rescaling", "100 bar"]), ("density", ["kg/m3"]), ("volume", ["nm3"]),
                             ("compressibility", ["1/bar", "isothermal"]), ("moves of the box", ["of 200 accepted", "%"]),
                             ("heat received", ["kJ/mol"]), ("work received", ["kJ/mol"]), ("drift in this run", ["conserved energy"]),
-                            ("pressure", ["requested: 100 bar"]), ("force evaluations", ["200 for moves of the box", "for the minimisation"])]:
+                            ("pressure", ["requested: 100 bar"]), ("force evaluations", ["200 evaluations for moves of the box", "for the minimisation"])]:
             for word in words:
                 self.assertIn(word, lines[name])
         self.assertIn("ensemble: " + lines["ensemble"].strip(), process.err)
