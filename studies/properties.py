@@ -17,6 +17,7 @@ HERE = Path(__file__).parent
 NAMES = {"density": "density", "potential-energy": "potential energy", "enthalpy-of-vaporization": "enthalpy of vaporization",
          "dielectric-constant": "dielectric constant", "second-virial-coefficient": "second virial coefficient",
          "heat-capacity": "heat capacity", "rotational-relaxation": "rotational relaxation time"}
+MARKS = {"yes": "", "no": "*", "experiment": "†"}  # of published values
 SHORT = {"density": "density", "enthalpy-of-vaporization": "ΔH", "diffusion": "D₀", "viscosity": "η", "dielectric-constant": "ε"}
 
 
@@ -61,8 +62,10 @@ def uncertainty(text, error):
 
 
 def matching(entries, system, point, name):
+    """The published values of a property at a state point; those without a pressure are of a density or of a gas."""
+    at = point["pressure_bar"]
     return [e for e in entries if e["model"] == system and e["property"] == name and abs(float(e["temperature_K"]) - point["temperature_K"]) < 0.5
-            and (not e["pressure_bar"] or abs(float(e["pressure_bar"]) - point["pressure_bar"]) < 1)]
+            and (not e["pressure_bar"] or (at is not None and abs(float(e["pressure_bar"]) - at) < 1))]
 
 
 def deviation(value, entry):
@@ -110,11 +113,13 @@ def tables(result):
                 found = matching(entries, case["system"], point, p["name"]) if p["value"]["value"] is not None else []
                 for k, entry in enumerate(found or [None]):
                     own = [NAMES.get(p["name"], p["name"]), p["unit"], shown(p)] if k == 0 else ["", "", ""]
-                    other = ["", "", ""] if entry is None else [text(entry["value"], entry["error"]) + ("" if entry["read"] == "yes" else "*"),
-                                                               f"{deviation(p['value'], entry):+.1f}", f"[[{entry['source']}]]"]
+                    other = ["", "", ""] if entry is None else [text(entry["value"], entry["error"]) + MARKS[entry["read"]],
+                                                               "" if entry["read"] == "experiment" else f"{deviation(p['value'], entry):+.1f}",
+                                                               f"[[{entry['source']}]]"]
                     rows.append([*own, *other])
             of = f", {point['molecules']} molecules" if "second-virial-coefficient" not in [p["name"] for p in point["properties"]] else ""
-            parts.append(f"**{case['system']}** at {point['temperature_K']:g} K and {point['pressure_bar']:g} bar{of}:\n\n"
+            state = f"{point['density_kg_per_m3']:g} kg/m3" if point["pressure_bar"] is None else f"{point['pressure_bar']:g} bar"
+            parts.append(f"**{case['system']}** at {point['temperature_K']:g} K and {state}{of}:\n\n"
                          + study.table(["property", "unit", "polhode", "published", "deviation", "source"], rows))
     return "\n".join(parts)
 
@@ -123,7 +128,8 @@ def large_deviations(result):
     """(system, property) of each deviation above 3."""
     entries = published()
     return {(case["system"], p["name"]) for case in result["cases"] for point in case["points"] for p in point["properties"]
-            if p["value"]["value"] is not None for entry in matching(entries, case["system"], point, p["name"]) if abs(deviation(p["value"], entry)) > 3}
+            if p["value"]["value"] is not None for entry in matching(entries, case["system"], point, p["name"])
+            if entry["read"] != "experiment" and abs(deviation(p["value"], entry)) > 3}
 
 
 def report(result):

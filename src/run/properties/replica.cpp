@@ -194,6 +194,8 @@ bool relax(Chain& chain, Replica& replica) {
   const double kT = units::boltzmann * settings.at.temperature;
   double step = first_step;
   std::uint64_t stream = preparing;
+  const double first_compressibility = replica.compressibility;
+  bool is_known = false;
   for (const Stage& stage : stages) {
     if (stage.has_barostat && constant_volume)
       scale_to(system.state, system.topology.mass() / settings.at.density);
@@ -201,9 +203,12 @@ bool relax(Chain& chain, Replica& replica) {
     const auto done = run_stage(chain, replica, stage, stream++, step, waves);
     if (!done) return false;
     const TrajectorySettings t = settings_of(chain, replica, stage, stream, step);
-    if (t.ensemble.barostat)
-      replica.compressibility =
-          next_compressibility(done->statistics.energies, *t.ensemble.barostat, t.length, kT);
+    if (t.ensemble.barostat) {
+      const EnergyStatistics& energies = done->statistics.energies;
+      const BarostatSettings& b = *t.ensemble.barostat;
+      is_known = measured_compressibility(energies, b, t.length, kT).known == Known::yes;
+      replica.compressibility = next_compressibility(energies, b, t.length, kT);
+    }
     check_liquid(system.state, system.topology.mass(), settings);
     if (stage.has_barostat) check_one_phase(waves, system.state.size(), settings.at);
     // In a dilute gas the forces give no information about collisions, so the step does not grow
@@ -211,6 +216,9 @@ bool relax(Chain& chain, Replica& replica) {
     const double stable = rounded(chain.max_stable_step(t) / 4);
     step = stream == preparing + 1 ? stable : std::min(step, stable);
   }
+  // A large guess makes the volume relax quickly. With it, volume moves of longer steps would
+  // overshoot.
+  if (!is_known) replica.compressibility = first_compressibility;
   return true;
 }
 
