@@ -84,7 +84,7 @@ class FirstSteps(Sandbox):
         for word in ("simulate", "choose a scheme and a step", "look up", "examples", "polhode new water", "polhode help VERB"):
             self.assertIn(word, overview)
         verbs = re.findall(r"^  ([\w-]+) ", overview.partition("examples")[0], re.M)
-        self.assertEqual(len(verbs), 19)
+        self.assertEqual(len(verbs), 20)
         for verb in verbs:
             self.assertEqual(self.text("help", verb), self.text(verb, "--help"))
         self.refused(("help", "stdy"), ["'stdy'", "'study'"])
