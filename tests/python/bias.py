@@ -21,10 +21,10 @@ class Bias(unittest.TestCase):
         os.chdir(temporary.name)
         simulation = polhode.Simulation(**RUN)
         simulation.run("20 ps")
-        run = simulation.run("100 ps", sample="40 fs")
+        run = simulation.run("100 ps")
         energies = run.energies
-        self.columns = {"time [ps]": energies.time, "total [kJ/mol]": energies.total, "potential [kJ/mol]": energies.potential,
-                        "temperature [K]": energies.temperature}
+        self.columns = {"time [ps]": energies["time"], "total [kJ/mol]": energies["total"], "potential [kJ/mol]": energies["potential"],
+                        "temperature [K]": energies["temperature"]}
 
     def test_columns_and_a_file_have_the_same_bias(self):
         of_columns = polhode.bias(self.columns)
