@@ -100,7 +100,10 @@ def summary(result):
 
 
 def shown(p):
-    return "" if p is None else "not converged" if p["value"]["value"] is None else text(p["value"]["value"], p["value"]["error"])
+    if p is None:
+        return ""
+    value, error = p["value"]["value"], p["value"]["error"]
+    return "not converged" if value is None else text(value, error) if error else f"{value:.3g}, error not known"
 
 
 def tables(result):
