@@ -132,25 +132,27 @@ EngineLog read_csv(Lines& lines) {
   return log;
 }
 
-/// The unit of energies for each unit system of LAMMPS.
-std::string lammps_energy_unit(const std::string& system) {
-  if (system == "real") return "kcal/mol";
-  if (system == "metal") return "eV";
-  return system == "lj" ? "lj" : "";
+/// The unit of a column for a unit system of LAMMPS; empty where it is not known.
+std::string lammps_unit(const std::string& name, const std::string& system) {
+  const bool is_real = system == "real", is_metal = system == "metal";
+  if (name.ends_with("Eng") || name.starts_with("E_") || name == "Econserve") {
+    if (is_real) return "kcal/mol";
+    if (is_metal) return "eV";
+    return system == "lj" ? "lj" : "";
+  }
+  if (name == "Temp" && (is_real || is_metal)) return "K";
+  if (name != "Press" || !(is_real || is_metal)) return "";
+  return is_real ? "atm" : "bar";
 }
 
 /// What a log of LAMMPS says besides its rows.
 struct LammpsState {
-  std::string units;
-  bool is_lj = false;
+  std::string system;            ///< unit system
   std::optional<bool> per_atom;  ///< as set by thermo_modify norm
   double atoms = 1;
 
   void read(const std::vector<std::string>& words) {
-    if (words[0] == "units" && words.size() == 2) {
-      units = lammps_energy_unit(words[1]);
-      is_lj = words[1] == "lj";
-    }
+    if (words[0] == "units" && words.size() == 2) system = words[1];
     for (std::size_t k = 1; k + 1 < words.size(); ++k) {
       if (words[0] == "thermo_modify" && words[k] == "norm") per_atom = words[k + 1] == "yes";
       if (words[0] == "Loop" && words[k + 1] == "atoms")
@@ -172,14 +174,14 @@ EngineLog read_lammps(Lines& lines) {
     if (words[0] == "Step") {
       log.columns.clear();
       for (const std::string& name : words)
-        log.columns.push_back({name, name.ends_with("Eng") ? state.units : "", {}});
+        log.columns.push_back({name, lammps_unit(name, state.system), {}});
       within = true;
       ++runs;
     } else if (within && numbers_of(words)) {
       add_row(log, lines, words);
     }
   }
-  if (state.per_atom.value_or(state.is_lj)) log.divisor = state.atoms;
+  if (state.per_atom.value_or(state.system == "lj")) log.divisor = state.atoms;
   if (log.divisor > 1)
     log.notes.push_back(fmt::format("energies are divided by {:.0f} atoms", log.divisor));
   if (runs > 1) log.notes.push_back(fmt::format("the log has {} runs; the last one is used", runs));

@@ -34,7 +34,7 @@ constexpr double bath_ratio = 0.5;
 
 const std::vector<std::string> time_names{"Time", "Step"};
 const std::vector<std::string> total_names{"Total Energy", "TotEng", "total", "etotal"};
-const std::vector<std::string> potential_names{"Potential", "Potential Energy", "PotEng"};
+const std::vector<std::string> potential_names{"Potential", "Potential Energy", "PotEng", "E_pair"};
 const std::vector<std::string> temperature_names{"Temperature", "Temp"};
 const std::vector<std::string> conserved_names{"Conserved En.", "Conserved-En.", "conserved",
                                                "econserve"};

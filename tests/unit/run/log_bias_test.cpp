@@ -138,6 +138,8 @@ TEST_CASE("logs of other programs give the same bias in their units") {
     CHECK(log.samples() == 400);
     const LogBias b = log_bias(log, {});
     CHECK(b.energy_unit == "kcal/mol");
+    CHECK(log.find({"Temp"})->unit == "K");
+    CHECK(b.R > 0);
     CHECK(column(b, "PotEng").bias.value * 4.184 == doctest::Approx(expected.value).epsilon(1e-6));
     CHECK(column(b, "PotEng").bias.error * 4.184 == doctest::Approx(expected.error).epsilon(1e-5));
   }
