@@ -333,7 +333,8 @@ std::optional<BlockMeans::Block> correlations(Chain& chain, double whole_step, s
 std::optional<BlockMeans::Block> displacements(Chain& chain, double whole_step, std::size_t parts,
                                                std::uint64_t stream) {
   TrajectorySettings t = dynamics_of(chain, whole_step, parts, stream);
-  t.sample = whole_step * static_cast<double>(steps_of_lags / lags);
+  constexpr std::size_t steps_of_lag = steps_of_lags / lags;
+  t.sample = whole_step * static_cast<double>(steps_of_lag);
   Displacement displacement(chain.system().topology, lags);
   const auto sample = [&](std::size_t, const State& state, const Energies&) {
     displacement.add(state);
