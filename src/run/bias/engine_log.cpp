@@ -50,9 +50,9 @@ std::string quoted_part(std::string_view line) {
   return begin < end ? std::string(line.substr(begin + 1, end - begin - 1)) : "";
 }
 
-/// A column from a title such as "Total Energy (kJ/mole)" or "total [kJ/mol]".
+/// A column from a title such as "Total Energy (kJ/mole)", "total [kJ/mol]" or "LJ (SR) (kJ/mol)".
 LogColumn column_of(const std::string& title) {
-  const auto open = title.find_first_of("([");
+  const auto open = title.find_last_of("([");
   if (open == title.npos) return {title, "", {}};
   const auto close = title.find_first_of(")]", open);
   return {

@@ -205,6 +205,14 @@ TEST_CASE("with a thermostat the conserved energy takes the place of the total e
   CHECK(other.warnings[0].find("does not scale all momenta") != std::string::npos);
 }
 
+TEST_CASE("the last brackets of a title contain the unit") {
+  const EngineLog log = log_of_columns("made up", {"time [ps]", "LJ (SR) (kJ/mol)", "total"},
+                                       {{0, 1}, {2, 3}, {4, 5}});
+  CHECK(log.columns[1].name == "LJ (SR)");
+  CHECK(log.columns[1].unit == "kJ/mol");
+  CHECK(log.columns[2].unit.empty());
+}
+
 TEST_CASE("logs from which no bias follows are refused with the reason") {
   EngineLog made = made_up(1, 400, 2);
   SUBCASE("a thermostat, seen by the potential energy") {
