@@ -118,7 +118,7 @@ EngineLog within(EngineLog log, const LogColumn* time, const BiasRequest& reques
   return log;
 }
 
-/// Deviations of the total energy from the line of least squares through it.
+/// Deviations of an energy from the line of least squares through it.
 std::vector<double> without_line(std::span<const double> energies) {
   const auto n = static_cast<double>(energies.size());
   const double middle = (n - 1) / 2, mean = mean_of(energies);
@@ -146,7 +146,7 @@ double resolution_of(std::vector<double> values) {
   return smallest;
 }
 
-/// Sums for a column x and the deviation e of the total energy: e, x, e x, with x relative to its
+/// Sums for a column x and the deviation e of the energy: e, x, e x and x². x is relative to its
 /// first value.
 struct ColumnSums {
   TimeBlocks blocks;

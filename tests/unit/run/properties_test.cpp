@@ -12,6 +12,7 @@
 
 #include "../errors.hpp"
 #include "../folder.hpp"
+#include "io/settings/ensemble_names.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/forces/force_field.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
@@ -245,6 +246,22 @@ TEST_CASE("a pilot whose box explodes at the first trial step chooses a shorter 
   common.max_bias = 0.002;
   REQUIRE(prepare(replica, common));
   CHECK(replica.prepared());
+}
+
+TEST_CASE("a guess of the compressibility serves only the preparation") {
+  for (const char* seed : {"1", "2", "5"}) {
+    MeasureRequest request{.system = "spce", .properties = {"density"}};
+    request.molecules = {"64", "molecules"};
+    request.at = {"300 K, 1 bar", "at"};
+    request.seed = {seed, "seed"};
+    const MeasureSettings settings = request.settings();
+    Replica replica{.index = pilot};
+    REQUIRE(prepare(replica, PointSystem(settings, settings.points[0]).common));
+    // Guesses are 4 or 16 times the compressibility of water, the default. A measured
+    // compressibility has an error of at most 50 %.
+    CAPTURE(seed);
+    CHECK(replica.compressibility < 3 * default_compressibility());
+  }
 }
 
 TEST_CASE("a record that is damaged or of something else is refused") {
