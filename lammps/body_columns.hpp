@@ -39,14 +39,14 @@ static_assert(sizeof(BodyRecord) == record_size * sizeof(double));
 struct BodyColumns {
   Bodies bodies;
   State state;
-  Load load;            ///< load of the last plain evaluation
-  Load displaced_load;  ///< load of the last evaluation at displaced positions
+  Load load;            ///< forces and torques at the last positions that were not displaced
+  Load displaced_load;  ///< forces and torques at the last displaced positions
   Vec3Column kept_q;    ///< original positions during a gradient kick
   QuaternionColumn kept_orientation;
   Vec3Column pair_f, pair_tau;    ///< forces and torques from pair_style polhode, before they are
                                   ///< added to a load
-  Column<std::uint64_t> numbers;  ///< numbers that select random numbers: the ids of the owner
-                                  ///< atoms
+  Column<std::uint64_t> numbers;  ///< ids of the owner atoms, which select the random numbers of
+                                  ///< the bodies
 
   explicit BodyColumns(const Topology& topology)
       : bodies(topology),

@@ -79,7 +79,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
     Vec3<double> shift{};        ///< shift by these edges
     int base = -1;               ///< index of the ghost of which this ghost is an image; −1 if
                                  ///< there is none
-    // Bodies of other processes, unless they are images of other ghosts:
+    // Set only for bodies of other processes that are not images of other ghosts:
     Pose pose{};
     Motion motion{};
     Vec3<double> f{}, tau{};
@@ -175,8 +175,8 @@ class FixPolhode : public LAMMPS_NS::Fix {
                                 // momentum
   bool virial_is_old_ = false;  // whether forces were computed without a call of setup()
   std::vector<AtomInfo> info_;  // links of local atoms to their bodies
-  // For each atom, the index of the body that it owns, or −1 if it owns none. Bodies are in the
-  // columns or, with indices after the columns, in arrivals_. Bodies of ghosts are in ghosts_.
+  // For each atom, the index of the body that it owns, or −1 if it owns none. Indices beyond the
+  // end of the columns refer to arrivals_. Bodies of ghosts are in ghosts_.
   std::vector<int> body_of_;
   std::vector<Kind> kinds_;
   std::unique_ptr<BodyColumns> columns_;

@@ -31,8 +31,8 @@ bool same_kind(const Kind& a, const Kind& b) {
 
 }  // namespace
 
-/// Adds the kinds of the molecule files. In the list of kinds, these precede the kinds of molecules
-/// that consist of atoms.
+/// Adds the kinds of the molecule files. In the list of kinds, particles precede molecules that
+/// consist of atoms.
 void FixPolhode::find_kinds_of_particles() {
   for (const ParticleArguments& particle : settings_.particles) {
     std::vector<double> masses = particle.file.masses;
@@ -67,7 +67,7 @@ void FixPolhode::find_kinds_of_particles() {
   }
 }
 
-/// The kind of a particle in the group; −1 if the atom is not such a particle.
+/// The kind of a particle in the group; −1 if an atom is not a particle of the group.
 int FixPolhode::kind_of_particle(int i) const {
   if ((atom->mask[i] & groupbit) == 0) return -1;
   for (std::size_t k = 0; k < kinds_.size(); ++k)

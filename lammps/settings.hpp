@@ -36,7 +36,7 @@ struct FixSettings {
   double lambda = 1;  ///< displacement factor of finite differences; it is large because forces of
                       ///< other pair styles are not smooth
   double tolerance = default_tolerance;
-  std::vector<bool> massless;  ///< whether atoms are massless, by type
+  std::vector<bool> massless;  ///< for each atom type, whether its atoms are massless
   std::optional<LangevinArguments> langevin;
   std::vector<ParticleArguments> particles;
 };

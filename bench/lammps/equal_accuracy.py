@@ -34,7 +34,7 @@ import water  # noqa: E402
 from lib import study  # noqa: E402
 
 OTHER = "rigid/nve/small"
-# The schemes to measure: the force evaluations per step, and the time steps [fs] at which R is measured.
+# For each scheme: its force evaluations per step, and the time steps [fs] at which R is measured.
 SCHEMES = {
     OTHER: (1, (1, 1.5, 2, 3, 4, 5)),
     "velocity-verlet": (1, (1, 1.5, 2, 3, 4, 5)),

@@ -2,8 +2,8 @@
 // Times one complete force evaluation of 512 TIP4P waters with a valid neighbour list, for every
 // instruction set, precision and interaction. Also times a step of HOA2, which adds drifts, kicks
 // and list updates. The derivative of the forces is timed in comparison with a force evaluation.
-// The results for the molecule switch include the fraction of lanes in use and the time of the pair
-// arithmetic alone.
+// The results for the molecule switch include the fraction of lanes in use and the time of only the
+// pair arithmetic.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Times the particle mesh of 512 TIP4P waters for every instruction set and precision. Separate
 // times are measured for charge spreading, transforms with the influence function, and
-// interpolation of the forces. The whole mesh is timed with and without energies. Also timed are a
-// mesh chosen for an accuracy, and larger boxes of water. The time per charge should be the same
-// for all box sizes.
+// interpolation of the forces. The whole mesh is timed with and without energies. A mesh chosen for
+// a given accuracy and larger boxes of water are timed as well. The time per charge should be the
+// same for all box sizes.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

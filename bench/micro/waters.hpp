@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes of water at liquid density, of many sizes.
+// Boxes of liquid water of many sizes.
 #pragma once
 
 #include <cstddef>

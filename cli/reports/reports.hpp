@@ -21,12 +21,11 @@ void print_results(const std::string& title, const std::vector<Quantities>& reco
 /// @return  exit code
 int print_run(const RunResult& result, const Simulation& simulation, const ResultForm& form);
 
-/// Prints to standard error the step from which a run that ended with an error can be resumed, if
-/// this is possible.
+/// Prints to standard error from which step a failed run can be resumed, if this is possible.
 void note_resumable(const Simulation& simulation);
 
-/// Prints the results of a study, and how to resume it if it was interrupted. Without a finished
-/// run, no results are printed.
+/// Prints the results of a study, and how to resume it if it was interrupted. If no run has
+/// finished, no results are printed.
 /// @param record  file with the runs so far
 /// @return  exit code
 template <class Report>

@@ -12,11 +12,10 @@
 namespace polhode::cli {
 
 /// Opens replacements for closed standard streams, so that no other file gets their descriptors.
-/// The function also turns the signals of closed pipes and file size limits into write errors. Call
-/// this function first.
+/// Signals from closed pipes and file size limits become write errors. Call this function first.
 void prepare_streams();
 
-/// The exit code of the program, where `code` is the exit code without output errors. If standard
+/// The exit code of the program, where `code` is the exit code if all output succeeds. If standard
 /// output could not be written completely, the exit code is 1 instead of 0, and a message is
 /// printed.
 int exit_code(int code);

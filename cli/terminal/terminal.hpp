@@ -9,7 +9,7 @@
 namespace polhode::cli {
 
 /// Wraps a text between words, so that lines have at most `width` columns. Continuation lines are
-/// indented to the column at which the text after a label begins, such as an option's description.
+/// indented to the column of the text after the line's label, such as an option's description.
 std::string wrapped(std::string_view text, std::size_t width);
 
 /// Wraps a text at the environment variable COLUMNS, or at the width of the terminal to which a

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode new KIND [FILE]: writes a run file with comments as a starting point.
+// polhode new KIND [FILE]: writes a commented run file as a starting point.
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 

@@ -21,7 +21,7 @@ nanobind::object array_of(std::vector<T> values, std::initializer_list<std::size
   return nanobind::cast(nanobind::ndarray<nanobind::numpy, T>(data, shape, owner));
 }
 
-/// Arrays of doubles that are passed to the library. They are contiguous and stored by rows.
+/// Arrays of doubles that are passed to the library. The arrays are contiguous and stored by rows.
 using Rows =
     nanobind::ndarray<const double, nanobind::ndim<2>, nanobind::c_contig, nanobind::device::cpu>;
 

@@ -59,7 +59,7 @@ std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> keys
   return all;
 }
 
-/// A configuration with the overlay also included in its run file text.
+/// A configuration whose run file text also contains the overlay.
 Config with_text(Config config, const Overlay& overlay) {
   config.text = overlaid_text(config.text, config.source, overlay);
   return config;

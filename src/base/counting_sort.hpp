@@ -14,8 +14,8 @@ namespace polhode {
 /// @param ends   one number per key; after the call, one more than the last place of the items with
 ///   this key
 /// @param first  place of the first item
-/// @param each   function that calls its argument with (key, item...) for every item. It is called
-///   twice and must give the same items in the same order
+/// @param each   function that calls its argument with (key, item...) for every item. This function
+///   is called twice and must give the same items in the same order
 /// @param enter  called once per item, as enter(place, item...)
 template <class Each, class Enter>
 void counting_sort(std::span<std::uint32_t> ends, std::uint32_t first, const Each& each,

@@ -12,7 +12,7 @@ namespace polhode {
 double memory_limit();
 
 /// Throws an Error if a request exceeds the memory limit.
-/// @param bytes   lower estimate of the request
+/// @param bytes   lower estimate of the required memory
 /// @param what    objects that need the memory, in the plural: "100000000 molecules"
 /// @param remedy  advice to the user: "use fewer"
 /// @throws Error  if the request is larger than memory_limit()

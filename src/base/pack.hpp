@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A pack is a SIMD vector of as many numbers as the instruction set processes at once. It has the
-// interface of a single Real. Only this file uses the vector types of the SIMD library. Only files
-// in `kernels` folders include this file. These files are compiled once per instruction set, with
-// separate compiler flags.
+// A pack is a SIMD vector of as many numbers as the instruction set processes at once. A pack has
+// the interface of a single Real. Only this file uses the vector types of the SIMD library. Only
+// files in `kernels` folders include this file. These files are compiled once per instruction set,
+// with separate compiler flags.
 #pragma once
 
 #include <hwy/highway.h>
@@ -99,7 +99,7 @@ template <class T>
 Pack<T> abs(Pack<T> a) {
   return Pack<T>(hn::Abs(a.v));
 }
-/// The smaller and the larger number of each lane.
+/// The smaller and the larger of two numbers, lane by lane.
 template <class T>
 Pack<T> min(Pack<T> a, Pack<T> b) {
   return Pack<T>(hn::Min(a.v, b.v));

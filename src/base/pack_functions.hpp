@@ -47,8 +47,8 @@ Pack<T> exp(Pack<T> x) {
   using Format = FloatFormat<T>;
   const hn::RebindToSigned<typename Real::Tag> integers;
   x = Real(hn::Clamp(x.v, Real(Format::min_exponent).v, Real(Format::max_exponent).v));
-  // The number that is added is so large that its unit in the last place is 1. The sum is therefore
-  // x rounded to an integer, and its lowest bits contain this integer.
+  // The constant that is added is so large that its unit in the last place is 1. The sum is
+  // therefore x rounded to an integer, and its lowest bits contain this integer.
   const Real large(static_cast<T>(1.5) *
                    static_cast<T>(typename Format::Integer{1} << Format::fraction_bits));
   const Real sum = fma(x, Real(static_cast<T>(1.4426950408889634)), large);  // x/ln 2

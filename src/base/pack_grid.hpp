@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Packs on a grid. Tiles of grid points and grid positions, in packs. A tile is a rectangle of grid
-// points in one pack, with `rows` rows of `columns` points.
+// Packs on a grid. Packs of grid points (tiles), and packs of positions on the grid. A tile is a
+// rectangle of grid points in one pack, with `rows` rows of `columns` points.
 #pragma once
 
 #include <algorithm>
@@ -133,8 +133,8 @@ inline Pack<double> grid_place(Pack<double> centre, Pack<double> arm, std::int32
   return t - Pack<double>(points) * Pack<double>(hn::Floor((t * Pack<double>(1.0 / points)).v));
 }
 
-/// The positions of points along a box edge in fixed point, with 2³⁰ units to an edge, as the bits
-/// of a pack. The centre is also in fixed point.
+/// The positions of points along a box edge as fixed-point numbers, held as the bits of a pack. The
+/// unit is 2⁻³⁰ of the edge. The centre is also a fixed-point number.
 inline Pack<float> grid_place(Pack<float> centre, Pack<float> arm, std::int32_t, double edge) {
   const FixedTag fixed;
   constexpr std::int32_t unit = 1 << 30;

@@ -114,8 +114,8 @@ template <std::size_t columns, class T>
 inline constexpr std::size_t record_parts =
     (columns + record_part_width<T> - 1) / record_part_width<T>;
 
-/// Transposes columns into records: visit(lane, part, vector) receives vector number `part` of the
-/// record of each lane. Unused numbers of a record are zero.
+/// Transposes columns into one record per lane. A record consists of vectors: visit(lane, part,
+/// vector) receives vector `part` of the record of `lane`. Unused numbers of a record are zero.
 template <std::size_t columns, class T, class Visit>
 POLHODE_INLINE inline void visit_records(const std::array<Pack<T>, columns>& column,
                                          const Visit& visit) {

@@ -56,7 +56,7 @@ std::optional<int> smaller(std::optional<int> a, std::optional<int> b) {
   return a && b ? std::min(a, b) : a ? a : b;
 }
 
-/// The CPU limit of a control group, in either version.
+/// The CPU limit of a control group, of version 1 or 2.
 std::optional<int> bound_of(const fs::path& group) {
   std::istringstream words(first_line(group / "cpu.max"));
   std::string quota, period;

@@ -34,7 +34,7 @@ double scale(State& state, const Motions& e, double a, double b) {
 }
 
 /// The factor by which velocity rescaling multiplies momenta with n degrees of freedom. `kinetic`
-/// is their kinetic energy, and `time` is in units of the time constant.
+/// is the kinetic energy of these momenta, and `time` is in units of the time constant.
 double factor(double kinetic, double n, double time, const ThermostatBodies& of,
               std::uint64_t stream) {
   return rescaling_factor(kinetic, n, of.langevin.kT, time, Random(of.langevin.seed, stream));

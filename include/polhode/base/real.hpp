@@ -57,8 +57,8 @@ constexpr void subtract_product(Real& sum, const Real& a, const Real& b) {
   sum -= a * b;
 }
 
-/// The value of a function at x, with its known derivative. A dual number takes its slope from this
-/// known derivative, which is cheaper than differentiating the computation of the value.
+/// A function value at x, with the known derivative of the function. A dual number takes its slope
+/// from this derivative, which is cheaper than differentiating the computation of the value.
 template <class Real>
 constexpr Real with_derivative(const Real& value, const Real&, const Real&) {
   return value;

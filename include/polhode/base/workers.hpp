@@ -13,8 +13,8 @@ namespace polhode {
 /// work, and no other thread waits for it.
 class Workers {
  public:
-  /// @param threads  number of threads, at least 1; threads beyond allowed_threads() bring no speed
-  ///   (base/threads.hpp)
+  /// @param threads  number of threads, at least 1; threads beyond allowed_threads() give no
+  ///   speedup (base/threads.hpp)
   explicit Workers(int threads);
   ~Workers();
   Workers(const Workers&) = delete;

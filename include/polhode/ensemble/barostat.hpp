@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Barostats: moves of the edges of the box that keep a pressure. Centres of mass are scaled, but
-// orientations are not, so molecules stay rigid.
+// Barostats: moves that change the box edges to control the pressure. Centres of mass are scaled,
+// but orientations are not, so molecules stay rigid.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ struct BarostatMemory {
   std::uint64_t beyond_shape = 0;  ///< moves rejected by max_shape_change
 };
 
-/// Bound on the change of the box shape: the largest ratio of the scaling factors of edges in
-/// different groups since the first move. A fluid does not resist a change of shape. Without a
+/// Bound on the change of the box shape: the largest ratio between the scaling factors of two
+/// groups of edges since the first move. A fluid does not resist a change of shape. Without a
 /// bound, the box shape would drift until an edge is too short for the cutoff. Moves beyond the
 /// bound are rejected, so the distribution of box shapes within the bound is unchanged.
 inline constexpr double max_shape_change = 1.2;
@@ -39,7 +39,7 @@ void scale_box(State& state, const CoupledEdges& edges, double factor, bool mome
 /// dV.
 ///
 /// Stochastic cell rescaling [bernetti2020], with λ = √V: dλ = −(β λ/2τ) [P₀ − P − kT/(2V)] dt +
-/// √(kT β/2τ) dW. P is the molecular pressure along the edges of the group. Momenta are scaled by
+/// √(kT β/2τ) dW. P is the mean molecular pressure along the scaled edges. Momenta are scaled by
 /// the inverse factors. A move is accepted with probability min(1, exp(−Δ/kT)), where Δ is the
 /// violation of detailed balance by the move [roberts1996]. If `metropolis` is false, every move is
 /// accepted. In this case Δ is the error of the move, and the work is the change of H minus Δ.

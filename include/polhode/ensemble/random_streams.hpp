@@ -13,15 +13,15 @@ namespace polhode {
 /// What random numbers are used for; no two uses share a number.
 enum class RandomUse : std::uint64_t {
   langevin = 1,
-  thermostat,           ///< random numbers of the thermostat, or of its factor for translation
-  thermostat_rotation,  ///< random numbers of the factor for rotation, if it is separate
+  thermostat,           ///< random numbers of the common or the translational factor
+  thermostat_rotation,  ///< random numbers of the separate rotational factor
   cell_rescaling,
   volume_move,
   hybrid_momenta,
   hybrid_decision
 };
 
-/// The stream of a use at a stage of a step below 2⁴⁸. Streams below 2⁵⁶ belong to initial
+/// The stream for a use, a stage and a step number below 2⁴⁸. Streams below 2⁵⁶ belong to initial
 /// configurations and configurational temperatures.
 constexpr std::uint64_t stream_of(RandomUse use, StageNumber at) {
   return static_cast<std::uint64_t>(use) << 56 | std::uint64_t{at.stage & 0xff} << 48 | at.step;

@@ -22,10 +22,10 @@ struct AnyPairEngine;
 /// domain are called local bodies. A pair of a local body and a ghost contributes half of its
 /// energy and virial, because the other domain adds the other half.
 ///
-/// The caller must supply every ghost that interacts with at least one local body. Without a cutoff
-/// between molecule centres, the centres of interacting ghosts are within the cutoff plus the
-/// extents of both molecules. Constant energies of local bodies are included. The self-energy of
-/// charges is omitted if another program computes the mesh and adds the self-energy, see
+/// The caller must supply every ghost that interacts with at least one local body. If the cutoff
+/// applies to sites, a ghost can interact if the distance of the centres is below the cutoff plus
+/// the extents of both molecules. Constant energies of local bodies are included. The self-energy
+/// of charges is omitted if another program computes the mesh and adds the self-energy, see
 /// ForceSettings::ewald_alpha.
 class DomainForces {
  public:

@@ -53,8 +53,8 @@ class ForceField {
  public:
   /// @param box      box of the first state, used to check the settings
   /// @param workers  threads that share an evaluation; results do not depend on their number
-  /// @param choice   mesh_choice() of another force field with the same topology and settings. It
-  ///   saves time and does not change results
+  /// @param choice   mesh_choice() of another force field with the same topology and settings. This
+  ///   choice saves time and does not change results
   /// @throws Error   if the cutoff does not fit into the box, or a setting is out of its domain
   ForceField(const Topology& topology, const ForceSettings& settings, const Box& box,
              Workers& workers = Workers::serial(), std::optional<MeshChoice> choice = {});

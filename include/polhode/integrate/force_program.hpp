@@ -13,9 +13,9 @@ namespace polhode {
 
 /// One force evaluation of a step, and the stages of the scheme before and after the evaluation.
 struct ForceEvaluation {
-  std::size_t first = 0;  ///< Stages first ≤ k < use lead to the positions of this evaluation.
-                          ///< Kicks among these stages use the forces of the preceding plain
-                          ///< evaluation.
+  std::size_t first = 0;  ///< Stages k with first ≤ k < use lead to the positions of this
+                          ///< evaluation. Kicks among these stages use the forces of the preceding
+                          ///< plain evaluation.
   std::size_t use = 0;    ///< stages use ≤ k < end change momenta with the forces of this
                           ///< evaluation
   std::size_t end = 0;

@@ -85,8 +85,8 @@ class SlowForces {
   std::uint64_t near_evaluations_ = 0, near_derivatives_ = 0;
 };
 
-/// Integrates a scheme with an inner scheme. The outer Integrator applies the slow forces. Its
-/// drifts are performed by an Integrator of the near forces.
+/// Integrates the motion with an outer and an inner scheme. The outer Integrator applies the slow
+/// forces. Its drifts are performed by an Integrator of the near forces.
 template <ForceModel Full, ForceModel Near, StateBath Bath = NoBath>
 class NestedIntegrator {
  public:

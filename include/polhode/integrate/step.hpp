@@ -37,7 +37,7 @@ concept OffersBath = requires(F& flows, double t, StageNumber at) {
   {flows.bath(t, at)};
 };
 
-/// @throws Error  if the scheme has a stage that flows of this type do not offer
+/// @throws Error  if type F lacks a function for one of the scheme's stages
 template <Flows F>
 void check_flows(const Scheme& scheme) {
   if (!OffersGradientKick<F> &&
@@ -86,7 +86,7 @@ void play(std::span<const Stage> stages, F& flows, double h, StageNumber at) {
 /// Performs one step e^{Lh} of a scheme [vanzon2008, Eq. 1]: flows.drift(t), flows.kick(t),
 /// flows.kick(t, ξh², gradient) and flows.bath(t, number) in the order of its stages.
 /// @param number  number of this step in the trajectory, which selects the random numbers of a bath
-/// @throws Error  if the scheme has a stage that the flows do not offer
+/// @throws Error  if type F lacks a function for one of the scheme's stages
 template <Flows F>
 void step(const Scheme& scheme, F& flows, double h, std::uint64_t number = 0) {
   check_flows<F>(scheme);

@@ -19,7 +19,7 @@ struct Distance {
   double length;              ///< [nm]
 };
 
-/// Round-off [nm] of distances in files, which usually have five decimals.
+/// Round-off [nm] of distances in files, usually given with five decimals.
 inline constexpr double distance_rounding = 1e-5;
 /// Largest allowed contradiction between redundant distances [nm].
 inline constexpr double distance_tolerance = 1e-4;

@@ -18,8 +18,7 @@ enum class Known {
   too_few_samples,  ///< fewer than `min_samples`
   too_short,        ///< the correlation time is too large a fraction of the run
   not_defined,      ///< the run does not have this quantity
-  grows             ///< the statistic has no limit, because it grows with the run length by a
-                    ///< random walk
+  grows             ///< the statistic grows without limit, because a random walk contributes to it
 };
 
 /// The reason why a standard error is not known: "too few samples", "run too short" or "not

@@ -89,14 +89,14 @@ class RadialDistribution {
   /// and 1.5 times the peak position. The result is empty if g is 0 everywhere, or largest in the
   /// last bin.
   std::optional<Peak> first_peak(std::size_t pair) const;
-  /// Makes an estimate of a number that is a function of the averages means().
+  /// Estimates a number that is a function of the averages in means().
   using Estimate = std::function<SeriesEstimate(const StepResponse::Function&)>;
   /// The first peak from averages that were stored elsewhere.
   /// @param mean      averages in the order of means(), which determine the bins of the fits
   /// @param estimate  makes each number of the peak
   std::optional<Peak> first_peak(std::size_t pair, std::span<const double> mean,
                                  const Estimate& estimate) const;
-  /// The averages over all frames: counts times the volume for each pair and bin, then the volume.
+  /// Averages over all frames: count times volume for each pair and bin, and finally the volume.
   std::vector<double> means() const { return blocks_.means().mean(); }
   /// The function g(r) of the k-th pair in each bin, from averages in the order of means().
   std::vector<double> g(std::size_t pair, std::span<const double> mean) const;

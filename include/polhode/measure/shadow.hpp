@@ -62,10 +62,9 @@ struct ShadowSummary {
   std::uint64_t samples = 0;
   SeriesEstimate fluctuation;  ///< rms deviation of the shadow energy [kJ/mol]
   Drift drift;                 ///< drift of the shadow energy [kJ/mol/ps]
-  /// How much sooner an energy drift becomes significant with the shadow energy than with the
-  /// energy, as a ratio of times. Standard errors fall with the length of a run as t^{−3/2}, so the
-  /// times are proportional to the errors to the power 2/3. The result is empty if any of the
-  /// standard errors is not known.
+  /// The factor by which the shadow energy shortens the time until an energy drift is significant.
+  /// Standard errors fall with the length of a run as t^{−3/2}, so the times are proportional to
+  /// the errors to the power 2/3. The result is empty if any of the standard errors is not known.
   std::optional<double> time_gain;
 };
 

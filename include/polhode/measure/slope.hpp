@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slopes of series that are correlated in time, with their significance; random walks
+// Slopes of time-correlated series and their significance, and strengths of random walks
 // (docs/statistics.md).
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The number of degrees of freedom that have kinetic energy. All other code takes this number from
-// here.
+// The number of degrees of freedom that have kinetic energy. All other code uses the functions in
+// this file.
 #pragma once
 
 #include <array>

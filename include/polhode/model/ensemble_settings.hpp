@@ -39,7 +39,7 @@ struct SeparateRescaling {
 
 using ThermostatSettings = std::variant<Langevin, Rescaling, SeparateRescaling>;
 
-/// For the box edges along x, y and z: whether a common factor scales the edge.
+/// Whether a common factor scales the box edge, for each of the edges along x, y and z.
 using CoupledEdges = std::array<bool, 3>;
 
 /// Barostat by stochastic cell rescaling [bernetti2020].
@@ -72,7 +72,7 @@ struct BarostatSettings {
 };
 
 struct HybridMonteCarloSettings {
-  std::size_t steps = 10;  ///< steps of a trajectory between two decisions
+  std::size_t steps = 10;  ///< steps of each trajectory, which is then accepted or rejected
   double refresh = 1;      ///< fraction of the momenta that is replaced by new momenta; 1 replaces
                            ///< all
   friend bool operator==(const HybridMonteCarloSettings&,

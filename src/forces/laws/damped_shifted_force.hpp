@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The damped shifted force: a Coulomb potential damped by erfc and truncated at the cutoff a, pair
-// by pair [wolf1999; fennell2006]. The original method subtracts the value and slope of erfc(α r)/r
-// at a as a line in r. This class subtracts the Taylor polynomial of erfc(α r)/r in y = 1 − r²/a²
-// up to y^n. At the cutoff, the energy then goes to zero with n continuous derivatives, and schemes
-// keep their order.
+// by pair [wolf1999; fennell2006]. The original method subtracts the tangent of erfc(α r)/r at r =
+// a, a straight line in r. This class subtracts the Taylor polynomial of erfc(α r)/r in y = 1 −
+// r²/a² up to y^n. At the cutoff, the energy then goes to zero with n continuous derivatives, and
+// schemes keep their order.
 #pragma once
 
 #include <cmath>

@@ -16,7 +16,7 @@ struct LennardJones {
   T c12 = 0;  ///< [kJ/mol nm¹²]
 
   using Parameters = LennardJonesLaw;
-  /// Mixes the parameters of two sites other than σ and ε. The Lennard-Jones potential has no such
+  /// Mixes all parameters of two sites except σ and ε. The Lennard-Jones potential has no such
   /// parameters.
   template <class Mean>
   static std::optional<Parameters> mixed(const Parameters& x, const Parameters&, const Mean&) {

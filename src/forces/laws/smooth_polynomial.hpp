@@ -24,7 +24,7 @@ class SmoothPolynomial {
 
   /// Constructs the smooth part.
   /// @param cutoff  cutoff a [nm]
-  /// @param terms   coefficients of 1, y, y², … of a times the smooth part, at least two
+  /// @param terms   at least two coefficients, of 1, y, y², … in the smooth part multiplied by a
   SmoothPolynomial(double cutoff, const std::vector<double>& terms)
       : a_(cutoff), degree_(terms.size() - 1) {
     std::copy(terms.begin(), terms.end(), u_.begin());
@@ -33,9 +33,9 @@ class SmoothPolynomial {
 
   double cutoff() const { return a_; }
   std::size_t degree() const { return degree_; }
-  /// The coefficient of y^k in a times the smooth part, for k ≤ degree.
+  /// The coefficient of y^k in the smooth part, multiplied by a, for k ≤ degree.
   double coefficient(std::size_t k) const { return u_[k]; }
-  /// The coefficient of y^k in a³ times −smooth'/r, for k < degree.
+  /// The coefficient of y^k in −smooth'/r, multiplied by a³, for k < degree.
   double slope_coefficient(std::size_t k) const { return s_[k]; }
 
   RadialValue smooth(double r) const {

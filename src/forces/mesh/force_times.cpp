@@ -11,7 +11,7 @@ namespace polhode {
 namespace {
 
 // These times were measured on one core in mixed precision with AVX-512. The choice of the mesh
-// depends only on ratios of the times. These are similar in double precision and with other
+// depends only on ratios of the times. The ratios are similar in double precision and with other
 // instruction sets.
 constexpr double per_point = 1.3e-9;    // time per grid point for the transforms in both
                                         // directions

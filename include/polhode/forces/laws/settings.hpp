@@ -29,8 +29,8 @@ enum class Truncation {
 enum class Electrostatics {
   coulomb,               ///< plain Coulomb potential
   reaction_field,        ///< Coulomb potential with a dielectric continuum beyond the cutoff
-  pme,                   ///< smooth particle mesh: pairs within the cutoff, the long-range
-                         ///< remainder on a mesh
+  pme,                   ///< smooth particle mesh Ewald: sums pairs within the cutoff, and the
+                         ///< long-range remainder on a mesh
   damped_shifted_force,  ///< Coulomb potential, damped and shifted to 0 at the cutoff
 };
 
@@ -38,7 +38,7 @@ enum class Electrostatics {
 /// and energies are always double.
 enum class Precision {
   double_precision,  ///< pair forces in double precision
-  mixed,             ///< pair forces in float: sites relative to centres, centres in fixed point
+  mixed,             ///< pair forces in float, from fixed-point centres and relative site positions
 };
 
 struct ForceSettings {
@@ -51,7 +51,7 @@ struct ForceSettings {
                              ///< may be infinite
   double skin = 0.05;        ///< skin of the neighbour list [nm]
   Precision precision = Precision::double_precision;
-  Mixing mixing{};  ///< Lennard-Jones parameters of unlike sites
+  Mixing mixing{};  ///< mixing rule for the parameters of unlike sites
   /// Requested rms error of the electrostatic forces of PME, relative to the rms electrostatic
   /// force.
   double pme_accuracy = 1e-4;

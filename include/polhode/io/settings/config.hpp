@@ -142,7 +142,7 @@ struct Config {
   EnsembleSettings ensemble;         ///< settings of thermostat, barostat and hybrid Monte Carlo
   std::string source;                ///< path of the run file, or "default"
   std::string text;                  ///< text of the run file as read; its hash identifies outputs
-  std::vector<std::string> notes{};  ///< notes on settings that follow from settings of the overlay
+  std::vector<std::string> notes{};  ///< notes on settings that the overlay implies
 
   /// A setting as written in the run file.
   struct Given {

@@ -71,16 +71,16 @@ inline constexpr double guarantee_probability = 0.975;
 
 /// The value that the bounded number (R, drift or bias) exceeds only with probability 1 −
 /// guarantee_probability. For R, the result is a bound for a new run. A single run is too noisy to
-/// show an energy drift or a bias. For these, the bound applies to the mean over infinitely many
-/// runs. For the largest of several biases, the error probability is divided equally among the
-/// biases. The standard error that all runs have in common is doubled and added in quadrature. The
-/// bound is infinite if a run blew up.
+/// show an energy drift or a bias. For a drift or bias, the bound applies to the mean over
+/// infinitely many runs. For the largest of several biases, the error probability is divided
+/// equally among the biases. The standard error that all runs have in common is doubled and added
+/// in quadrature. The bound is infinite if a run blew up.
 double upper_bound(Quality quality, const std::vector<Outcome>& runs);
 
 /// The smallest upper_bound() of R that the full-length runs can still have, given the R of their
 /// first part. R grows with the length of a run. The scatter of R decreases at most as the square
 /// root of the length, as for independent parts.
-/// @param part  of the length, above 0 and at most 1
+/// @param part  first part as a fraction of the length, above 0 and at most 1
 double optimistic_bound(const std::vector<Outcome>& runs, double part);
 
 /// Whether full-length runs can still meet the bound, given the results of their first part. The
@@ -108,7 +108,7 @@ struct AdviserPoint {
   double max_rounding() const;  ///< largest round-off limit of R, estimated
 };
 
-/// One number of each run.
+/// A number from each run, such as R.
 template <class Member>
 std::vector<double> each(const std::vector<Outcome>& runs, const Member& member) {
   std::vector<double> values;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The accuracy guarantee of [integrator] accuracy. The adviser chooses a step that keeps R, or the
-// bias of an average, below the bound. The summary of the run reports whether the bound was met.
+// The guarantee that `accuracy` in [integrator] requests. The adviser chooses a step that keeps R,
+// or the bias of an average, below the bound. The run's summary reports whether the bound was met.
 #pragma once
 
 #include <cmath>
@@ -32,16 +32,16 @@ std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks&
 void write_guarantee(const std::string& file, const Guarantee& guarantee,
                      const IntegratorSettings& integrator);
 
-/// Reads the file of a guarantee, and sets scheme and step.
-/// @throws Error  if the file contains anything else
+/// Reads a guarantee from a file, and sets its scheme and step.
+/// @throws Error  if the file contains no guarantee, or if the run file does not match it
 Guarantee read_guarantee(const std::string& file, Config& config);
 
 struct GuaranteeCheck {
   Guarantee guarantee;
   /// Measured value of the bounded quantity. If R is bounded, the measured value is the mean R over
-  /// parts of the guaranteed length. For a run shorter than two parts, it is the R of the whole
-  /// run. If an average is bounded, this is the predicted bias. An error of 0 means that the error
-  /// is not known.
+  /// parts of the guaranteed length. For a run shorter than two parts, the value is the R of the
+  /// whole run. If a bias is bounded, the value is the predicted bias. An error of 0 means that the
+  /// error is not known.
   Estimate value;
   bool met() const { return std::abs(value.value) <= guarantee.accuracy.bound; }
 };

@@ -74,7 +74,7 @@ Analysis analyze(FrameReader& reader, Topology topology, const AnalysisSettings&
 /// The names of all observables, as used in options.
 const std::vector<std::string>& observable_names();
 
-/// Returns the name of an observable unchanged if it exists.
+/// Returns a name unchanged if an observable has this name.
 /// @throws Error  if there is no observable of that name
 std::string observable(const std::string& name);
 

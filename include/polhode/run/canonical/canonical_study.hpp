@@ -19,8 +19,8 @@
 
 namespace polhode {
 
-/// Levels of the bounds on biases. Strict bounds are about 0.1 % of the energy of liquid water, 1
-/// K, and 1 % of the first peak of g(r). Strict bounds were chosen before any data existed. Loose
+/// The two levels of bounds on biases. Strict bounds are about 0.1 % of the energy of liquid water,
+/// 1 K, and 1 % of the first peak of g(r). Strict bounds were chosen before any data existed. Loose
 /// bounds are about 0.5 % of the energy of liquid water, 3 K, and 2 % of the first peak of g(r).
 /// Loose bounds were chosen when only the errors of the first data were known.
 enum class BiasCriterion { strict, loose };
@@ -113,8 +113,8 @@ std::vector<NamedScheme> canonical_schemes();
 /// @throws Error  under the same conditions as check_hybrid(), or if a method occurs twice
 std::vector<CanonicalMethod> canonical_methods(const StudySettings& settings);
 
-/// The part of a run [ps] that averages exclude at the beginning, because the initial configuration
-/// still affects it. `length` is the length of the run.
+/// The length [ps] of the initial part of a run that averages exclude, because the initial
+/// configuration still affects this part. `length` is the length of the run.
 constexpr double relaxation(double length) { return 0.2 * length; }
 
 /// Performs the runs that are not in `known` yet, and reports each run when it ends. The initial

@@ -93,7 +93,7 @@ class Simulation {
   /// @throws RunError  if the trajectory blows up
   bool equilibrate(const Callbacks& callbacks = {});
   /// Advances the trajectory in memory.
-  /// @return  false if it was interrupted, in the equilibration or between two steps
+  /// @return  false if interrupted during the equilibration or between two steps
   /// @throws Error     if the run file requires an accuracy and the step is not chosen yet
   /// @throws RunError  if the trajectory blows up
   bool step(std::size_t steps = 1, const Callbacks& callbacks = {});
@@ -115,7 +115,7 @@ class Simulation {
   /// @throws RunError  if the trajectory blows up, or a file cannot be written
   RunResult run(const OutputOptions& options = {}, const Callbacks& callbacks = {});
   /// The step of the last checkpoint, from which a run can be resumed. The step is set if run()
-  /// threw such an error as a full disk.
+  /// threw an error, for example because the disk was full.
   std::optional<std::size_t> resumable_step() const { return resumable_step_; }
 
  private:

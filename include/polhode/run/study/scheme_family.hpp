@@ -43,7 +43,7 @@ class SchemeFamily {
 SchemeFamily hoa2_family();
 SchemeFamily gier4_family();
 
-/// Covariances in a run of three quantities: the energy E and the error brackets a = h² V̈ and b =
+/// Covariances of three quantities in a run: the energy E and the error brackets a = h² V̈ and b =
 /// h² W [kJ²/mol²].
 struct ErrorCovariance {
   double EE = 0, Ea = 0, Eb = 0, aa = 0, ab = 0, bb = 0;

@@ -49,8 +49,8 @@ struct StudyRun {
 };
 
 /// The bound above which an energy drift matters, in units of the rms fluctuation of the total
-/// energy. The energy change that the drift causes during a run is compared with this bound. This
-/// bound equals R if it is expressed in units of the rms fluctuation of the potential energy.
+/// energy. The energy change that the drift causes during a run is compared with this bound. In
+/// units of the rms fluctuation of the potential energy, the bound is R.
 inline constexpr double drift_bound = 1;
 
 /// A point of the efficiency figure: all runs with the same scheme and step.

@@ -39,8 +39,8 @@ struct Tuned {
   std::string reference;
   Scheme scheme;
   std::vector<TunedParameter> parameters;
-  double predicted_gain = 1;  ///< ratio of R, reference to tuned scheme, as predicted from the
-                              ///< covariances
+  double predicted_gain = 1;  ///< R of the reference divided by R of the tuned scheme, predicted
+                              ///< from the covariances
   Estimate reference_ratio{}, ratio{};  ///< R of the reference and of the tuned scheme in the
                                         ///< confirming runs
   Estimate gain{};  ///< R of the reference divided by R of the tuned scheme, in runs from the same

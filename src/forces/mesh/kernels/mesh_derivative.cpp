@@ -16,8 +16,8 @@ struct Gradient {
 
 // The gradients ∇φ and ∇φ' + (v·∇) ∇φ, summed over the tiles around a charge, element by element.
 // With w, s and c for a spline, its slope and its second derivative, and A, B, C for the sums over
-// z of φ times w_z, s_z and c_z, A' and B' for those of φ', the components of the second are sums
-// over x and y of
+// z of φ times w_z, s_z and c_z, A' and B' for the same sums with φ', the components of the second
+// gradient are sums over x and y of
 //   s_x w_y (A' + v_z B) + (v_x c_x w_y + v_y s_x s_y) A
 //   w_x s_y (A' + v_z B) + (v_x s_x s_y + v_y w_x c_y) A
 //   w_x w_y (B' + v_z C) + (v_x s_x w_y + v_y w_x s_y) B

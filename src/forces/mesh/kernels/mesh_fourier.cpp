@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // pocketfft's algorithm on packs. The algorithm is a template on the number type. With packs as
-// numbers, it transforms one series per lane at once.
+// numbers, the algorithm transforms one series per lane at once.
 #include "base/pack_grid.hpp"
 #include "forces/mesh/fourier_loops.hpp"
 #include "pack_series.hpp"

@@ -32,7 +32,7 @@ class EnergyFile {
   /// Creates the energies file, and replaces an existing file.
   EnergyFile(const std::string& path, const Topology& topology, EnergyColumns with,
              const Provenance& provenance);
-  /// Resumes the energies file after the rows of a mark.
+  /// Resumes the energies file after a mark; later rows are removed.
   EnergyFile(const std::string& path, const Topology& topology, EnergyColumns with,
              const FileMark& mark);
 

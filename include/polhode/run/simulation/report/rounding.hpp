@@ -69,12 +69,12 @@ double double_drift(const Energies& energies, double step);
 double drift_rate(const EnergyStatistics& energies, double step);
 
 /// The rms deviation of a random walk from its mean over a run. The walk is given by its variance
-/// per time. For this rate, the mean square deviation from the first value is rate t/2, and the
-/// variance of the mean is rate t/3. The difference gives √(rate t/6).
+/// per time. With the variance `rate` per time, the mean square deviation from the first value is
+/// rate t/2, and the variance of the mean is rate t/3. The difference gives √(rate t/6).
 double walk_fluctuation(double rate, double length);
 
-/// The rms deviation of the total energy from its mean that round-off causes in a run [kJ/mol].
-/// Contributions are the random walk and the noise of the energy: σ² = power² h t Σw²/6 + energy².
+/// The rms deviation of the total energy from its mean that round-off causes in a run [kJ/mol]. The
+/// contributions of the random walk and of the energy noise add: σ² = power² h t Σw²/6 + energy².
 double rounding_fluctuation(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                             double step, double length);
 

@@ -26,8 +26,8 @@ struct System {
                              ///< [nm]
   double massless_deviation =
       0;  ///< deviation of massless sites, whose positions are recomputed [nm]
-  /// Whether momenta were drawn. This happens if the initial configuration has no velocities, or if
-  /// the run file requests new velocities.
+  /// Whether momenta were drawn. New momenta are drawn if the initial configuration has no
+  /// velocities, or if the run file requests new velocities.
   bool new_velocities = true;
   double file_temperature = 0;  ///< temperature of the velocities in the initial configuration [K]
   /// Centre-of-mass velocity that was removed from an initial configuration [nm/ps], and its

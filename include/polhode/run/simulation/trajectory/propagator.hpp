@@ -8,8 +8,8 @@
 
 namespace polhode {
 
-/// Advances a system step by step. The division of the steps among calls does not change the
-/// results, to the last bit, nor the steps at which samples are taken.
+/// Advances a system step by step. The results, to the last bit, and the sampled steps do not
+/// depend on how the steps are divided among calls.
 class Propagator {
  public:
   /// @param system, forces, workers  kept by reference

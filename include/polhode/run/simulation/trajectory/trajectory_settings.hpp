@@ -44,7 +44,7 @@ struct TrajectorySettings {
 
   /// Whether a shadow energy can be measured. The shadow energy differs from the energy by error
   /// brackets of order h². The shadow energy is conserved at constant energy. In other ensembles,
-  /// it gives the time-step bias.
+  /// the shadow energy gives the time-step bias.
   bool has_shadow() const;
   /// The means that the ensemble fixes when the time-step bias is predicted; empty if the bias is
   /// not known.
