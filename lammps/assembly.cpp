@@ -81,7 +81,7 @@ void together(MPI_Comm world, const Work& work) {
   agree(problem, world);
 }
 
-// A molecule of this process. Its atoms are sorted by id and lie in one periodic image.
+// A molecule of this process. The atoms are sorted by id and lie in one periodic image.
 struct Assembled {
   std::int64_t number;
   std::vector<SiteAtom> atoms;

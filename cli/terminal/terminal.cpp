@@ -23,7 +23,7 @@ std::size_t columns(std::string_view text) {
 }
 
 /// The column at which a wrapped line continues. Usually, this is the column at which the line
-/// begins. If the line has a label and two blanks, it is the column of the text after the blanks.
+/// begins. If the line has a label and two blanks, the text after the blanks gives the column.
 std::size_t indent_of(std::string_view line, std::size_t width) {
   const auto begin = line.find_first_not_of(' ');
   const auto text = line.find_first_not_of(' ', line.find("  ", begin));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // polhode tune-scheme [FILE]: finds the best parameters of a scheme for a given system and step.
-// These are η of the hoa2 family, η and ξ of the gier4 family, or the free parameters of a
+// The parameters are η of the hoa2 family, η and ξ of the gier4 family, or the free parameters of a
 // user-defined scheme.
 #include <fmt/core.h>
 

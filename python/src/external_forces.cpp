@@ -15,9 +15,9 @@ namespace {
 namespace nb = nanobind;
 using Array = nb::ndarray<const double, nb::c_contig, nb::device::cpu>;
 
-/// A weak reference to a Python object, which any thread may drop. The only strong reference is an
-/// attribute of another Python object. A function may refer to the simulation that calls it, and
-/// Python's garbage collector finds only reference cycles of Python objects.
+/// A weak reference to a Python object; any thread may drop the reference. The only strong
+/// reference is an attribute of another Python object. A function may refer to the simulation that
+/// calls it, and Python's garbage collector finds only reference cycles of Python objects.
 struct Reference {
   nb::object weak;
   explicit Reference(const nb::object& object) : weak(nb::weakref(object)) {}

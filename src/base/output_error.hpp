@@ -6,9 +6,9 @@
 
 namespace polhode {
 
-/// An error about files of an earlier job that can be neither overwritten nor continued as they
-/// are. The message advises the user to choose another output, to restore a file, or to start
-/// again. The front end adds the name of the suitable option.
+/// An error about files of an earlier job that the present job can neither overwrite nor continue.
+/// The message advises the user to choose another output, to restore a file, or to start again. The
+/// front end adds the name of the suitable option.
 class OutputError : public Error {
  public:
   /// @param resumable  whether the earlier job can also be resumed

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stores contiguously those lanes of packs that a mask selects.
+// Stores the lanes of packs that a mask selects, without gaps.
 #pragma once
 
 #include <bit>
@@ -24,7 +24,7 @@ struct SelectedLanes {
 static constexpr SelectedLanes
     selected_lanes{};  // a member of each object, because it depends on the instruction set
 
-/// Moves the lanes of packs of 32-bit numbers that a mask selects to the front.
+/// In packs of 32-bit numbers, moves the lanes that a mask selects to the front.
 class Compression {
   using Tag = Pack<float>::Tag;
   using WordTag = hn::RebindToUnsigned<Tag>;
@@ -47,7 +47,7 @@ class Compression {
 
 #else
 
-/// Moves the lanes of packs of 32-bit numbers that a mask selects to the front.
+/// In packs of 32-bit numbers, moves the lanes that a mask selects to the front.
 class Compression {
   using Tag = Pack<float>::Tag;
 
@@ -65,7 +65,7 @@ class Compression {
 
 #endif
 
-/// The lanes of packs of floats that a mask selects.
+/// Selected lanes of packs of floats, given by a mask.
 class Selection {
  public:
   explicit Selection(PackMask<float> mask) : compression_(mask) {}

@@ -23,7 +23,7 @@ class WordPack {
     return Pack<double>(hn::BitCast(Pack<double>::Tag(), bits)) - Pack<double>(0x1p52);
   }
   friend WordPack operator^(WordPack a, WordPack b) { return WordPack(hn::Xor(a.v_, b.v_)); }
-  /// The 64-bit products of 32-bit words and b, each of which fills a lane.
+  /// The products of 32-bit words and b; each 64-bit product fills a lane.
   friend WordPack full_product(WordPack a, std::uint32_t b) {
 #if HWY_TARGET == HWY_SCALAR
     return WordPack(hn::Set(Tag(), (hn::GetLane(a.v_) & 0xffffffff) * b));

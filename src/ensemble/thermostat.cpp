@@ -40,7 +40,7 @@ double factor(double kinetic, double n, double time, const ThermostatBodies& of,
   return rescaling_factor(kinetic, n, of.langevin.kT, time, Random(of.langevin.seed, stream));
 }
 
-// One function for each type of thermostat, which returns the heat that the bodies receive.
+// One function for each type of thermostat; each returns the heat that the bodies receive.
 
 double act(const Langevin& type, const ThermostatBodies& of, State& state, double t,
            StageNumber at) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Columns hold one number per body, contiguous and aligned for the widest pack. They are padded to
-// a whole number of packs, so that loops over packs need no remainder. Padding elements are set to
-// a value that is safe in arithmetic.
+// Columns hold one number per body, contiguous and aligned for the widest pack. Columns are padded
+// to a whole number of packs, so that loops over packs need no remainder. Padding elements are set
+// to a value that is safe in arithmetic.
 #pragma once
 
 #include <algorithm>

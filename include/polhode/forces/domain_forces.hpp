@@ -15,11 +15,11 @@ namespace polhode {
 
 struct AnyPairEngine;
 
-/// Computes the forces on the bodies of a domain. Bodies of the domain and ghosts exert these
-/// forces. Ghosts are copies of bodies of other domains, or periodic images, at explicit positions.
-/// A caller can treat a direction as periodic if the domain extends over the whole box in this
-/// direction. Pairs of two ghosts and the forces on ghosts are not computed. The bodies of this
-/// domain are called local bodies. A pair of a local body and a ghost contributes half of its
+/// Computes the forces on the bodies of a domain. The forces are exerted by bodies of the domain
+/// and by ghosts. Ghosts are copies of bodies of other domains, or periodic images, at explicit
+/// positions. A caller can treat a direction as periodic if the domain extends over the whole box
+/// in this direction. Pairs of two ghosts and the forces on ghosts are not computed. The bodies of
+/// this domain are called local bodies. A pair of a local body and a ghost contributes half of its
 /// energy and virial, because the other domain adds the other half.
 ///
 /// The caller must supply every ghost that interacts with at least one local body. If the cutoff

@@ -25,7 +25,7 @@ struct ForceEvaluation {
 };
 
 /// Lists the force evaluations of one step in order. At the initial positions of a step, the forces
-/// are those of the last evaluation of the previous step. A scheme that begins with a kick has as
+/// of the last evaluation of the previous step are used. A scheme that begins with a kick has as
 /// many evaluations as Scheme::force_evaluations() counts. Any other scheme needs one more
 /// evaluation.
 /// @throws Error  if the scheme has exact gradients, because other engines do not compute

@@ -51,9 +51,9 @@ struct IntegratorMemory {
 };
 
 /// Applies step() to a state. The integrator joins adjacent stages, reuses forces while positions
-/// do not change, and computes energies only on demand. It also counts steps and evaluations. The
-/// integrator works in place and owns the scratch space and the last Load, so a step does not
-/// allocate memory.
+/// do not change, and computes energies only on demand. The integrator also counts steps and
+/// evaluations. The integrator works in place and owns the scratch space and the last Load, so a
+/// step does not allocate memory.
 /// @tparam Drift  drift to use instead of free motion, such as steps of an inner scheme
 /// @tparam Bath   bath, for schemes that have one
 template <ForceModel Forces, StateDrift Drift = FreeDrift, StateBath Bath = NoBath>

@@ -86,7 +86,7 @@ class SlowForces {
 };
 
 /// Integrates the motion with an outer and an inner scheme. The outer Integrator applies the slow
-/// forces. Its drifts are performed by an Integrator of the near forces.
+/// forces. An inner Integrator with the near forces performs the drifts.
 template <ForceModel Full, ForceModel Near, StateBath Bath = NoBath>
 class NestedIntegrator {
  public:

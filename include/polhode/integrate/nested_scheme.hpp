@@ -19,8 +19,8 @@ struct InnerScheme {
   double cutoff = 0;       ///< distance beyond which the near forces are zero [nm]
 };
 
-/// A scheme with an optional inner scheme nested within it. With an inner scheme, the kicks of the
-/// outer scheme use only the slow forces.
+/// A scheme with an optional inner (nested) scheme. With an inner scheme, the kicks of the outer
+/// scheme use only the slow forces.
 struct NestedScheme {
   Scheme outer;
   std::optional<InnerScheme> inner;

@@ -86,7 +86,7 @@ constexpr Stage O(double c) { return {Flow::bath, c, 0}; }
 /// four-site waters with bench/micro/forces.cpp (docs/gradient.md).
 inline constexpr double derivative_cost = 2.0;
 
-/// Placeholder for the fraction that makes the fractions of a flow sum to one step.
+/// Placeholder for the remaining fraction of a flow, so that its fractions sum to one step.
 inline constexpr double rest = std::numeric_limits<double>::quiet_NaN();
 
 /// A scheme. A line that a user adds to the table of schemes is checked at compile time. The

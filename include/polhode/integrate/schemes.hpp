@@ -8,7 +8,7 @@
 namespace polhode {
 
 /// The value of η that minimizes α² + β², where α and β are the prefactors of the O(h²) error
-/// [omelyan2003]. Its value is η = 1/2 − c/12 + 1/(6c) with c = (2 √326 + 36)^{1/3}. The scheme
+/// [omelyan2003]. The value is η = 1/2 − c/12 + 1/(6c) with c = (2 √326 + 36)^{1/3}. The scheme
 /// with this η is also in [mclachlan1995].
 inline constexpr double eta = 0.1931833275037836;
 

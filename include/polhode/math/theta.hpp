@@ -56,8 +56,8 @@ inline ThetaSeries theta_series(std::complex<double> P, std::complex<double> M, 
 class ThetaIntegral {
  public:
   /// Whether the nome can be computed from k, which requires that k² does not underflow. For a top,
-  /// k² underflows if two moments are equal, or if L is within about 1e-140 of the axis that it
-  /// circles.
+  /// k² underflows if two moments are equal, or if L is within about 1e-140 of the axis around
+  /// which L circles.
   static bool applies(const Modulus& modulus) {
     return modulus.k * modulus.k >= std::numeric_limits<double>::min();
   }

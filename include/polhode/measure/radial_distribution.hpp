@@ -82,12 +82,12 @@ class RadialDistribution {
                                  ///< distance
   };
   /// Finds the first peak of g. The peak begins where g first exceeds 75 % of its largest value,
-  /// and ends where g falls to half of the peak height. Position and height are the maximum of a
-  /// least-squares cubic through the bins in which g is above 90 % of the peak. The shell ends at
-  /// the minimum of g between the peak and 1.6 times the peak position. A cubic through the bins
-  /// within 10 % of this minimum gives its position. The first shell of liquids ends between 1.2
-  /// and 1.5 times the peak position. The result is empty if g is 0 everywhere, or largest in the
-  /// last bin.
+  /// and ends where g falls to half of the peak height. The maximum of a least-squares cubic gives
+  /// position and height; the fit uses the bins in which g is above 90 % of the peak. The shell
+  /// ends at the minimum of g between the peak and 1.6 times the peak position. A cubic fit to the
+  /// bins within 10 % of the minimum gives the position of the minimum. The first shell of liquids
+  /// ends between 1.2 and 1.5 times the peak position. The result is empty if g is 0 everywhere, or
+  /// largest in the last bin.
   std::optional<Peak> first_peak(std::size_t pair) const;
   /// Estimates a number that is a function of the averages in means().
   using Estimate = std::function<SeriesEstimate(const StepResponse::Function&)>;

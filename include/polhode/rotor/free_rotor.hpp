@@ -19,9 +19,8 @@ enum class ThirdKind {
 /// The usual angle [vanzon2007a] is measured in frames that follow the axis z that L circles. The
 /// integrand for z contains 1 + N sn² with N = (J_y−J_x)J_z/((J_z−J_y)J_x). N diverges as J_y →
 /// J_z, when L passes close to the axis. Following the axis x instead gives the same integral with
-/// n = m/N. The smaller of n and N is used. This number is at most 1, so near-symmetric tops are
-/// not a special case. In both cases, with the moment J_f of the axis to which L is closest (u =
-/// 0),
+/// n = m/N. The smaller of n and N is used and is at most 1, so near-symmetric tops are not a
+/// special case. In both cases, with the moment J_f of the axis to which L is closest (u = 0),
 ///
 ///     φ = |L| t/J_f ± κ ∫ sn²/(1 + n sn²) du from u₀ to u₀ + p t,   κ² = n(1+n)(n+m).
 class PrecessionAngle {

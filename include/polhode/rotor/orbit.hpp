@@ -141,7 +141,7 @@ struct PrecessionFrame {
   }
 };
 
-/// The rotation from the frame `before` to the frame `after`, with a precession by phi about L. Its
+/// The rotation from the frame `before` to the frame `after`, with a precession by phi about L. The
 /// matrix is P = M(after) R_z(phi) M(before)ᵀ with the passive rotation R_z [vanzon2007a, Sec. 3].
 inline Quaternion<double> precession(const PrecessionFrame& before, const PrecessionFrame& after,
                                      double phi) {

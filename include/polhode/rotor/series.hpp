@@ -115,7 +115,7 @@ POLHODE_INLINE inline Real plus_products(Real e, const std::array<Real, 3>& K1,
 }
 
 /// The angle G as the sum of `terms` terms d_n of order X^(n+1): (2n+3) d_n = ((2n+1) c1 + K2_0)
-/// d_(n-1) + ... The sum adds the newest terms last, and their coefficients include the division by
+/// d_(n-1) + ... The sum adds the newest terms last, and the coefficients include the division by
 /// 2n+3. The chain of dependent operations is therefore only two operations long per term.
 template <std::size_t terms, class Real>
 POLHODE_INLINE inline Real angle_sum(const AngleEquation<Real>& of) {

@@ -39,12 +39,12 @@ struct ReactionField {
   }
 };
 
-/// The switching function w, which is 1 up to `from` and 0 beyond `to`. In between, it is a
+/// The switching function w, which is 1 up to `from` and 0 beyond `to`. In between, w is a
 /// polynomial in x = (r − from)/(to − from). This polynomial has the lowest degree for which the
 /// first `smoothness` derivatives vanish at both ends. With y = x − ½ and b = ¼ − y² = x (1 − x), w
-/// = ½ − y Σ B_k bᵏ for k from 0 to n, and dw/dx = −(2n + 1) B_n bⁿ. Here B_k = (2k)!/k!² is 1, 2,
-/// 6, 20. This form needs the same operations for all n and no branches. The form is exact at both
-/// ends, where b = 0.
+/// = ½ − y Σ B_k bᵏ for k from 0 to n, and dw/dx = −(2n + 1) B_n bⁿ. The coefficients B_k =
+/// (2k)!/k!² are 1, 2, 6, 20. This form needs the same operations for all n and no branches. The
+/// form is exact at both ends, where b = 0.
 template <class T = double>
 class Switch {
  public:

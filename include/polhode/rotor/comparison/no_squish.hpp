@@ -49,7 +49,7 @@ void no_squish_step(Quaternion<Real>& q, Quaternion<Real>& p, const Vec3<Real>& 
   turn(Pz, half.z);
 }
 
-/// Performs one NO_SQUISH step of the free rotation. This step is the same map as
+/// Performs one NO_SQUISH step of the free rotation. The NO_SQUISH step is the same map as
 /// symmetric_product_rotation(), written for quaternions.
 ///
 /// @param J, L, t  as for closed_rotation()

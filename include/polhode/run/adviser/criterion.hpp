@@ -65,8 +65,8 @@ struct Criterion {
 Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& ensemble);
 
 /// Probability with which each new run is to meet the requirement. The aim is that 95 of 100 new
-/// runs meet it. If each run meets the requirement with a probability of 0.975, fewer than 95 of
-/// 100 runs do so in only 5 % of cases.
+/// runs meet the requirement. If each run meets the requirement with a probability of 0.975, fewer
+/// than 95 of 100 runs do so in only 5 % of cases.
 inline constexpr double guarantee_probability = 0.975;
 
 /// The value that the bounded number (R, drift or bias) exceeds only with probability 1 −

@@ -68,9 +68,9 @@ double estimated_density(const Topology& topology);
 ///   therefore has the requested temperature.
 ///
 /// The function writes PREFIX-prepared.gro with velocities, and PREFIX-prepared.bin, a checkpoint
-/// with the same state to the last bit. It also writes PREFIX-prepared.toml, a run file that starts
-/// from both files. During the dynamics, the checkpoint stores the state of the preparation, which
-/// can be resumed bit for bit. An interrupted minimisation leaves no file.
+/// with the same state to the last bit. The function also writes PREFIX-prepared.toml, a run file
+/// that starts from both files. During the dynamics, the checkpoint stores the state of the
+/// preparation, which can be resumed bit for bit. An interrupted minimisation leaves no file.
 /// @throws Error     if a setting is invalid, or outputs exist
 /// @throws RunError  if molecules still overlap, or a stage blows up
 PreparationReport prepare(const Config& config, const OutputOptions& options = {},

@@ -16,7 +16,7 @@ namespace polhode {
 
 /// A family of schemes with one or two free parameters, such as "free x = 0.2; B(x) A(1/2) B(1 -
 /// 2*x) A(1/2) B(x)". The O(h²) error of a scheme has only two terms, with the prefactors α and β.
-/// These cannot determine a third parameter.
+/// Two terms cannot determine a third parameter.
 class SchemeFamily {
  public:
   /// @throws Error  unless the text is a palindrome with one or two free parameters that determine

@@ -38,7 +38,7 @@ struct TopTrajectory {
   double step = 0;                 ///< time step in the units of J and L
   double angle = 0;                ///< angle by which the top initially turns in a step [rad]
   std::vector<TopSample> samples;  ///< samples at the start and at about 20 later times
-  bool interrupted = false;        ///< true if interrupted before the end; the samples end there
+  bool interrupted = false;        ///< true if interrupted; the samples end at the interruption
 };
 
 /// Integrates a free top by the series and by NO_SQUISH.

@@ -20,7 +20,7 @@ struct ForceNoise {
 };
 
 /// The largest number of bodies for which the noise is measured. The measurement takes about 30
-/// force evaluations and a second force field. This is too expensive for a short run of a large
+/// force evaluations and a second force field. This cost is too high for a short run of a large
 /// system. For a larger system, measure the round-off limit of R in a smaller system of the same
 /// liquid. The limit is the same, because the fluctuations of the total and the potential energy
 /// both grow as the square root of the size.

@@ -27,12 +27,12 @@ class Propagator {
   RunState run_state();
 
   /// Takes steps, and takes samples at the sampling intervals. The first sample is taken at the
-  /// start. The function calls only `sample` and `stop` of the watch.
+  /// start. Of the callbacks in `watch`, the function calls only `sample` and `stop`.
   /// @throws RunError  if the trajectory blows up
   void advance(std::size_t steps, const Watch& watch = {});
-  /// Continues the trajectory to the length of the settings, or until the watch stops it. A last
-  /// sample is taken at the end. If the trajectory blows up, the function returns, and `failure`
-  /// reports the cause.
+  /// Continues the trajectory to the length given in the settings, or until `watch.stop` ends it. A
+  /// last sample is taken at the end. If the trajectory blows up, the function returns, and
+  /// `failure` reports the cause.
   Trajectory run(const Watch& watch = {});
 
   /// Heat and work that the bodies have received so far from thermostat, barostat and hybrid Monte

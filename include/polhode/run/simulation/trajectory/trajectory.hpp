@@ -95,9 +95,9 @@ struct Trajectory {
   std::uint64_t derivatives = 0;        ///< number of derivative evaluations by the scheme
   std::uint64_t near_evaluations = 0;   ///< number of near-force evaluations of an inner scheme
   std::uint64_t near_derivatives = 0;
-  std::uint64_t measurements = 0;  ///< number of force evaluations only for energies
+  std::uint64_t measurements = 0;  ///< number of force evaluations that only measure energies
   EnsembleMemory ensemble;
-  bool stopped = false;           ///< whether the watch stopped the trajectory
+  bool stopped = false;           ///< whether `stop` ended the trajectory
   std::string failure;            ///< message with cause, time and remedy if the trajectory blew
                                   ///< up; otherwise empty
   std::string cause;              ///< cause of the failure, with the two molecules that collided
@@ -121,7 +121,7 @@ Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySe
 /// (separate_molecules()). Then a trajectory is run in which velocities are rescaled at intervals
 /// and the total momentum is removed. The time step is at most 1 fs, so that rough initial
 /// configurations can relax. Checkpoints are taken between two rescalings.
-/// @return  false if the watch stopped the equilibration
+/// @return false if `stop` ended the equilibration
 /// @throws RunError  if the trajectory blows up
 bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch = {},
                  Workers& workers = Workers::serial(), const RunState* from = nullptr);
