@@ -31,8 +31,8 @@ bool same_kind(const Kind& a, const Kind& b) {
 
 }  // namespace
 
-/// Adds the kinds of the molecule files. In the list of kinds, particles precede molecules that
-/// consist of atoms.
+/// Adds the kinds that molecule files define. In the list of kinds, particles precede molecules
+/// that consist of atoms.
 void FixPolhode::find_kinds_of_particles() {
   for (const ParticleArguments& particle : settings_.particles) {
     std::vector<double> masses = particle.file.masses;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The kinds of rigid molecules of a LAMMPS system. In a kind, all molecules have the same atom
-// types and masses in the order of the ids. All particles of the same type are also one kind,
-// because each particle is a molecule.
+// The kinds of rigid molecules of a LAMMPS system. All molecules of a kind have the same atom types
+// and masses, in the order of atom ids. All particles of the same type are also one kind, because
+// each particle is a molecule.
 #pragma once
 
 #include <cstdint>

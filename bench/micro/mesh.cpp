@@ -105,7 +105,7 @@ void add_all(const std::string& precision) {
     add<T>("chosen/error=" + std::to_string(error).substr(0, 8) + precision, best, What::forces, 1,
            mesh_for(error, cutoff, water.state.box, water.topology));
   // Measures how the times depend on the spline order and on the number of grid points. The choice
-  // of a mesh is based on these times (mesh_choice.cpp).
+  // of a mesh is based on the measured times (mesh_choice.cpp).
   for (int order = MeshSettings::min_order; order <= MeshSettings::max_order; ++order)
     add<T>("order=" + std::to_string(order) + precision, best, What::forces, 1,
            {{20, 20, 20}, order, 5, cutoff});

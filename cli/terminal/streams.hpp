@@ -20,8 +20,8 @@ void prepare_streams();
 /// printed.
 int exit_code(int code);
 
-/// Prints to standard error. Write errors are ignored, so that a run does not end because of its
-/// log.
+/// Prints to standard error. Write errors are ignored, so that an unwritable log does not end a
+/// run.
 template <class... Args>
 void log(fmt::format_string<Args...> format, Args&&... args) {
   const std::string text = fmt::format(format, std::forward<Args>(args)...);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The jobs of the command line that compute and write files. Each job calls the same library
-// function as its verb. Requests are passed as texts, as from the command line. The jobs return
-// their reports as JSON.
+// function as the verb of the command line. Requests are passed as texts, as from the command line.
+// The jobs return their reports as JSON.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>

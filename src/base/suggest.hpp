@@ -14,7 +14,7 @@ namespace polhode {
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The name that is most similar to a word. A name that differs only in case and punctuation has
-/// precedence, such as spce for "SPC/E". Otherwise the result is the name with the smallest edit
+/// precedence: for spce, this is "SPC/E". Otherwise the result is the name with the smallest edit
 /// distance. The result is empty if this distance exceeds about a third of the word (one letter of
 /// a short word).
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> names);

@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-/// The force settings with a mesh for the box, unless a mesh was given.
+/// The force settings, with a mesh chosen for the box unless a mesh was given.
 ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& box,
                         std::optional<MeshChoice>& choice) {
   check_tables(topology, s);

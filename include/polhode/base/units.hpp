@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The unit system of the program: nm, ps, u, e, K, kJ/mol. These units are consistent (1 kJ/mol = 1
 // u nm²/ps²), so no conversion factor appears in any formula. Values in other units are converted
-// once, in io.
+// once, in src/io.
 #pragma once
 
 namespace polhode::units {

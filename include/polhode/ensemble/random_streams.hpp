@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// What random numbers are used for; no two uses share a number.
+/// The uses of random numbers; no two uses share a random number.
 enum class RandomUse : std::uint64_t {
   langevin = 1,
   thermostat,           ///< random numbers of the common or the translational factor

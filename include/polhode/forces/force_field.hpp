@@ -70,7 +70,7 @@ class ForceField {
   /// Computes the exact derivative of forces and torques along a displacement of all bodies.
   /// Centres move by dq [nm], and orientations rotate by the body-frame vectors dtheta [rad]. f and
   /// tau of the result are derivatives per unit displacement, in the lab frame; its energies and
-  /// virial are 0. The function uses the same list and loops as the forces. The derivative is
+  /// virial are 0. The function uses the neighbour list and loops of the forces. The derivative is
   /// cheapest at the state of the last evaluation, because the mesh potential is then reused. The
   /// function does not allocate memory after its first call.
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,

@@ -33,7 +33,7 @@ constexpr std::array<Word, 4> philox(std::array<Word, 4> counter,
 }
 
 /// Derives the seed of the `index`-th item of a series from a common seed, for example for initial
-/// configurations of a study. The derived seed is half of a Philox block. No Random uses the
+/// configurations of a study. The derived seed is half of a Philox block. No Random object uses the
 /// counter of this block. Two derived seeds are equal with probability 2⁻⁶⁴. If seed and index were
 /// simply added, index 1 of seed 1 would equal index 0 of seed 2.
 constexpr std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t index) {

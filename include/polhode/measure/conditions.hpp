@@ -9,7 +9,7 @@
 
 namespace polhode {
 
-/// Averages over frames of density, temperature and volume. A single frame determines each of these
+/// Averages of density, temperature and volume over frames. A single frame determines each of these
 /// quantities.
 class Conditions {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Statistics of the energies along a trajectory, in memory that does not grow with its length.
+// Statistics of the energies along a trajectory, in memory of constant size.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The changes of averages, and of functions of averages, by the time-step error. One trajectory
-// gives these changes (docs/theory.md, Eqs. (47) to (54)).
+// The changes that the time-step error causes in averages and in functions of averages. One
+// trajectory gives these changes (docs/theory.md, Eqs. (47) to (54)).
 #pragma once
 
 #include <cstddef>
