@@ -16,7 +16,7 @@ SYSTEMS = {  # molecules, [system], [forces], step [fs]
     "nitrogen": (("n2", 32), {"density": "0.6 g/cm3", "temperature": "110 K"}, {"cutoff": "0.6 nm"}, 10),
     "water": (("tip4p", 64), {"density": "0.997 g/cm3", "temperature": "330 K"}, {"cutoff": "0.6 nm", "electrostatics": "reaction-field"}, 4),
 }
-# A pressure at which the density is close to the density above, and the compressibility, which only sets the size of barostat
+# A pressure at which the density is about the density in SYSTEMS, and the compressibility, which only sets the size of barostat
 # moves. The box of 64 water molecules is too small for simulations at constant pressure.
 PRESSURES = {"argon": (200, 2e-4), "nitrogen": (100, 4e-4)}
 LANGEVIN = {"thermostat": {"type": "langevin", "friction": "2 1/ps"}}

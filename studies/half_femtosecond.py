@@ -20,7 +20,7 @@ RESCALING = {"thermostat": {"type": "rescaling", "time_constant": "1 ps"}}
 BAROSTAT = {"type": "cell-rescaling", "pressure": "1 bar", "compressibility": "4.5e-5 1/bar", "time_constant": "1 ps"}
 FRICTIONS = (0.1, 1, 5, 20)  # [1/ps]
 # time between frames [fs]; frames of "properties" are samples of the shadow energy with a thermostat, and ends of trajectories
-# with hybrid Monte Carlo
+# in hybrid Monte Carlo
 FRAMES = {"properties": 40, "structure": 100}
 
 

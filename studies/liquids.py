@@ -74,7 +74,7 @@ def properties(water, found, o):
 
 
 def measured(o):
-    # Two runs are colder and warmer than the other runs; without these two, noise would dominate the slope with temperature.
+    # One run is colder and one run is warmer than the other runs; otherwise noise would dominate the slope with temperature.
     temperatures = [waters.TEMPERATURE] * (o.runs - 2) + [waters.TEMPERATURE + d for d in (-o.spread, o.spread)]
     cases = [(water, seed, T) for water in waters.WATERS for seed, T in enumerate(temperatures, 1)]
 

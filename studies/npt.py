@@ -289,7 +289,7 @@ def rerun(o):
 
 
 def main():
-    # The shortest study that still runs every step of the comparison that needs only polhode.
+    # The shortest study that runs all steps of the comparison that need only polhode.
     o = study.options(__doc__, {"job": "run", "models": ["spce"], "runs": [WAYS[0].name], "length": 3.0, "skip": 0.5},
                       job=("compare", "check, run, compare or rerun"), models=(list(LIQUIDS), "liquids"),
                       runs=(["gromacs", *(w.name for w in WAYS)], "gromacs, or how polhode samples"), length=(500.0, "length of each run [ps]"),

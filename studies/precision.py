@@ -12,7 +12,7 @@ import numpy as np
 from lib import runs, study
 
 ETA = 0.1931833275037836
-# The sums of the squared weights of the force evaluations in a step; GIER4 with lambda = 1.
+# The sum of the squared weights of the force evaluations in a step of each scheme; GIER4 has lambda = 1.
 WEIGHTS = {"velocity-verlet": 1.0, "hoa2": (2 * ETA) ** 2 + (1 - 2 * ETA) ** 2, "gier4-fd": 5 / 9}
 PRECISIONS = ("mixed", "double")
 LONG = (("gier4-fd", 1), ("hoa2", 3))  # the truncation error of the first is far below round-off

@@ -30,7 +30,7 @@ const Scheme* built_in(std::string_view name) {
 struct BathName {
   std::string_view name, meaning;
 };
-/// Common names for velocity Verlet and position Verlet with a heat bath.
+/// Common names for velocity Verlet and position Verlet, both with a heat bath.
 constexpr std::array bath_names = {
     BathName{"obabo", "velocity-verlet-ends"}, BathName{"baoab", "velocity-verlet-middle"},
     BathName{"oabao", "position-verlet-ends"}, BathName{"aboba", "position-verlet-middle"}};

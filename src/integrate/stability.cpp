@@ -13,8 +13,7 @@ struct Oscillator {
   double q, p;
   void drift(double t) { q += t * p; }
   void kick(double t) { p -= t * q; }
-  /// Kicks with the force at q + 2ξh² f; the gradient kick is an approximation of this kick
-  /// [vanzon2008, Eq. 6].
+  /// Kicks with the force at q + 2ξh² f, which the gradient kick approximates [vanzon2008, Eq. 6].
   void kick(double t, double xi_h2, Gradient) { p -= t * (1 - 2 * xi_h2) * q; }
   void bath(double, StageNumber) {}
 };

@@ -17,8 +17,8 @@ Estimate mean(std::span<const double> values) {
   return {average, n > 1 ? std::sqrt(squares / (n - 1) / n) : 0.0};
 }
 
-// Each value omits one point. The jackknife variance (n − 1)/n Σ (value − mean)² is (n − 1)² times
-// the variance of the mean of these values.
+// Each value in `without` is computed without one of the points. The jackknife variance (n − 1)/n Σ
+// (value − mean)² is (n − 1)² times the variance of the mean of these values.
 double jackknife_error(std::span<const double> without) {
   return mean(without).error * static_cast<double>(without.size() - 1);
 }

@@ -26,7 +26,7 @@ class RealTransform {
   std::size_t modes() const { return size_ / 2 + 1; }
 
   /// The forward transform, modes[k] = Σ series[j] exp(−2πi jk/size). Several threads may call
-  /// forward() at the same time with different columns.
+  /// forward() at the same time if each thread has its own columns.
   void forward(Column<double>& series, Column<std::complex<double>>& modes) const;
   /// The backward transform, which overwrites `modes`.
   void backward(Column<std::complex<double>>& modes, Column<double>& series) const;

@@ -13,7 +13,7 @@ enum class Obstacle {
   length,            ///< the run is too short
   no_error,          ///< the error is not known
   still_moving,      ///< the quantity still changes along the run
-  slope_changes,     ///< the slope of the fitted line differs between its halves
+  slope_changes,     ///< the slopes in the two halves of the fit window differ
   integral_changes,  ///< the integral up to half of the largest lag differs from the whole integral
   interval           ///< the integrand is sampled too rarely
 };

@@ -68,8 +68,7 @@ class Modes {
 /// if the noise is white.
 constexpr std::size_t slowest = 4;
 /// Limits of the ratio between the mean squares of the slowest modes and all faster modes. The
-/// limits of this ratio also determine the growth of the noise towards the next slower mode
-/// (docs/statistics.md).
+/// noise of the next slower mode is also estimated from this ratio (docs/statistics.md).
 constexpr double white = 1.5, too_slow = 10, growth = 0.113;
 
 /// The noise of the mean, estimated from the slowest modes.

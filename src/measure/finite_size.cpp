@@ -26,8 +26,8 @@ void each_point(const Vec3<double>& edge, double distance,
 }  // namespace
 
 // With 1/k² = ∫ exp(−k² t) dt and 1/k⁴ = ∫ t exp(−k² t) dt, the tensor (1/k²)(1 − k_a²/k²) is an
-// integral over t of heat kernels. Large t converge fast over wave vectors, and small t over
-// images: each t has the sum over images of (1/2 + x²/4t) (4πt)^(−3/2) exp(−R²/4t), minus its mean.
+// integral over t of heat kernels. At large t, a sum over wave vectors converges fast. At small t,
+// the integrand is the sum over images of (1/2 + x²/4t) (4πt)^(−3/2) exp(−R²/4t), minus its mean.
 // The Oseen tensor is the integral over the image at the origin.
 Vec3<double> image_mobility(const Vec3<double>& edge) {
   constexpr double pi = units::pi, decay = 6.5;  // exp(−6.5²) = 5e-19

@@ -36,8 +36,8 @@ struct Hypothesis {
                                   ///< weights
 };
 
-/// The posterior of all spectra, averaged over the possible strengths of an independently known
-/// random walk.
+/// The posterior of each spectrum combined with each random walk in `walks`. The walks have prior
+/// probabilities.
 std::vector<Hypothesis> posterior(const SlowModes& modes, const std::vector<Spectrum>& spectra,
                                   std::span<const WalkStrength> walks);
 

@@ -125,8 +125,8 @@ double energy_error(const NestedScheme& scheme, double lambda, double h, std::si
 }  // namespace
 
 OrderMeasurement measure_order(const NestedScheme& scheme, double lambda) {
-  // The runs last several periods, and their steps are large [ps]. Even at steps of 20 fs, schemes
-  // with many stages reach their order.
+  // The runs last several periods [ps] and have large steps. Even at steps of 20 fs, schemes with
+  // many stages reach their order.
   constexpr double length = 0.64;
   const double max_step = scheme.outer.force_evaluations() < 8 ? 0.02 : 0.04;
   // The round-off error. A finite-difference gradient amplifies the round-off error by 1/λ. Without

@@ -233,8 +233,8 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
       throw Error(fmt::format("no site is named '{}'{} (the sites are: {})", words[w],
                               did_you_mean(words[w], all_names), join_names(all_names)));
 
-  // A pair of site kinds a and b counts once if both selections of the site pair are the same;
-  // otherwise it counts once for each matching order of a and b.
+  // Site kinds a and b count once for each order in which they match the two selections of a pair.
+  // If both selections are the same, the kinds count only once.
   counts_.assign(kinds.size(), std::vector<std::vector<Count>>(kinds.size()));
   for (std::size_t a = 0; a < kinds.size(); ++a)
     for (std::size_t b = 0; b < kinds.size(); ++b)

@@ -39,8 +39,8 @@ double mean_walk(const std::vector<Hypothesis>& all) {
   return walking > 0 ? walk / walking : 0;
 }
 
-/// Whether the slowest modes about the line are so much stronger than all faster modes that the
-/// noise of the slope cannot be extrapolated from the modes (docs/statistics.md).
+/// Whether the noise of the slope cannot be extrapolated from the modes, because the slowest modes
+/// about the line are much stronger than all faster modes (docs/statistics.md).
 bool too_slow(const SlowModes& modes, double walk) {
   constexpr double limit = 10;
   constexpr std::size_t first = 1, end = 5;  // modes next to the mode that a line resembles most

@@ -9,13 +9,13 @@
 
 namespace polhode {
 
-/// Coefficients of a series of block means in the eigenvectors of the covariance of a random walk,
-/// beginning with the slowest mode. If all blocks are equal, the modes are half cosines over the
+/// The slow modes of a series of block means. The modes are eigenvectors of a random walk's
+/// covariance matrix, slowest first. If all blocks are equal, the modes are half cosines over the
 /// run. For white noise, each coefficient has the variance of a sample. The mean is subtracted.
 struct SlowModes {
   double samples = 0, length = 0;  ///< number of samples, and length of the run [time]
   std::vector<double> values;      ///< coefficients of the series
-  std::vector<double> line;        ///< coefficients of the series whose values are the times
+  std::vector<double> line;        ///< coefficients of the straight line whose values are the times
   std::vector<double> walk;        ///< variance of each coefficient for a random walk with variance
                                    ///< 1 per time
 

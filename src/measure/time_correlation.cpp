@@ -20,7 +20,7 @@ bool is_displacement(Product product) {
          product == Product::displacement_y || product == Product::displacement_z;
 }
 
-// The number of functions per vector. The sum of their products is a Product of two vectors.
+// The number of functions of a vector whose products add up to a Product of two vectors.
 std::size_t terms(Product product) {
   switch (product) {
     case Product::displacement:

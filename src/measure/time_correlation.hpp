@@ -30,9 +30,9 @@ enum class Product {
 
 /// Computes time correlation functions by Fourier transforms of a quarter of a window together with
 /// the preceding window (Wiener-Khinchin theorem; [frenkel2002, section 4.4]). A multiple-tau
-/// correlator [ramirez2010] would need less memory. However, this class gives every lag exactly as
-/// a direct sum, without smoothing, and spectra need evenly spaced lags. The class needs 30 bytes
-/// of memory per body and lag.
+/// correlator [ramirez2010] would need less memory. However, this class computes every lag exactly,
+/// like a direct sum, and spectra need evenly spaced lags. The class needs 30 bytes of memory per
+/// body and lag.
 ///
 /// Bodies are distributed over 32 groups, or over one group per body if there are fewer bodies.
 /// Each group is one task, so all sums are bitwise identical for any number of threads. Errors are

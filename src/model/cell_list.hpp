@@ -23,8 +23,8 @@ namespace polhode {
 template <class Item>
 class CellList {
  public:
-  /// Sorts items into cells. The number of cells is at most the number of items, or 27 if there are
-  /// fewer items.
+  /// Sorts items into cells. The number of cells is at most the number of items or 27, whichever is
+  /// larger.
   CellList(const std::vector<Item>& items, const Box& box, double range) : items_(items.size()) {
     const double width = cell_width(box, range, std::max(27.0, static_cast<double>(items.size())));
     for (std::size_t d = 0; d < 3; ++d)
@@ -40,7 +40,7 @@ class CellList {
   }
 
   /// Calls visit(a, b) once for each pair in the same or in neighbouring cells.
-  /// @param share, shares  only part `share` of `shares` parts of the pairs is visited
+  /// @param share, shares  number of the part of the pairs to visit, and number of all parts
   template <class Visit>
   void each_pair(const Visit& visit, std::size_t share = 0, std::size_t shares = 1) const {
     for (std::size_t cell = 0; cell < ends_.size(); ++cell)

@@ -37,7 +37,7 @@ struct RequestOption {
 [[noreturn]] void refuse(const Given& given, const std::string& complaint);
 
 /// The value of a quantity given as an option.
-/// @throws Error  unless it is a quantity of the dimension
+/// @throws Error  unless the text is a quantity of this dimension
 double given_quantity(const Given& given, Dimension dimension, std::string_view example = {});
 /// The value of a quantity given as an option, which must be above 0.
 double given_positive(const Given& given, Dimension dimension, std::string_view example = {});

@@ -14,7 +14,7 @@ struct JobSetting {
   const char* name;                ///< name such as "hybrid_steps", for the option --hybrid-steps
                                    ///< and the keyword hybrid_steps
   const char* key;                 ///< key of the setting, such as "hybrid_monte_carlo.steps"
-  const char* note = "";           ///< note that is appended to the meaning of the key
+  const char* note = "";           ///< text that is appended to the meaning of the key
   const char* old_name = nullptr;  ///< older name of the option, which is also accepted
 
   /// The meaning of the setting in a few words: the meaning of its key, and the note.

@@ -11,7 +11,7 @@
 
 namespace polhode {
 
-/// Makes a quantity a detail.
+/// Marks a quantity as a detail, which a text may omit.
 Quantity detail(Quantity quantity);
 
 /// A row that is shown in the text but not in JSON; a row without a label is a line by itself.

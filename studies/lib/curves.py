@@ -8,8 +8,8 @@ import numpy as np
 
 from . import runs, study
 
-# A curve ends above this R, whatever its energy drift. This R is ten times the R at which such a study compares schemes, and
-# above every point at which longer runs detected no energy drift (docs/evidence/efficiency.md: velocity Verlet, 8.9 %).
+# A curve ends above this R, whatever its energy drift. This R is ten times the R at which the studies compare schemes, and
+# above every R at which longer runs detected no energy drift (docs/evidence/efficiency.md: velocity Verlet, 8.9 %).
 LOST = 0.1
 COST = "force_evaluations_per_ps"
 

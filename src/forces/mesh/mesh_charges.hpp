@@ -36,7 +36,7 @@ class MeshCharges {
   const T* moves() const { return moves_.data(); }
 
  private:
-  // The slots whose charges a task places, and the index of the first of these charges.
+  // The slots of a task, and the index of their first charge.
   struct Block {
     std::size_t part, first, end, charge;
   };

@@ -59,14 +59,14 @@ class ChargeDistribution {
 };
 
 /// A table of the required energy 4 π ρ(k)/k² and of the form factor as functions of k². If all k²
-/// are multiples of a square, each entry is computed only once.
+/// are multiples of one number, each entry is computed only once.
 class WaveTable {
  public:
   struct Value {
     double required, form;
   };
   /// Constructs the table.
-  /// @param unit  number whose square divides all k²; 0 if there is none
+  /// @param unit  all k² are multiples of the square of this number; 0 if k² may have any value
   WaveTable(const ChargeDistribution& distribution, const CompactSplit& split, double unit)
       : distribution_(distribution), split_(split), per_unit2_(unit == 0 ? 0 : 1 / (unit * unit)) {}
 
@@ -91,7 +91,7 @@ class WaveTable {
 
 /// The mean square error of forces for given grid spacings in a box of 1 nm³. The mean square error
 /// scales as 1/V and does not otherwise depend on the box, because the sum over wave vectors
-/// approximates an integral. A small grid therefore suffices.
+/// approximates an integral. The error is therefore computed for a small grid.
 double mean_square_error(const ChargeDistribution& distribution, const Vec3<double>& spacing,
                          int order, const CompactSplit& split) {
   constexpr std::size_t points = 12, half = points / 2, aliases = 3;
@@ -116,7 +116,7 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
         if (x + y + z == 0) continue;
         if (cubic && (x > y || y > z)) continue;  // computed once for all orders of x, y and z
         const int orders = !cubic || (x == y && y == z) ? 1 : x == y || y == z ? 3 : 6;
-        // Sums over aliases of U², U² k² and U² k² γ, and of U² and U² k² γ times the form factor.
+        // Sums over aliases: U², U² k², U² k² γ, and the form factor times U², U² k² γ, k² γ².
         double u = 0, uk = 0, ukg = 0, u_form = 0, ukg_form = 0, kgg_form = 0;
         for (const Alias& a : axis[0][x])
           for (const Alias& b : axis[1][y])
@@ -183,8 +183,8 @@ std::array<std::size_t, 3> grid_of(const Box& box, double spacing) {
 }
 
 /// The maximum number of grid points. Meshes for liquids have 10 to 100 points per charge. In a
-/// sparsely filled box a finer mesh is wasteful. A longer cutoff is better, because it allows a
-/// coarser mesh and adds few pairs.
+/// sparsely filled box, a longer cutoff is better than a finer mesh, because a longer cutoff allows
+/// a coarser mesh and adds few pairs.
 double max_points_for(double charges) { return std::max(0x1p21, 4096 * charges); }
 
 }  // namespace
@@ -254,8 +254,8 @@ void MeshChoice::try_cutoff(double cutoff, Orders orders, const Box& box, Best& 
   for (int order = orders.first; order <= orders.last; ++order) {
     MeshSettings mesh{{}, order, 0, cutoff};
     if (pairs + expected_mesh_seconds(topology_, mesh) > best.seconds) continue;
-    // For each exponent, find the coarsest sufficient spacing. As a function of the exponent, the
-    // sufficient spacing has a single maximum.
+    // For each exponent, find the coarsest spacing that is accurate enough. As a function of the
+    // exponent, the sufficient spacing has a single maximum.
     int coarse = std::numeric_limits<int>::max();
     for (int m = 3; m <= CompactSplit::max_exponent; ++m) {
       const int spacing = coarsest(cutoff, order, m, required_in_unit_box);
@@ -291,8 +291,8 @@ MeshSettings MeshChoice::cheapest(const Box& box) {
   return best.mesh;
 }
 
-/// The remedy for a mesh that is too fine: a longer cutoff with a coarser mesh, found in steps of
-/// 25 %.
+/// Advice for a mesh that is too fine: a longer cutoff, which allows a coarser mesh. Cutoffs are
+/// tried in steps of 25 %.
 std::string MeshChoice::remedy(const Box& box, const MeshSettings& best) const {
   const double max_points = max_points_for(ChargeDistribution(topology_).charges());
   ForceSettings longer = settings_;

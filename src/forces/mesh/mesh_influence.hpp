@@ -14,12 +14,12 @@ namespace polhode {
 
 struct InfluenceValue {
   double factor;  ///< factor G in the energy E = ½ Σ G |S|² [kJ/mol/e²]
-  double slope;  ///< factor H in −dE/dε = ½ Σ |S|² (G + H k ⊗ k), for a strain that moves the
-                 ///< charges with it
+  double slope;  ///< factor H in −dE/dε = ½ Σ |S|² (G + H k ⊗ k), for a strain that also moves the
+                 ///< charges
 };
 
-/// Computes the optimal influence function of a mesh. If forces are the gradient of the energy,
-/// their mean square error is smallest for the factor G = Σ U² k² γ / (Σ U² · Σ U² k²)
+/// Computes the optimal influence function of a mesh. If forces are the gradient of the energy, the
+/// factor G = Σ U² k² γ / (Σ U² · Σ U² k²) gives the smallest mean square error of forces
 /// [ballenegger2012]. Sums are over k and its aliases. U(k) is the transform of the assignment
 /// function, and γ is the required energy 4 π K ρ(k)/(k² V). U depends only on the grid, so the
 /// volume derivative of G follows from the derivatives of ρ and k². The trace of the virial is

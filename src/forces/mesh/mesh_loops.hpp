@@ -32,8 +32,8 @@ struct PlaceChargesJob {
   const SiteRecords<T>& records;
   MeshBodies bodies;
   std::array<std::size_t, 3> points;
-  T* charges;         ///< records of charges, also for the slots that fill the last block
-  std::int32_t* row;  ///< for each charge, the grid point below it along y
+  T* charges;         ///< records of charges, including padding slots in the last block
+  std::int32_t* row;  ///< index along y of the grid point below each charge
   /// Only for derivatives: displacements with the layout of `records`, and for each charge a record
   /// of the displacement in grid spacings.
   const SiteRecords<T>* displacements = nullptr;
@@ -45,8 +45,8 @@ struct PlaceChargesJob {
 template <class T>
 struct SpreadJob {
   const T* charges;  ///< records of charges
-  const T* moves;    ///< records of displacements, which make each charge a dipole; null for
-                     ///< no displacement
+  const T* moves;    ///< records of displacements, by which each charge becomes a dipole; null if
+                     ///< charges do not move
   const std::uint32_t *order, *end;  ///< numbers of the charges
   int spline;                        ///< order of the spline
   MeshGrid<T>& grid;

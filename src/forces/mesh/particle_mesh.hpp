@@ -23,9 +23,8 @@ struct MeshLoad {
                           ///< bodies [kJ/mol]
 };
 
-/// Corrections of the smooth part that do not depend on the positions of bodies: self-energy of
-/// each charge, exclusion of charges within the same body, and the uniform background that
-/// neutralizes a net charge [kJ/mol].
+/// Corrections of the smooth part that do not depend on positions: self-energy, intramolecular
+/// exclusions, and the uniform background that neutralizes a net charge [kJ/mol].
 struct MeshConstant {
   double self = 0, intramolecular = 0, background = 0;
   Mat3<double> virial{};  ///< virial of the background

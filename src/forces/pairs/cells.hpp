@@ -56,7 +56,7 @@ struct Slots {
   std::vector<Part> parts;
   std::vector<std::uint32_t> body;  ///< index of the body in each slot
 
-  // Positions of the body in each slot when the neighbour list was built:
+  // Position of the body in each slot at the last build of the neighbour list:
   Vec3Column built_at;  ///< unwrapped position q [nm]
   Vec3Column place;     ///< position q wrapped into the box [nm]
 

@@ -26,8 +26,8 @@ constexpr bool switches_sites(CutoffTreatment treatment) {
 constexpr bool is_smooth(CutoffTreatment treatment) {
   return treatment == CutoffTreatment::smooth || treatment == CutoffTreatment::smooth_untruncated;
 }
-/// The cutoff treatment of pairs inside the switching distance: the potentials are the same but not
-/// truncated.
+/// The cutoff treatment of pairs inside the switching distance: the same potentials without
+/// truncation.
 constexpr CutoffTreatment without_truncation(CutoffTreatment treatment) {
   return is_smooth(treatment) ? CutoffTreatment::smooth_untruncated : CutoffTreatment::none;
 }
@@ -65,7 +65,7 @@ class SiteTruncation {
   }
 
  private:
-  // Multiplies by the switch: w u, and −(w u)'/r = w s − w' u/r.
+  // Multiplies u and s = −u'/r by the switch w: the products are w u and w s − w' u/r.
   POLHODE_INLINE PairValue<Real> switched(const PairValue<Real>& at_r) const {
     return {switch_.w * at_r.u, switch_.w * at_r.s - switch_.slope * inverse_r_.first() * at_r.u};
   }

@@ -31,7 +31,7 @@ struct PairLoad {
 };
 
 /// The molecule switch, a function of the distance between the centres of mass. The energy U = w(R)
-/// u gives the forces w s between sites, and −w'(R) u between the centres.
+/// u gives the forces −w u' between sites, and −w' u between the centres.
 template <class Real, class T>
 class MoleculeSwitch {
  public:

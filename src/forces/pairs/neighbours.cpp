@@ -37,8 +37,8 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
 }
 
 // The division into chunks depends only on the number of bodies, so that sums do not depend on the
-// number of threads. A chunk is so large that its rows outnumber the slots of other chunks to which
-// it adds forces.
+// number of threads. A chunk is so large that it has more rows than slots in other chunks that
+// receive its forces.
 std::vector<ListChunk> chunks_of(const Slots& slots, std::size_t parts) {
   std::vector<ListChunk> chunks;
   const std::size_t all = slots.size();

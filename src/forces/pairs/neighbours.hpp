@@ -27,7 +27,7 @@
 namespace polhode {
 
 /// A partner in the neighbour list: slot and periodic image, packed into a single word. The image
-/// is a shift by −1, 0 or 1 box edges in each direction, two bits each.
+/// is a shift by −1, 0 or 1 box edges in each direction, stored in two bits per direction.
 class Neighbour {
  public:
   using Image = Vec3<int>;

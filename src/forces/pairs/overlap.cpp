@@ -40,7 +40,7 @@ using Cell = std::array<std::int64_t, 3>;
 class Buckets {
  public:
   Buckets(const Topology& topology, const State& state);
-  /// The first overlap, ordered by the later of its two sites, and then by the earlier site.
+  /// The first overlap in the order of its later site, and then of its earlier site.
   std::optional<Overlap> first_overlap() const;
 
  private:

@@ -8,8 +8,8 @@
 namespace polhode {
 
 /// The smallest allowed distance between sites of different molecules [nm], for sites with mass or
-/// Lennard-Jones parameters. The distance is half of 0.17 nm, the length of a hydrogen bond and the
-/// shortest contact in liquids.
+/// Lennard-Jones parameters. The smallest allowed distance is half the length of a hydrogen bond
+/// (0.17 nm), which is the shortest contact in liquids.
 inline constexpr double closest_contact = 0.085;
 
 /// Checks that no two molecules overlap.

@@ -200,7 +200,7 @@ void PairEngine<T>::sum_chunk(std::size_t c, PairLoop loop, bool energies,
     sum_partners(partner);
 }
 
-/// Adds what all chunks, in their order, contribute to the slots of chunk `c`.
+/// Adds the forces from all chunks, in a fixed order, to the slots of chunk `c`.
 template <class T>
 void PairEngine<T>::collect(std::size_t c, Load& load) const {
   constexpr std::uint32_t block = slot_block;

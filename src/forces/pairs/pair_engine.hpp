@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A force evaluation over the neighbour list in a given precision. The engine places the sites,
-// sums the pairs of each chunk, adds the mesh contribution, and reduces the sums.
+// sums the pairs of each chunk, adds the mesh contribution, and adds up the sums of all chunks.
 #pragma once
 
 #include <memory>
@@ -94,7 +94,7 @@ struct AnyPairEngine {
   }
 };
 
-/// Makes a pair engine; the arguments are those of the constructor of PairEngine.
+/// Makes a pair engine from the arguments of the PairEngine constructor.
 std::unique_ptr<AnyPairEngine> pair_engine(const Topology& topology, const ForceSettings& settings,
                                            const Box& box, Workers& workers,
                                            std::size_t ghost_parts = 0);

@@ -16,9 +16,8 @@ namespace polhode {
 /// the sites on the stack.
 inline constexpr std::size_t max_sites = 64;
 
-/// The interacting sites of a molecule in the order of the pair loops: sites with only a charge,
-/// then sites with a charge and a short-range potential, then sites with only a short-range
-/// potential.
+/// The interacting sites of a molecule, ordered for the pair loops: sites with only a charge, sites
+/// with a charge and a short-range potential, and sites with only a short-range potential.
 struct InteractionSites {
   std::vector<Site> sites;
   std::size_t charged = 0;     ///< number of sites with a charge, at the beginning

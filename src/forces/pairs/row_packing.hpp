@@ -13,7 +13,7 @@
 namespace polhode {
 
 /// The partners in a row that is being built. Memory for one more pack follows the last partner,
-/// because packs are stored whole.
+/// because only whole packs are stored.
 class RowBuffer {
  public:
   void clear() { first_ = size_ = 0; }
@@ -23,7 +23,7 @@ class RowBuffer {
     if (words_.size() < size_ + n + slot_block) words_.resize(2 * (size_ + n + slot_block));
     return words_.data() + size_;
   }
-  void grow(std::size_t n) { size_ += n; }  ///< Records that n entries were written at the end.
+  void grow(std::size_t n) { size_ += n; }  ///< Counts n entries that were written at the end.
   void push(Neighbour n) { *end_with_room(1) = n.word(), ++size_; }
   Neighbour pop() { return Neighbour(words_[--size_]); }
   void remove_first(std::size_t n) { first_ += n; }

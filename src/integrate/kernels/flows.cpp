@@ -15,9 +15,9 @@ using Real = Pack<double>;
 
 namespace {
 
-/// Largest rotation angle in one step [rad] for which the series is used, in sub-steps. Larger
-/// rotations, which are rare unless the run has blown up, are computed in closed form for each
-/// body.
+/// Largest rotation angle in one step [rad] that is computed by the series, divided into sub-steps.
+/// Larger rotations, which are rare unless the run has blown up, are computed in closed form for
+/// each body.
 constexpr double max_by_series = 16;
 
 Quaternion<Real> closed_rotations(const Vec3Column& J, const Vec3<Real>& L, double t,

@@ -41,8 +41,8 @@ std::string found_program(const std::string& program) {
   return {};
 }
 
-// Runs in the process that becomes gnuplot, and makes only calls that are safe between fork and
-// exec. The alarm remains active after exec and ends gnuplot at its time limit.
+// Runs in the child process that becomes gnuplot, and makes only calls that are safe between fork
+// and exec. The alarm remains active after exec and ends gnuplot at its time limit.
 [[noreturn]] void become(const char* program, const char* folder, const char* script,
                          unsigned seconds) {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})

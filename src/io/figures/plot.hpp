@@ -64,7 +64,7 @@ struct EfficiencyFigure {
 /// Plots R against cost for each scheme [vanzon2008, Fig. 1] on linear axes, and all points on
 /// logarithmic axes. The longest usable step has an open symbol if the curve ends at this step.
 /// Points at the round-off limit are crossed out. Script and image are written next to the CSV
-/// file, as by energy_plot().
+/// file, like the files of energy_plot().
 bool efficiency_plot(const EfficiencyFigure& figure, const std::string& format,
                      std::ostream& warnings);
 

@@ -3,8 +3,8 @@
 // written by another program is recognized before its data are used.
 //
 // A file begins with 16 bytes that identify the format, the version of the format, and the length
-// of the file. The program's version and instruction set, the contents, and a CRC-64 of everything
-// but the length follow. Integers have 64 bits in the byte order of the processor.
+// of the file. The file continues with program version, instruction set, contents, and a CRC-64 of
+// everything except the length. Integers have 64 bits in the byte order of the processor.
 #pragma once
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 
 namespace polhode {
 
-/// A file that gets its final name only when it is complete. Until then the file has no name or, if
+/// A file that gets its final name only when it is complete. An incomplete file has no name or, if
 /// the file system supports only named files or the extension must show the format, a unique
 /// temporary name. A draft that is never completed disappears. No other file is overwritten or
 /// removed.
@@ -46,9 +46,9 @@ class Draft {
 /// @throws Error  with the length
 void check_length_of_name(const std::string& path);
 
-/// Removes drafts of files in one folder that killed processes left behind. Lock the files before
-/// this call, because a draft's name does not show whether the process that writes the draft still
-/// exists.
+/// Removes the drafts of files in one folder; such drafts are left behind by killed processes. Lock
+/// the files before this call, because a draft's name does not show whether the process that writes
+/// the draft still exists.
 void remove_drafts(const std::vector<std::string>& files);
 
 }  // namespace polhode

@@ -18,9 +18,9 @@ namespace polhode {
 std::string text_hash(std::string_view text);
 
 /// Writes a table as CSV. The first line contains column names such as "time [ps],potential
-/// [kJ/mol]". Lines of provenance, which begin with "# ", and the rows follow. NaN is written as an
-/// empty field. Column names are on the first line, because numpy reads column names only from the
-/// first line.
+/// [kJ/mol]". The first line is followed by provenance lines, which begin with "# ", and by the
+/// rows. NaN is written as an empty field. Column names are on the first line, because numpy reads
+/// column names only from the first line.
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance);
 
 /// Calls visit(row) for each row of numbers within the first `bytes` bytes of a table. Numbers are

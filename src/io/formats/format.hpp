@@ -23,8 +23,8 @@ struct Format {
   /// messages.
   std::unique_ptr<FrameReader> (*read)(std::istream& in, const std::string& file);
 
-  /// Creates a writer that starts a file, or appends to it at a stored position (mark); null if the
-  /// format is read-only.
+  /// Creates a writer that starts a file or, given a stored position (mark), appends to the file;
+  /// null if the format is read-only.
   std::unique_ptr<FrameWriter> (*write)(const std::string& path, const Topology& topology,
                                         const FrameChoice& choice, const FileMark* mark);
 
@@ -43,7 +43,7 @@ struct Format {
 // Serials have five characters.
 inline constexpr FormatLimits pdb_limits{
     .atoms = 87'440'031, .min = -99.9999, .max = 999.9999, .edge = 9999.9999};
-// Coordinates are whole numbers of 0.001 nm; the differences of coordinates must also fit in 32
+// Coordinates are integers in units of 0.001 nm; the differences of coordinates must also fit in 32
 // bits.
 inline constexpr FormatLimits xtc_limits{
     .atoms = 2'147'483'647, .min = -1'073'741.8, .max = 1'073'741.8};
@@ -68,7 +68,7 @@ std::unique_ptr<FrameReader> h5md_reader(std::istream& in, const std::string& fi
 std::unique_ptr<FrameReader> lammps_data_reader(std::istream& in, const std::string& file);
 std::unique_ptr<FrameReader> lammps_dump_reader(std::istream& in, const std::string& file);
 /// Creates a reader of LAMMPS dump files with particles, each of which is a molecule. The frames
-/// have the sites of the molecules.
+/// contain the sites of these molecules.
 std::unique_ptr<FrameReader> lammps_particle_reader(std::istream& in, const std::string& file,
                                                     const Topology& topology);
 

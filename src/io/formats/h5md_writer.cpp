@@ -112,8 +112,8 @@ class H5mdWriter : public FrameWriter {
     bound_memory();
   }
 
-  // Reading while writing requires the latest file format. Data are written immediately, because a
-  // chunk cache would only grow by the bytes of each short row.
+  // A file can be read while it is being written only in the latest file format. Data are written
+  // immediately, because a chunk cache would only grow by the bytes of each short row.
   Handle access_properties() const {
     Handle access = make_handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// LAMMPS data files as files of one frame, in the order of ids.
+// LAMMPS data files as files of one frame, with the atoms in the order of their ids.
 #include "io/topology/lammps_data.hpp"
 
 #include <istream>

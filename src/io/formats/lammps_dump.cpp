@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-// The meaning of a column of the atoms: a property and its coordinate.
+// The meaning of a column of atom data: a property and, for a vector, the component.
 struct DumpColumn {
   enum class What {
     id,
@@ -132,8 +132,8 @@ class LammpsDumpReader : public FrameReader {
     return *count;
   }
 
-  // The boundary conditions are three words such as "pp pp pp". A triclinic box has other words
-  // before the boundaries.
+  // The boundary conditions are three words such as "pp pp pp". For a triclinic box, other words
+  // precede the boundary conditions.
   void read_box(Frame& frame, std::string_view boundaries) {
     for (auto word = take_word(boundaries); !word.empty(); word = take_word(boundaries))
       if (word != "pp")

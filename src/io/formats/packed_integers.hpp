@@ -27,7 +27,7 @@ PackedIntegers pack_integers(std::vector<IntegerVector> atoms);
 
 /// Unpacks the coordinates of `count` atoms. Memory grows as atoms are read, so the memory is at
 /// most 48 bytes per byte of `bits`.
-/// @throws Error  without a place, if the bits end early or are inconsistent
+/// @throws Error  if the bits end early or are inconsistent; the message names no file
 std::vector<IntegerVector> unpack_integers(const IntegerVector& lower, const IntegerVector& upper,
                                            std::int32_t small_range,
                                            std::span<const std::uint8_t> bits, std::size_t count);

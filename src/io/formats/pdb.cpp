@@ -171,9 +171,9 @@ class PdbReader : public FrameReader {
   double angstrom_ = unit("A", Dimension::length);
 };
 
-// A serial number in five characters. The serial number is decimal up to 99999, and beyond in base
-// 36 (hybrid-36, from A0000 on) (cci.lbl.gov/hybrid_36). After ZZZZZ, the serial number continues
-// in lower case from a0000.
+// A serial number in five characters. Numbers up to 99999 are decimal; larger numbers are in base
+// 36, beginning with A0000 (hybrid-36, cci.lbl.gov/hybrid_36). After ZZZZZ, the serial number
+// continues in lower case from a0000.
 std::string serial(std::size_t number) {
   constexpr std::size_t width = 5, decimal = 100'000, digit = 36 * 36 * 36 * 36;
   if (number < decimal) return fmt::format("{:5}", number);

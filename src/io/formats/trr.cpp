@@ -96,7 +96,7 @@ class TrrReader : public FrameReader {
     in_.block(length(forces), "the forces");
   }
 
-  // Reads the vectors of one part as a whole.
+  // Reads a part of the frame as a whole, and calls visit(v) for each of its vectors.
   template <class Real, class Visit>
   void each(Part part, const char* what, const Visit& visit) {
     auto block = in_.block(length(part), what);

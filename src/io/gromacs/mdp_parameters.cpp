@@ -28,8 +28,8 @@ std::string normal(std::string_view text) {
   return letters;
 }
 
-/// Parameters without a counterpart in run files: the beginning of each name, and the reason. The
-/// first entry that matches a name applies.
+/// Parameters that run files do not support: the beginning of each name, and the reason. The first
+/// entry that matches a name applies.
 struct Reason {
   std::string_view beginning, text;
 };

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::int64_t any = std::numeric_limits<std::int32_t>::max();
 
-// Factors that convert from LAMMPS units real to internal units.
+// Factors that convert from the LAMMPS unit style real to internal units.
 const double angstrom = unit("A", Dimension::length);
 const double angstrom_per_fs = angstrom / unit("fs", Dimension::time);
 const double kcal = unit("kcal/mol", Dimension::energy);

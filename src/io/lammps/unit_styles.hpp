@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// LAMMPS unit styles with units for molecules.
+// LAMMPS unit styles that are suitable for molecules.
 #pragma once
 
 #include <optional>

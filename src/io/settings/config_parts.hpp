@@ -23,8 +23,8 @@ std::string wrong_temperature(const Config& config);
 void set_precision(Config& config, Precision precision);
 
 /// The text of a run file with the settings of an overlay inserted.
-/// @throws Error  under the same conditions as parse_config(), but only for settings that no run
-///   file can have
+/// @throws Error  if the text is not valid TOML, or settings of the overlay contradict the run file
+///   or each other
 std::string overlaid_text(std::string_view text, const std::string& file, const Overlay& overlay);
 
 }  // namespace polhode

@@ -45,7 +45,7 @@ SettingMember type_member(Variant* (*type_of)(Config&)) {
           SettingKind::text, type_names<Variant>};
 }
 
-/// Makes the members of an optional table of a run file.
+/// Returns a function that gives access to members of an optional table of a run file.
 template <class Settings>
 auto in_table(std::optional<Settings> EnsembleSettings::*table) {
   return [table](auto Settings::*one) {

@@ -25,7 +25,7 @@ std::string title_of(const std::variant<Types...>& type) {
 }
 
 /// The parameters of a thermostat as text, such as " with a friction of 1 1/ps". A parameter is
-/// omitted if it has the same value as the setting from which its default is taken.
+/// omitted if its value equals the setting that provides its default.
 std::string parameters_of_thermostat(const EnsembleSettings& settings) {
   std::string text;
   std::map<std::string, std::string> values;

@@ -80,7 +80,7 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
-/// The built-in or user-given name of a scheme; otherwise its stages.
+/// The built-in or user-given name of a scheme; its stages if the scheme has no name.
 std::string name_or_stages(const Scheme& s) {
   return s.in_table() || s.has_own_name() ? std::string(s.name()) : text_of(s);
 }

@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-/// Pairs of alternative settings. If an overlay sets one key of a pair, the other key is removed.
+/// Pairs of alternative settings. An overlay that sets one key of a pair removes the other key.
 constexpr std::array<std::array<std::string_view, 2>, 7> replacements{
     {{"integrator.step", "integrator.accuracy"},
      {"integrator.accuracy", "integrator.step"},

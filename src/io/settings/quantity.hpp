@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Quantities as users write them ("2 fs"), converted to internal units. Conversion factors are only
-// in the source file of the functions that this header declares.
+// Quantities as users write them ("2 fs"), converted to internal units. Only the source file that
+// implements this header contains conversion factors.
 #pragma once
 
 #include <string>

@@ -30,8 +30,8 @@ constexpr std::array forms{
 
 const Form& form_of(RequiredOf of) { return forms[static_cast<std::size_t>(of)]; }
 
-/// The form of a requirement, selected by the first word of its text. Any other text has the form
-/// for temperatures.
+/// The form of a requirement, selected by the first word of its text. A text with any other first
+/// word has the form for temperatures.
 const Form& form_of(const std::string& text) {
   for (const Form& form : forms)
     if (*form.word && text.starts_with(form.word)) return form;

@@ -19,7 +19,7 @@ std::string template_of(std::string_view kind) {
   return std::string(embedded_text(fmt::format("runs/{}.toml", kind)).value());
 }
 
-/// The tables of an ensemble, copied from the run-file template with the name of the ensemble.
+/// The tables of an ensemble, copied from the run-file template for this ensemble.
 std::string tables_of(std::string_view ensemble) {
   const std::string text = template_of(ensemble);
   const auto begin = text.find("\n[thermostat]");

@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-/// The kinds of run files. The kinds for a mixture, and for water at constant energy, temperature
+/// The kinds of run files. Run files for a mixture, and for water at constant energy, temperature
 /// or pressure, need no other file. The other kinds refer to files of GROMACS or LAMMPS.
 inline constexpr std::array<std::string_view, 6> run_file_kinds = {"water",   "nvt",    "npt",
                                                                    "gromacs", "lammps", "mixture"};

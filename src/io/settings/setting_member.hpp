@@ -118,7 +118,7 @@ SettingMember member(Access access) {
   return made;
 }
 
-/// Returns a function that makes the setting members of a part of a Config, as in
+/// Returns a function that gives access to members of a part of a Config, as in
 /// in(&Config::run)(&RunSettings::length).
 template <class Part>
 auto in(Part Config::*part) {

@@ -131,8 +131,8 @@ const Config& defaults();
 /// A configuration in which the setting applies, and all members have their defaults.
 Config defaults_with(const SettingRow& row);
 
-/// The names of the deciding key's values for which a setting applies; empty if the setting applies
-/// for all values.
+/// The values of the deciding key, as names, for which a setting applies; empty if the setting
+/// applies for all values.
 std::vector<std::string> deciding_names(const SettingRow& row);
 
 constexpr SettingBounds above(double min, std::string_view hint = {}) {

@@ -105,8 +105,8 @@ std::string plain_text(std::string_view markdown);
 /// The meaning of a setting in a few words, with its values or an example, for help texts.
 std::string brief_meaning(const Setting& setting);
 
-/// The manual's table for a table of settings, with columns for key, values and bounds, default and
-/// meaning.
+/// The table of the manual that lists the settings of a run-file table, with columns for key,
+/// values and bounds, default and meaning.
 std::string manual_table(std::string_view table);
 
 }  // namespace polhode

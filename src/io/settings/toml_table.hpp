@@ -34,7 +34,7 @@ std::vector<std::string> apply(const Overlay& overlay, toml::table& document);
 
 class TomlTable {
  public:
-  /// @param overlay  overlay that was applied to the document, which gives the places of errors;
+  /// @param overlay  overlay that was applied to the document, for the places in error messages;
   ///   may be null
   TomlTable(const toml::table& table, std::string file, std::string path = {},
             const Overlay* overlay = nullptr)

@@ -55,9 +55,9 @@ constexpr double way = 0.5;
 /// error of such schemes begins as a random walk.
 double reserve(double exponent) { return 1 - 0.015 * std::clamp(exponent, 2.0, 4.0); }
 /// A scheme is postponed while its expected cost exceeds this factor times the cost of the second
-/// cheapest scheme. A smaller cost ratio can be outweighed by computing speed.
+/// cheapest scheme. Below this factor, a scheme may still be faster in computing time.
 constexpr double hopeless = 1.25;
-/// Maximum relative cost of configurational temperatures; number of force evaluations per sample.
+/// Maximum relative cost of configurational temperatures, and their force evaluations per sample.
 constexpr double temperature_share = 0.03, sample_cost = 2;
 /// The p-value below which an energy drift of the choosing runs ends the range of steps. This
 /// p-value is smaller than the usual significance level, because there are about a dozen tests.
@@ -131,8 +131,8 @@ class Adviser {
     };
   }
 
-  /// The fewest force evaluations of a search: the shortest runs at about five steps per scheme,
-  /// and one confirmation without rejected steps, at 3.3 ω force evaluations per ps.
+  /// The minimum work of a search [force evaluations]: the shortest runs at about five time steps
+  /// for each scheme, and one set of confirming runs.
   double min_work() const {
     const double search = 5 * way * choosing * static_cast<double>(advice_.candidates.size());
     return confirming * 1000 * preparation_length() +
@@ -279,8 +279,8 @@ class Adviser {
     return point;
   }
 
-  /// A longer step, if the runs are so far below the bound that runs at this step are worthwhile. R
-  /// scatters more in incomplete runs, so their margin to the bound is underestimated.
+  /// A longer step that is worth trying, if the runs are far enough below the bound. R scatters
+  /// more in incomplete runs, so their margin to the bound is underestimated.
   std::optional<double> longer_step(std::size_t c, const AdviserPoint& point) const {
     const Candidate& candidate = advice_.candidates[c];
     if (settings_.criterion.quality != Quality::ratio || !candidate.model || !calm(point) ||
@@ -340,8 +340,8 @@ class Adviser {
 
   /// Runs every promising candidate at the steps that its search still needs.
   void search_steps() {
-    // The estimate assumes runs with about five different time steps for each scheme. An R of 0.5 %
-    // costs about 3.3 ω force evaluations per ps.
+    // The estimate assumes runs with about five different time steps for each scheme. For the
+    // Einstein frequency ω, an R of 0.5 % costs about 3.3 ω force evaluations per ps.
     const double runs = 5.0 * choosing * static_cast<double>(advice_.candidates.size());
     const double max_length = std::min(config_.run.length, 600 / frequency_);
     const double length = std::clamp(affordable(budget(choosing_share), runs, 3.3 * frequency_),

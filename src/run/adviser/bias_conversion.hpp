@@ -29,8 +29,8 @@ struct ResponseRuns {
 };
 
 /// Measures the response by runs with a rescaling thermostat, one run for each initial
-/// configuration. Fluctuations are about the common means of all runs. The first quarter of each
-/// run is discarded.
+/// configuration. Fluctuations are computed about the common means of all runs. The first quarter
+/// of each run is discarded.
 /// @param stop  function called after every step; the runs end if the function returns true
 IsochoricResponse isochoric_response(const std::vector<System>& starts, double temperature,
                                      const ResponseRuns& runs,

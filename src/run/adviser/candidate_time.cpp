@@ -17,7 +17,7 @@ double time_of(const Candidate& candidate, System system, const Config& config, 
   ForceField forces(system.topology, system.forces, system.state.box, workers);
   const Stopwatch watch;
   const auto over = [&] { return stopped() || watch.seconds() > seconds; };
-  // Each measurement takes 20 to 1000 steps at a time, including a few list rebuilds.
+  // Each measurement consists of 20 to 1000 steps, including a few list rebuilds.
   const double min_duration = 20 * candidate.step;
   const TrajectorySettings s{candidate.scheme, candidate.step, 1000 * candidate.step,
                              config.run.sample, config.integrator.lambda};

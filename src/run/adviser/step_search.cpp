@@ -124,9 +124,9 @@ double shortening(const Criterion& criterion, const std::vector<Outcome>& runs,
                   std::size_t whole_set, double part, double exponent) {
   double excess = optimistic_bound(runs, part) / criterion.bound;
   if (runs.size() < whole_set) {
-    // The scatter of an incomplete set of runs is poorly known. The prediction bound from eight
-    // runs exceeds the required bound by about twice the excess of the first run above the required
-    // bound.
+    // The scatter of an incomplete set of runs is poorly known. If the first run exceeds the
+    // required bound by x %, the prediction bound of eight runs exceeds the required bound by about
+    // 2x %.
     const auto ratios = each(runs, [](const Outcome& run) { return run.ratio; });
     excess = std::pow(*std::max_element(ratios.begin(), ratios.end()) / criterion.bound, 2);
   }

@@ -23,8 +23,8 @@ struct StepSearch {
 /// less than half of the distance to that step.
 ///
 /// For R, the search finds the step at which R equals the bound, first from the order of the scheme
-/// and then by interpolation. The search ends with points at 1, 0.9 and 0.8 of the step at which R
-/// equals the bound. The final step is smaller, because R must stay below the bound in nearly all
+/// and then by interpolation. The search ends with points at 1, 0.9 and 0.8 times the step at which
+/// R equals the bound. The final step is smaller, because R must stay below the bound in nearly all
 /// runs. An energy drift or a bias is hidden by noise at small steps. For energy drift and bias,
 /// the steps form a geometric series that ends where the bound is violated.
 /// @param points  points measured so far, ordered by step
@@ -32,10 +32,10 @@ std::optional<double> next_step(const StepSearch& search, const std::vector<Advi
 
 inline constexpr double max_growth = 1.6;
 
-/// An upper estimate of the steps that can meet the bound [ps]. For R the estimate is the step at
-/// which R equals the bound, extrapolated with the order of the scheme. For other criteria, or
-/// without a usable point, the estimate is the stability limit if known. The estimate is infinite
-/// if nothing is known.
+/// An upper estimate of the longest step that can meet the bound [ps]. For R the estimate is the
+/// step at which R equals the bound, extrapolated with the order of the scheme. For other criteria,
+/// or without a usable point, the estimate is the stability limit if known. The estimate is
+/// infinite if nothing is known.
 double max_expected_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 
 /// Whether runs at a step contribute to the choice of the final step, rather than only guiding the

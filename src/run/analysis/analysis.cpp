@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-// Maximum number of lags. A curve needs fewer, and the lags of every body can still be stored.
+// Maximum number of lags. A curve needs fewer lags, and this number can be stored for every body.
 constexpr double max_lags = 1e6;
 
 // Number of frames that are read before any is processed: at least two, to determine the interval.

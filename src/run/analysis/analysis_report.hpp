@@ -19,7 +19,7 @@ struct AnalysisInput {
   Topology topology;       ///< molecules of the frames
   std::string origin;      ///< text from which the topology was made, for the headers of the
                            ///< outputs
-  std::uint64_t seed = 0;  ///< seed of the run, also for the headers
+  std::uint64_t seed = 0;  ///< seed of the run, for the headers of the outputs
   AnalysisSettings settings;
   SummarySettings summary;
   std::string prefix = "polhode-analysis";  ///< prefix of the output files

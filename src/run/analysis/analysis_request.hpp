@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a front end was given for an analysis, as texts, and its reading.
+// The options that a front end received for an analysis, as texts.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ namespace {
 /// The unit of the second significant digit of a positive number.
 double second_digit(double x) { return std::pow(10, std::floor(std::log10(x)) - 1); }
 
-/// A number rounded up to two digits; an excess of a relative 1e-9 is treated as round-off.
+/// A number rounded up to two digits; a relative excess of 1e-9 is round-off and is ignored.
 double rounded_up(double x) {
   return x > 0 ? second_digit(x) * std::ceil(x / second_digit(x) - 1e-8) : x;
 }

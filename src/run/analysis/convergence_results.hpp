@@ -9,8 +9,7 @@
 
 namespace polhode {
 
-/// The name of a relaxation time in texts, and whether it is the relaxation time of the window of
-/// lags.
+/// The name of a relaxation time in texts, and whether this time is the largest lag of the window.
 struct RelaxationName {
   const char* text;
   bool window = false;
@@ -22,8 +21,8 @@ inline constexpr RelaxationName max_lag{"maximum lag", true}, decay_time{"decay 
 /// relaxation 5.6 ps; a run of at least 170 ps is needed".
 std::string not_converged(const Convergence& c, const RelaxationName& relaxation);
 
-/// An estimate as a list. If the number is converged, the list has its value, and otherwise the
-/// reason.
+/// An estimate as a list. If the number is converged, the list has its value; otherwise the list
+/// has the reason why the number is not converged.
 Quantities converging(const SeriesEstimate& estimate, const Convergence& c,
                       const RelaxationName& relaxation);
 

@@ -11,14 +11,14 @@
 
 namespace polhode {
 
-/// The standard error of an estimate; NaN if it is not known; files then have an empty field.
+/// The standard error of an estimate; NaN (an empty field in files) if the error is not known.
 double known_error(const SeriesEstimate& estimate);
 
-/// An estimate as text, such as "2.300 ± 0.031". If the error is not known, it is the value and "±
-/// ?".
+/// An estimate as text, such as "2.300 ± 0.031". If the error is not known, the text is the value
+/// and "± ?".
 std::string short_text(const SeriesEstimate& estimate);
 
-/// A bias, and the value without the bias, as text such as "-0.0123 ± 0.0004, without it 2.912".
+/// A bias, and the value corrected for it, as text such as "-0.0123 ± 0.0004, without it 2.912".
 std::string bias_text(const SeriesEstimate& bias, double value);
 
 /// Adds a column of values and a column of their errors to a table. Returns the corresponding

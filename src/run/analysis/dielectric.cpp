@@ -78,7 +78,7 @@ ObservableResults Dielectric::results(const AllFrames& all) {
                      {"mean_over_rms_dipole", "", d.mean_over_rms},
                      row_of(d)};
   if (a.frames_with_step_error > 0) {
-    // The temperature of velocities has a separate bias, and a given temperature has none.
+    // A temperature from velocities has a time-step bias, and a given temperature has no bias.
     const TotalDipole::StepBias bias = dipole_.step_bias(
         settings.temperature || !a.has_velocities ? all.temperature : std::nullopt, surroundings,
         degrees_of_freedom(a.topology).all(), *a.fixed);

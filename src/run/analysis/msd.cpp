@@ -30,21 +30,20 @@ constexpr PublishedViscosity published[] = {
     {"spce", "0.729 mPa s"},  {"tip4p-2005", "0.855 mPa s"},
 };
 constexpr double published_temperature = 298;  // temperature of the published viscosities [K]
-constexpr double near = 5;                     // largest difference from it [K]; the viscosity of
-                                               // water changes by 2 % in 1 K
+constexpr double near = 5;                     // largest difference from this value [K]; the
+                                               // viscosity of water changes by 2 % per K
 
 /// The viscosity of the liquid.
 struct Viscosity {
   std::optional<double> value;  ///< [u/(nm ps)]
-  std::string source;           ///< source, such as "as given"; otherwise the reason why there is
-                                ///< none
+  std::string source;           ///< source of the value; otherwise the reason why there is no value
 };
 
 /// The finite-size correction, which is added to the diffusion coefficients.
 struct Correction {
   std::optional<Vec3<double>> axes;  ///< correction along each axis [nm²/ps]
   std::string source;                ///< source of the viscosity; otherwise the reason why there is
-                                     ///< none
+                                     ///< no correction
   /// The correction of the mean over the axes [1e-9 m²/s].
   std::optional<double> mean() const {
     if (!axes) return {};
@@ -79,7 +78,7 @@ Correction correction(const AllFrames& all) {
     return {{}, "the frames have no velocities, so the temperature is unknown; give a temperature"};
   const auto [eta, source] = viscosity(all);
   if (!eta) return {{}, source};
-  // The shape is that of the last box; a barostat changes the mean volume.
+  // The last box is scaled to the mean volume, because a barostat changes the volume.
   const Box& box = all.analysis.box;
   const double scale = std::cbrt(all.analysis.conditions->volume().value / box.volume());
   return {finite_size_correction(*all.temperature, *eta, scale * box.edge), source};

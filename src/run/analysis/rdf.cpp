@@ -17,8 +17,8 @@ namespace {
 
 using Peak = RadialDistribution::Peak;
 
-// Maximum number of bins. A curve needs fewer, and the bins of every pair of sites can still be
-// stored.
+// Maximum number of bins. A curve needs fewer bins, and even this number of bins can be stored for
+// every pair of sites.
 constexpr double max_bins = 1e5;
 
 std::vector<SitePair> pairs_of(const FirstFrames& f) {

@@ -12,8 +12,8 @@
 namespace polhode {
 namespace {
 
-/// The round-off of times in files [ps]. Text files have six decimals, and binary formats have
-/// floats.
+/// The round-off of times in files [ps]. Times have six decimals in text files, and are floats in
+/// binary files.
 double rounding(double time) { return 0.6e-6 + 0x1p-22 * std::abs(time); }
 
 }  // namespace

@@ -28,7 +28,7 @@ std::vector<std::string> words_of(std::string_view line) {
   return words;
 }
 
-/// The fields between separators, without blanks and quotation marks around them.
+/// The fields of a line between separators, stripped of blanks and quotation marks.
 std::vector<std::string> fields_of(std::string_view line, char separator) {
   std::vector<std::string> fields(1);
   bool quoted = false;
@@ -132,7 +132,7 @@ EngineLog read_csv(Lines& lines) {
   return log;
 }
 
-/// The unit of a column for a unit system of LAMMPS; empty where it is not known.
+/// The unit of a column for a unit system of LAMMPS; empty if the unit is not known.
 std::string lammps_unit(const std::string& name, const std::string& system) {
   const bool is_real = system == "real", is_metal = system == "metal";
   if (name.ends_with("Eng") || name.starts_with("E_") || name == "Econserve") {
@@ -145,10 +145,10 @@ std::string lammps_unit(const std::string& name, const std::string& system) {
   return is_real ? "atm" : "bar";
 }
 
-/// What a log of LAMMPS says besides its rows.
+/// The information in a LAMMPS log besides the thermo output.
 struct LammpsState {
   std::string system;            ///< unit system
-  std::optional<bool> per_atom;  ///< as set by thermo_modify norm
+  std::optional<bool> per_atom;  ///< whether energies are per atom, as set by thermo_modify norm
   double atoms = 1;
 
   void read(const std::vector<std::string>& words) {
@@ -188,7 +188,7 @@ EngineLog read_lammps(Lines& lines) {
   return log;
 }
 
-/// Leaves out columns with empty fields, which are quantities that were not sampled in each row.
+/// Removes columns with empty fields: such quantities were not sampled in every row.
 void drop_incomplete(EngineLog& log) {
   const auto dropped = std::erase_if(log.columns, [](const LogColumn& c) {
     return std::ranges::any_of(c.values, [](double x) { return std::isnan(x); });

@@ -15,28 +15,28 @@ struct LogColumn {
   std::vector<double> values;
 };
 
-/// The columns of a log, with equally many values each.
+/// The columns of a log, all of the same length.
 struct EngineLog {
   std::string file;    ///< name for error messages
   std::string format;  ///< "LAMMPS log", "xvg file" or "CSV file"
   std::vector<LogColumn> columns;
   double divisor = 1;  ///< number by which energies were divided, such as the number of atoms
-  std::vector<std::string> notes;  ///< choices of the reader, for example which of several runs
+  std::vector<std::string> notes;  ///< choices of the reader, such as the run that is used
 
   std::size_t samples() const { return columns.empty() ? 0 : columns.front().values.size(); }
-  /// The first column with one of these names; the case of letters is ignored. Null without one.
+  /// The first column with one of these names, in any letter case; null if there is none.
   const LogColumn* find(const std::vector<std::string>& names) const;
 };
 
-/// Reads a log. The contents decide its format:
-/// - a log of LAMMPS with thermo output in lines; of several runs, the last one is taken;
+/// Reads a log. The contents determine the format:
+/// - a log of LAMMPS with thermo output in lines; the last of several runs is used;
 /// - an .xvg file of `gmx energy`, with its legends;
 /// - a CSV file with the column names in its first line, as written by OpenMM's StateDataReporter
 ///   or by polhode.
 /// @throws Error  if the file has none of these formats, or a row is incomplete
 EngineLog read_engine_log(const std::string& path);
 
-/// The same from a text.
+/// Reads a log from a text; `file` is its name in error messages.
 EngineLog parse_engine_log(const std::string& text, const std::string& file);
 
 /// A log of columns that are in memory.

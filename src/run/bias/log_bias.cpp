@@ -18,7 +18,7 @@
 namespace polhode {
 namespace {
 
-/// Energy units of logs, with Boltzmann's constant in this unit per kelvin.
+/// Energy units of logs, each with Boltzmann's constant in this unit per kelvin.
 struct EnergyUnit {
   const char* name;
   double boltzmann;
@@ -28,8 +28,8 @@ constexpr EnergyUnit energy_units[] = {{"kJ/mol", units::boltzmann},
                                        {"eV", 8.617333262e-5},
                                        {"lj", 1}};
 
-/// Fluctuations of the total energy of at least half of the fluctuations of the potential energy
-/// show a heat bath: at constant energy the ratio R is below 20 % up to the stability limit.
+/// A heat bath is present if the total energy fluctuates by at least half as much as the potential
+/// energy. At constant energy, R is below 20 % up to the stability limit.
 constexpr double bath_ratio = 0.5;
 
 const std::vector<std::string> time_names{"Time", "Step"};
@@ -49,7 +49,7 @@ std::vector<std::string_view> names_of(const EngineLog& log) {
   return names;
 }
 
-/// The column that an option names, or the first one with a known name; null without one.
+/// The column that an option names, or the first column with a known name; null if there is none.
 const LogColumn* column_for(const EngineLog& log, const Given& given,
                             const std::vector<std::string>& known) {
   if (!given) return log.find(known);
@@ -118,7 +118,7 @@ EngineLog within(EngineLog log, const LogColumn* time, const BiasRequest& reques
   return log;
 }
 
-/// Deviations of an energy from the line of least squares through it.
+/// Deviations of an energy from its least-squares line.
 std::vector<double> without_line(std::span<const double> energies) {
   const auto n = static_cast<double>(energies.size());
   const double middle = (n - 1) / 2, mean = mean_of(energies);
@@ -135,7 +135,7 @@ std::vector<double> without_line(std::span<const double> energies) {
   return deviations;
 }
 
-/// The smallest difference between two different values: the last digit that was printed.
+/// The smallest difference between two different values: one unit of the last printed digit.
 double resolution_of(std::vector<double> values) {
   std::ranges::sort(values);
   double smallest = 0;
@@ -146,7 +146,7 @@ double resolution_of(std::vector<double> values) {
   return smallest;
 }
 
-/// Sums for a column x and the deviation e of the energy: e, x, e x and x². x is relative to its
+/// Sums of e, x, e x and x² for a column x and the deviation e of the energy. x is relative to its
 /// first value.
 struct ColumnSums {
   TimeBlocks blocks;
@@ -179,10 +179,10 @@ struct ColumnSums {
   }
 };
 
-/// What the log shows of the ensemble.
+/// The conserved energy of a log, which shows whether the run had a heat bath.
 struct Ensemble {
   const LogColumn* energy = nullptr;  ///< energy that is constant in exact dynamics
-  bool has_bath = false;              ///< whether it contains the heat of a bath
+  bool has_bath = false;              ///< whether this energy contains the heat of a bath
 };
 
 /// The energy that exact dynamics conserves: the total energy, or the conserved energy if the total
@@ -212,7 +212,7 @@ void check_digits(const EngineLog& log, const LogColumn& total, LogBias& b, doub
                             "'thermo_modify format float %.12g' of LAMMPS or 'gmx energy -dp'",
                             total.name, fluctuation, b.resolution),
                 log.file);
-  // Rounding is independent of every average; it adds this share to the variance of the energy.
+  // Rounding is uncorrelated with all averages, but adds this share to the energy's variance.
   const double share = std::pow(b.resolution / fluctuation, 2) / 12;
   if (share > 0.01)
     b.warnings.push_back(
@@ -238,8 +238,8 @@ SeriesEstimate deviation_of(std::span<const double> deviations) {
                          [](auto mean) { return std::sqrt(mean[1] - mean[0] * mean[0]); });
 }
 
-/// The drift of an energy per time, or per row without times. With a bath the conserved energy
-/// performs a random walk, which is not an energy drift.
+/// The drift of an energy per time, or per row if there are no times. With a bath the conserved
+/// energy performs a random walk, which is not an energy drift.
 Drift drift_of(const LogColumn& energy, const LogColumn* time, bool has_bath) {
   TimeBlocks blocks;
   for (std::size_t k = 0; k < energy.values.size(); ++k)
@@ -250,7 +250,7 @@ Drift drift_of(const LogColumn& energy, const LogColumn* time, bool has_bath) {
 }
 
 /// A bath that scales all momenta keeps the mean kinetic energy, so the temperature has no bias.
-/// Five standard errors and a kelvin leave room for the finite length of the log.
+/// The tolerance, five standard errors plus T/300, allows for the finite length of the log.
 void check_bath(LogBias& b) {
   for (const ColumnBias& c : b.columns)
     if (is_one_of({c.name, "", {}}, temperature_names) &&

@@ -15,7 +15,7 @@
 
 namespace polhode {
 
-/// What a front end was given for the bias of a log.
+/// The options that a front end received for the bias of a log, as texts.
 struct BiasRequest {
   Given total, potential, temperature, energy_unit, start, stop;
 
@@ -39,7 +39,7 @@ struct LogBias {
   double temperature = 0;  ///< temperature of kT [K], or in units of the well depth
   double R = 0;  ///< fluctuation of the total energy over the fluctuation of the potential energy
   double resolution = 0;       ///< smallest difference between printed total energies
-  SeriesEstimate fluctuation;  ///< standard deviation of the total energy about its line
+  SeriesEstimate fluctuation;  ///< standard deviation of the total energy about its linear fit
   Drift drift;                 ///< drift of the total energy per time, or per sample without times
   std::vector<ColumnBias> columns;
   /// Time-step bias of the potential energy at constant temperature, with a slow rescaling or

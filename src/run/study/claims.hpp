@@ -35,10 +35,10 @@ Verdict rounds_to(const Estimate& x, double degrees_of_freedom, double number, d
 ///
 /// - HOA2 is "roughly 1.5 times more efficient", which stands for 1.45 to 1.55;
 /// - GIER4 is preferable for "R < 0.4 %", for 0.35 to 0.45 %;
-/// - for "R > 1.5 %" Verlet "is the only algorithm that is stable": Verlet has steps there at which
-///   the energy drift is certainly negligible, and the curves of the other schemes end below this
-///   R. The claim is not decided if the points around the ends of the three curves have different
-///   numbers of runs.
+/// - for "R > 1.5 %" Verlet "is the only algorithm that is stable": Verlet has steps in this range
+///   at which the energy drift is certainly negligible, and the curves of the other schemes end
+///   below this R. The claim is not decided if the points around the ends of the three curves have
+///   different numbers of runs.
 std::vector<Claim> paper_claims(const std::vector<Curve>& curves);
 
 }  // namespace polhode

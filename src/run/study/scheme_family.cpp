@@ -69,8 +69,8 @@ struct Metric {
   static constexpr double min_part = 1e-9;
 };
 
-/// The step δ of a damped Gauss-Newton iteration for one or two parameters: (S + μ diag S) δ =
-/// −gradient, where S and the gradient are half of the derivatives of the variance.
+/// The step δ of a damped Gauss-Newton iteration for one or two parameters solves (S + μ diag S) δ
+/// = −gradient. S and the gradient are half of the derivatives of the variance.
 Values newton_step(const std::vector<ErrorTerms>& s, const Metric& metric, const Values& gradient,
                    double damping) {
   const double xx = metric(s[0], s[0]) * (1 + damping);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Series of packs for pocketfft. pocketfft allocates its arrays in each call. Arrays of packs use
-// memory that the thread keeps, so that force evaluations allocate no memory after the first
-// evaluation.
+// Arrays for pocketfft transforms of packs. pocketfft itself allocates its arrays in each call.
+// Arrays of packs use memory that the thread keeps, so that force evaluations allocate no memory
+// after the first evaluation.
 #pragma once
 
 #include <array>

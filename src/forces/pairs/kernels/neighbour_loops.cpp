@@ -9,7 +9,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// The smallest cyclic window of the slots of a topology part that contains all marked blocks.
+// The smallest cyclic window of slots that contains all marked blocks of a topology part.
 SlotWindow window_of(const Slots::Part& part, const std::vector<std::uint8_t>& marked) {
   constexpr auto block = static_cast<std::uint32_t>(slot_block);
   const std::uint32_t first = part.first / block, blocks = (part.count + block - 1) / block;
@@ -45,7 +45,7 @@ class RowWriter {
   void operator()(std::uint32_t slot, const Found& found, float inside2, bool own_type) {
     sort(found, inside2);
     if (own_type) share(slot, inside_, handed_inside_);
-    // Pairs that exceed whole packs are moved to the group of pairs that may need truncation.
+    // Pairs that do not fill a whole pack are moved to the group of pairs that may need truncation.
     for (std::size_t left = inside_.size() % width_; left > 0; --left)
       truncated_.push(inside_.pop());
     if (own_type) share(slot, truncated_, handed_truncated_);

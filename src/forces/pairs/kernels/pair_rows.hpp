@@ -182,8 +182,8 @@ class PairRows {
       turn(*job_.displacements, entry, to.displacements, [](Real number, auto) { return number; });
   }
 
-  // Transposes the records of partners into packs, and stores as(pack, k) for each number k of a
-  // record.
+  // Transposes the records of partners into packs. Pack k contains number k of each record,
+  // converted by as(pack, k).
   template <class As>
   POLHODE_INLINE void turn(const SiteRecords<T>& records, const std::uint32_t* entry, T* to,
                            const As& as) const {

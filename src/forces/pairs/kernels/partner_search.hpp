@@ -17,14 +17,14 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Upper bound on the round-off of distances. Positions are compared in fixed point and float, with
-// errors of 2⁻³⁰ of an edge and 2⁻²² of a distance. For distances of a few nm, the bound is larger
-// than the errors of positions and distances.
+// Upper bound on the round-off of distances. Fixed-point positions have errors of 2⁻³⁰ of an edge,
+// and float distances have relative errors of 2⁻²². For distances of a few nm, the bound is larger
+// than both errors.
 constexpr double rounding = 1e-5;  // [nm]
 
 using Real = Pack<float>;
 
-// A table of list entries, with a separate array for each number of an entry.
+// A table of list entries, with a separate array for each field.
 template <std::size_t columns>
 struct Table {
   std::size_t size = 0;
@@ -107,7 +107,7 @@ class Search {
     scan_near(found);
   }
 
-  // Calls visit(first slot) for each leaf that may contain partners of the last leaf searched.
+  // Calls visit(first slot) for each leaf in range of the last leaf searched.
   template <class Visit>
   void each_leaf(const Visit& visit) const {
     for (std::size_t k = 0; k < leaves_.size; ++k) visit(Neighbour(leaves_.words[k]).slot());
@@ -278,7 +278,7 @@ class Search {
     found.size = size;
   }
 
-  // Tests the slots that follow the body's slot in its leaf, or in the image of this leaf at `to`.
+  // Tests the slots after `own`, the body's slot, in the image of its leaf at the distance `to`.
   void scan_later(Neighbour leaf, std::size_t own, const Vec3<float>& to, Found& found) const {
     for (std::uint32_t k = 0; k < SlotTree::leaf; k += Real::width) {
       const auto along = [&](std::size_t d) {

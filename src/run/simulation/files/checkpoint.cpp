@@ -177,8 +177,8 @@ void fields(Archive& archive, Of& c) {
 }
 
 /// The orientations of an initial configuration, and its velocities if given, as text. Random
-/// velocities are omitted, because they follow from the seed. The text has nine digits, which is
-/// more than in text formats, but few enough to be the same on all processors.
+/// velocities are omitted, because they follow from the seed. Numbers have nine digits: more than
+/// in text formats, but few enough to be the same on all processors.
 std::string motion_of_start(const Config& config, const System& system) {
   std::string text;
   if (config.system.initial_configuration.empty()) return text;

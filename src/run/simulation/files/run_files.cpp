@@ -19,8 +19,8 @@ std::vector<FrameNumber> observables(const Energies& e) {
           {"total_energy", "kJ mol-1", e.total()}};
 }
 
-/// The columns of the energies file. At constant energy it does not have time-step errors, because
-/// they follow from the total energy.
+/// The columns of the energies file. At constant energy the file has no column of time-step errors,
+/// because the errors follow from the total energy.
 EnergyColumns columns_of(const Config& config) {
   const TrajectorySettings settings = trajectory_settings(config);
   return {settings.shadow_sample > 0 && !settings.ensemble.constant_energy(),
@@ -28,8 +28,7 @@ EnergyColumns columns_of(const Config& config) {
 }
 
 /// The files that a run writes at the end, except for files that the run also reads. Existing files
-/// are removed, because they would not agree with the trajectory until the run ends, and never if
-/// the run blows up.
+/// are removed, because they belong to an earlier run and would remain if this run blew up.
 std::vector<std::string> last_files(const RunFileNames& names, const SystemSettings& inputs) {
   std::vector<std::string> files;
   for (const std::string& file : {names.final_state, names.plot}) {

@@ -32,7 +32,7 @@ class RunFiles {
     checkpoint_.minimisation_evaluations = minimisation_evaluations;
   }
 
-  /// Keeps the pressure tensor of the state that sample() appends next, if it is requested.
+  /// Keeps the pressure tensor, if requested, of the state that sample() appends next.
   void load(const State& state, const Bodies& bodies, const Load& load) {
     if (columns_.pressure_tensor) pressure_tensor_ = pressure_tensor(state, bodies, load);
   }

@@ -40,7 +40,7 @@ constexpr double min_walk_ratio = 0.005;             // relative to the fluctuat
                                                      // energy
 constexpr double min_fall = 0.02;                    // relative to the kinetic energy
 constexpr double max_pressure_kbar = 5;
-/// The p-value of slopes for a warning. The p-value for a warning is a tenth of the usual
+/// The p-value below which a slope causes a warning. This p-value is a tenth of the usual
 /// significance level, because slopes are tested in every run.
 constexpr double significance_level = 0.001;
 
@@ -94,9 +94,9 @@ bool is_corrected(const RunSummary& s) {
   return s.ensemble.hybrid_monte_carlo || s.temperatures_at_bath;
 }
 
-/// The ratio R without the contribution of the random walk. With a thermostat, this contribution is
-/// omitted. It grows with the length of the run, but causes no bias, because the thermostat absorbs
-/// the energy.
+/// The ratio R without the contribution of the random walk. With a thermostat, the random walk is
+/// not included. The random walk grows with the length of the run, but causes no bias, because the
+/// thermostat absorbs the energy.
 double stationary_ratio(const RunSummary& s) {
   if (s.ensemble.settings.constant_energy()) return s.ratio.value;
   return std::sqrt(std::max(0.0, std::pow(s.ratio.value, 2) - std::pow(s.ratio_of_walk(), 2)));
@@ -278,8 +278,8 @@ std::optional<Warning> rough_truncation(const System& system, const TrajectorySe
 
 std::optional<Warning> distant_sites(const System& system) {
   // Largest plausible bond length [nm]. The bound is above the longest actual bonds, 0.47 nm in
-  // coarse-grained chains. The bound is below 0.74 nm, the value given for the shortest bond, 0.74
-  // Å in H2, if ångström are mistaken for nm.
+  // coarse-grained chains. If ångström are mistaken for nm, even the shortest bond (0.74 Å in H2)
+  // exceeds the bound.
   constexpr double max_bond = 0.6;
   for (const auto& part : system.topology.parts) {
     std::vector<Site> atoms;

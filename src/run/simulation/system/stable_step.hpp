@@ -17,15 +17,15 @@ inline constexpr double near_stability = 0.4;
 
 /// The step at which a run comes near the stability limit of its scheme [ps]. This step is
 /// `near_stability` times the stability limit for the fastest degrees of freedom at given
-/// positions. The step is infinite if nothing moves, or with an inner scheme, because the limit of
-/// nested schemes is not known.
+/// positions. The step is infinite if nothing moves, and for nested schemes, whose stability limit
+/// is not known.
 double max_stable_step(const System& system, const State& state, const TrajectorySettings& settings,
                        Workers& workers = Workers::serial());
 
-/// The step to try after a run blew up [ps]. The step is max_stable_step() at the initial
-/// positions, as in the warning before the run, if this step is shorter than the run's step.
-/// Otherwise the step is half of the run's step. The result is empty if molecules overlap at the
-/// initial positions, because their forces give no information about the step.
+/// The step to try after a run blew up [ps]. The result is max_stable_step() at the initial
+/// positions if this time step is shorter than the time step of the run. Otherwise the result is
+/// half the time step of the run. The result is empty if molecules overlap at the initial
+/// positions, because their forces give no information about the step.
 std::optional<double> shorter_step(const System& system, const State& start,
                                    const TrajectorySettings& settings,
                                    Workers& workers = Workers::serial());

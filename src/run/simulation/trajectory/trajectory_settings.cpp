@@ -27,7 +27,7 @@ std::string name_with_bath(const Scheme& scheme) {
   return name.size() <= Scheme::max_name ? name : "";
 }
 
-/// Checks external forces. Cell rescaling and the pressure tensor need their virial.
+/// Checks external forces. Cell rescaling and the pressure tensor need the virial of these forces.
 void check_external(const Config& config) {
   const ExternalForces* const external = config.forces.external.get();
   const auto& barostat = config.ensemble.barostat;
