@@ -129,9 +129,9 @@ OrderMeasurement measure_order(const NestedScheme& scheme, double lambda) {
   // many stages reach their order.
   constexpr double length = 0.64;
   const double max_step = scheme.outer.force_evaluations() < 8 ? 0.02 : 0.04;
-  // The round-off error. A finite-difference gradient amplifies the round-off error by 1/λ. Without
-  // finite differences, round-off errors of a few 2⁻⁵³ per step add up as a random walk over
-  // hundreds to ten thousand steps.
+  // The round-off error. A finite-difference gradient with the displacement factor λ amplifies
+  // round-off errors by 1/λ. Without finite differences, round-off errors of a few 2⁻⁵³ per step
+  // add up as a random walk over hundreds to ten thousand steps.
   const double rounding = scheme.has(Gradient::finite_difference) ? 1e-15 / lambda : 4e-14;
   OrderMeasurement result;
   double before = 0;

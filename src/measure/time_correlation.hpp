@@ -51,8 +51,8 @@ class TimeCorrelation {
 
   /// The mean of the k-th product at each lag over all frames so far, in blocks of time. Lags are
   /// limited to half of the frames, so that at least half of the frames serve as time origins. The
-  /// mean of all blocks is the mean of all products. The deviation of a block from the mean over
-  /// all blocks is the contribution of the block's products.
+  /// mean of all blocks is the mean of all products. Each block deviates from the mean over all
+  /// blocks by the contribution of the block's products.
   BlockMeans means(std::size_t k, Workers& workers = Workers::serial());
 
  private:

@@ -135,7 +135,7 @@ void each(const Quantities& list, const auto& visit) {
       visit(q);
 }
 
-/// Makes a table of the labelled quantities, which are the same for every record.
+/// Makes a table of the labelled quantities; all records have the same labels.
 TextRow table_row(const Quantity& of, const std::vector<Quantities>& records, std::size_t level) {
   TextRow row{of.label, "", of.doc, level};
   for (const Quantities& record : records) {

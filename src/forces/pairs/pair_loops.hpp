@@ -89,8 +89,8 @@ POLHODE_DECLARE_LOOPS(
     /// Fills the displacement records for the slots of a job.
     void displace_sites(const DisplaceJob<double>& job);
     void displace_sites(const DisplaceJob<float>& job);
-    /// Adds the forces, torques and, if requested, energies and virial of a job's pairs to its
-    /// sums.
+    /// Adds the forces, torques and, if requested, energies and virial of a job's pairs to the sums
+    /// of the job.
     void pair_forces(const PairJob<double>& job); void pair_forces(const PairJob<float>& job);
     /// Adds the derivatives of forces and torques to the sums of a job, for the pairs and
     /// displacements of the job.

@@ -19,7 +19,7 @@ class FigureScript {
   /// @param width, height  size in pixels; bitmaps have twice as many
   FigureScript(const Image& image, int width, int height);
 
-  /// Defines a number, with a decimal point because gnuplot truncates the quotient of two integers.
+  /// Defines a number with a decimal point, because gnuplot truncates the quotient of two integers.
   FigureScript& number(std::string_view name, double value);
   FigureScript& count(std::string_view name, std::size_t value);
   FigureScript& text(std::string_view name, std::string_view value);

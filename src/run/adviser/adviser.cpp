@@ -122,7 +122,7 @@ class Adviser {
     callbacks_.report({"advising", effort_.fraction(), what});
   }
 
-  /// Returns a stop() that is called after each step and adds its force evaluations to the effort.
+  /// Returns a stop() that is called after each step and adds the step's evaluations to the effort.
   std::function<bool()> counting_stop(double evaluations, const std::string& what) const {
     return [this, evaluations, what] {
       effort_.add(evaluations);
@@ -234,7 +234,7 @@ class Adviser {
     point.usable = !blew_up(point.runs) && !drifts(point.runs, significance_level);
   }
 
-  /// Whether the step of a point is excluded neither by a blow-up nor by an energy drift.
+  /// Whether no blow-up and no energy drift excludes the step of a point.
   bool calm(const AdviserPoint& point) const {
     return !blew_up(point.runs) &&
            (settings_.criterion.quality == Quality::drift || !drifts(point.runs));

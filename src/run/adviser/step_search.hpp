@@ -63,8 +63,8 @@ inline constexpr double max_caution = 0.8, aim = 0.9;
 /// @param too_long  shortest step known to be too long [ps]; infinite if there is none
 std::optional<double> lengthened(double step, double reached, double exponent, double too_long);
 
-/// The factor by which a step is shortened after confirming runs that had no energy drift but
-/// exceeded the bound, between 0.6 and 0.97.
+/// The factor, from 0.6 to 0.97, by which a step is shortened after confirming runs that exceeded
+/// the bound but had no energy drift.
 /// @param whole_set  number of runs of a complete set
 /// @param part       fraction of the whole length that the runs covered
 double shortening(const Criterion& criterion, const std::vector<Outcome>& runs,

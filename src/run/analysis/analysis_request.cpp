@@ -46,7 +46,7 @@ Topology molecules_of(const Given& given) {
 }
 
 /// Parses two selections of sites, such as "OW-HW". Names may also contain '-', so the text is
-/// split where both selections exist.
+/// split at the '-' for which both selections exist.
 SitePair pair_of(const Given& given, const std::string& word, const Topology& topology) {
   const auto dash = word.find('-');
   if (dash == word.npos || dash == 0 || word.back() == '-')

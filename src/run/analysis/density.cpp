@@ -9,8 +9,8 @@
 namespace polhode {
 namespace {
 
-/// The density of the frames. The mean density is part of every analysis, so the analysis adds the
-/// frames.
+/// The density of the frames. The analysis itself adds the frames, because the mean density is part
+/// of every analysis.
 class Density : public Observable {
  public:
   void add(const State&, const std::optional<StepError>&, Workers&) override {}

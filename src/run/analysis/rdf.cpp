@@ -68,7 +68,7 @@ std::string text_of(const SitePair& sites, const std::optional<Peak>& peak) {
   return text;
 }
 
-/// The numbers of a peak as quantities; they are null if there is no peak.
+/// Position, height, minimum and coordination numbers of a peak; null if there is no peak.
 Quantities quantities_of(const SitePair& sites, const std::optional<Peak>& peak) {
   const bool shell = peak && peak->shell;
   return {{"pair", "", std::vector<std::string>{sites[0], sites[1]}},
@@ -80,7 +80,7 @@ Quantities quantities_of(const SitePair& sites, const std::optional<Peak>& peak)
           row(fmt::format("g {}-{}", sites[0], sites[1]), text_of(sites, peak))};
 }
 
-/// The time-step bias of the numbers of a peak as quantities.
+/// The time-step biases of the position, height and coordination number of a peak.
 Quantities bias_of(const Peak& bias, const Peak& peak) {
   return {
       {"step_bias", "",

@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::array motions = {"translation", "rotation 1", "rotation 2", "rotation 3"};
 
-/// Numbers of columns in the records of all program versions, from the oldest to the newest.
-/// Versions added the columns for round-off, temperatures by kind of motion, the weight of near
-/// forces, and configurational temperatures.
+/// Numbers of columns in the records of all program versions, from the oldest to the newest. Later
+/// versions added columns for round-off, temperatures by kind of motion, the weight of near forces,
+/// and configurational temperatures.
 constexpr std::array<std::ptrdiff_t, 5> counts = {9, 10, 14, 15, 19};
 
 /// The temperature of a kind of motion; empty if the run has no such motion.

@@ -26,8 +26,7 @@ double bernoulli(int n, double x) {
   }
 }
 
-/// Number of random orientations for an average, for which the mean square has an error of about 10
-/// %.
+/// Number of random orientations: the mean square of an average then has an error of about 10 %.
 constexpr int orientations = 400;
 
 /// The energies of the site pairs between two molecule types.
