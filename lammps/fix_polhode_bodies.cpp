@@ -140,11 +140,10 @@ void FixPolhode::check_communication() const {
   for (const Kind& kind : kinds_) span = std::max(span, kind.span);
   const double cutoff = comm->get_comm_cutoff();
   if (cutoff > span) return;
-  error->all(
-      FLERR,
-      "fix polhode: the communication cutoff, {}, is shorter than the longest molecule, {}, so a "
-      "process may not have all atoms of a molecule; set 'comm_modify cutoff {:.4g}' or more",
-      cutoff, span, 1.001 * span);
+  error->all(FLERR,
+             "fix polhode: the communication cutoff, {}, is shorter than the longest molecule, {}, "
+             "so a process may lack atoms of a molecule; set 'comm_modify cutoff {:.4g}' or more",
+             cutoff, span, 1.001 * span);
 }
 
 void FixPolhode::pre_neighbor() {

@@ -243,9 +243,8 @@ void FixPolhode::restart(char* buffer) {
   if (phase_ == 0 || evaluations == static_cast<double>(program_.size())) return;
   error->all(
       FLERR,
-      "fix polhode: the restart file was written after {} of the {} force evaluations in a step, "
-      "but the scheme of this run has {} per step; first complete the step with the scheme of the "
-      "restart file",
+      "fix polhode: the restart file was written after {} of {} force evaluations of a step, but "
+      "the scheme of this run has {} per step; first complete that step with the earlier scheme",
       phase_, evaluations, program_.size());
 }
 

@@ -62,7 +62,7 @@ void FixPolhode::find_kinds_of_particles() {
     } else if (!same_kind(*known, kind)) {
       throw Error("the sites in '" + particle.path +
                   "' differ from the sites in the restart file or in an earlier run; bodies cannot "
-                  "change shape during a simulation, so use the earlier file");
+                  "change shape during a simulation, so use the earlier molecule file");
     }
   }
 }
@@ -104,13 +104,14 @@ double** FixPolhode::particle_column(const char* name, int length) const {
   int is_double = 0, columns = 0;
   const int index = atom->find_custom(name, is_double, columns);
   if (index < 0 || is_double == 0 || columns != length)
-    error->all(FLERR,
-               "fix polhode: particles need orientations and angular momenta as atom properties; "
-               "define 'fix ID all property/atom d2_{} 4 d2_{} 3' before the particles{}",
-               orientation_name, angular_momentum_name,
-               atom->find_custom("attitude", is_double, columns) < 0
-                   ? ""
-                   : "; d2_attitude has been renamed to d2_orientation");
+    error->all(
+        FLERR,
+        "fix polhode: particles need orientations and angular momenta as atom properties; define "
+        "'fix ID all property/atom d2_{} 4 d2_{} 3' before the particles are created{}",
+        orientation_name, angular_momentum_name,
+        atom->find_custom("attitude", is_double, columns) < 0
+            ? ""
+            : "; d2_attitude has been renamed to d2_orientation");
   return atom->darray[index];
 }
 

@@ -57,8 +57,8 @@ void PairPolhode::coeff(int count, char** arguments) {
   if (allocated == 0) allocate();
   if (count != 4)
     error->all(FLERR,
-               "pair_style polhode: pair_coeff has {} values; it needs two atom types or ranges of "
-               "types, epsilon and sigma",
+               "pair_style polhode: pair_coeff has {} values; it needs four: two atom types (or "
+               "ranges of types), epsilon and sigma",
                count);
   int i_low = 0, i_high = 0, j_low = 0, j_high = 0;
   LAMMPS_NS::utils::bounds(FLERR, arguments[0], 1, atom->ntypes, i_low, i_high, error);
@@ -68,7 +68,7 @@ void PairPolhode::coeff(int count, char** arguments) {
   if (!(epsilon >= 0 && sigma >= 0) || (epsilon > 0 && sigma == 0))
     error->all(FLERR,
                "pair_style polhode: pair_coeff {} {} has epsilon = {} and sigma = {}; both must be "
-               "above 0, or epsilon 0 for no interaction",
+               "above 0, or epsilon must be 0 (no interaction)",
                arguments[0], arguments[1], epsilon, sigma);
   for (int i = i_low; i <= i_high; ++i)
     for (int j = std::max(i, j_low); j <= j_high; ++j) {

@@ -100,7 +100,7 @@ void Reader::particle() {
   for (const ParticleArguments& other : settings_.particles)
     if (other.type == particle.type)
       throw Error("particles of type " + std::to_string(particle.type) +
-                  " are given twice; each type can be only one kind of molecule");
+                  " are given twice; particles of one type must be molecules of one kind");
   particle.file = parse_molecule_file(text_of_file(particle.path, lammps_->world), particle.path);
   for (const int type : particle.file.types)
     if (type > lammps_->atom->ntypes)

@@ -29,8 +29,8 @@ def bias(log: Path | Mapping[str, Any], temperature: Quantity | None = None, *, 
         total: column of the total energy; default: the column with a usual name
         potential: column of the potential energy; default: the column with a usual name
         energy_unit: unit of energies: kJ/mol, kcal/mol, eV or lj; default: the unit in the log
-        start: first time used, in the unit of the log; default: the first row
-        stop: last time used, in the unit of the log; default: the last row
+        start: earliest time that is used, in the time unit of the log; default: the first row
+        stop: latest time that is used, in the time unit of the log; default: the last row
 
     Returns:
         Report: with the keys of ``polhode bias --json``.

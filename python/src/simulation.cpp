@@ -31,7 +31,7 @@ class InUse {
     if (flag_.exchange(true))
       throw Error(
           "the simulation is in use by another thread or by a callback of this simulation; wait "
-          "until the call returns, or use another simulation");
+          "until its current call has returned, or use another simulation");
   }
   ~InUse() { flag_ = false; }
   InUse(const InUse&) = delete;
@@ -123,7 +123,8 @@ nb::tuple begin_change(SimulationPointer s) {
 /// @param keep  false to restore the state before the change
 void end_change(OwnedSimulation& s, bool keep) {
   const InUse use(s.in_use);
-  if (!s.before_change) throw Error("the state is not being changed");
+  if (!s.before_change)
+    throw Error("no change of the state is in progress; use 'with state.change()'");
   const State before = *std::exchange(s.before_change, std::nullopt);
   if (!keep) return void(s.simulation.state_to_change() = before);
   try {

@@ -138,7 +138,7 @@ class SchemeReader {
       switch (result.flow) {
         case Flow::drift:
         case Flow::bath:
-          scanner_.refuse(fmt::format("')': a {} has one argument", name_of(result.flow)));
+          scanner_.refuse(fmt::format("')' (a {} has one argument)", name_of(result.flow)));
         case Flow::kick:
           read_gradient(result);
           break;
@@ -209,8 +209,8 @@ int order_of(const Scheme& scheme) {
   std::vector<std::string> names;
   for (const Scheme& scheme : schemes) names.emplace_back(scheme.name());
   throw Error(
-      fmt::format("there is no scheme '{}'{} ('polhode schemes' lists all of them; or write the "
-                  "stages, like \"{}\")",
+      fmt::format("there is no scheme '{}'{} ('polhode schemes' lists all schemes; you can also "
+                  "write the stages of a scheme, like \"{}\")",
                   name, did_you_mean(name, names), example_scheme));
 }
 

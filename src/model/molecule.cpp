@@ -149,8 +149,8 @@ Molecule build(std::string name, std::vector<Site> sites,
                Eigen3 (*principal_axes)(const Mat3<double>&)) {
   if (sites.size() > max_sites)
     throw Error("molecule '" + name + "' has " + std::to_string(sites.size()) +
-                " sites; a rigid molecule may have " + std::to_string(max_sites) +
-                " at most, so split the molecule, or check the file");
+                " sites; the maximum for a rigid molecule is " + std::to_string(max_sites) +
+                "; split the molecule, or check the file");
   check_name("a molecule", name);
   check_apart(sites, name);
   Molecule molecule;

@@ -81,9 +81,8 @@ void check(double sigma, double epsilon, const ShortRangeLaw& law) {
   if (const auto* mie = std::get_if<MieLaw>(&law)) {
     if (!(mie->m > 3 && mie->n > mie->m && mie->n <= 100))
       refuse(fmt::format(
-          "the exponents are {} and {}; the attractive exponent must be above 3 for a finite "
-          "energy of a fluid, and the repulsive exponent must be larger than the attractive one "
-          "and at most 100",
+          "the exponents are {} and {}; the attractive exponent must be above 3 (finite energy of "
+          "a fluid), and the repulsive exponent must be larger than that and at most 100",
           mie->n, mie->m));
   }
   if (const auto* exp6 = std::get_if<BuckinghamLaw>(&law)) {

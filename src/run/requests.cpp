@@ -61,8 +61,8 @@ std::vector<RequestOption<ConversionRequest>> ConversionRequest::options() {
        "run file whose molecules are the particles of a LAMMPS dump file"},
       {"names", &R::names, "file with the atom names, for formats without names: XTC, TRR, DCD"},
       {"every", &R::every, "write every Nth frame; default: 1"},
-      {"start", &R::start, "time of the first frame: \"10 ps\"", "from"},
-      {"stop", &R::stop, "time of the last frame", "to"}};
+      {"start", &R::start, "leave out frames before this time: \"10 ps\"", "from"},
+      {"stop", &R::stop, "leave out frames after this time", "to"}};
 }
 
 Conversion ConversionRequest::conversion(const std::string& from, const std::string& to,

@@ -198,7 +198,7 @@ class Analyze(Sandbox):
     def test_bias_of_the_step_with_thermostats(self):
         """Known with one kind of thermostat, at frames that are samples of the shadow energy."""
         for ensemble, shadow, said in (("rescaling", "20 fs", ""), ("rescaling", "80 fs", "uses only 11 of 41 frames"), ("rescaling", "0 fs", "has no sample of the shadow energy"),
-                                       ("langevin", "", "known at constant energy")):
+                                       ("langevin", "", "known only at constant energy")):
             text = edited(LONG, ("[output]", (f'shadow_sample = "{shadow}"\n' if shadow else "") + f'[thermostat]\ntype = "{ensemble}"\n[output]'),
                           ('length = "1.2 ps"', 'length = "0.8 ps"'))
             self.done("run", text, "--force")
@@ -209,7 +209,7 @@ class Analyze(Sandbox):
         self.write("run.toml", text.replace('[thermostat]\ntype = "langevin"\n', ""))
         process = self.polhode("analyze", "out-trajectory.xyz", "--run", "run.toml", "--energies", "out-energies.csv", "--what", "rdf", "--plot", "none", "--force")
         self.assertEqual(process.returncode, 2)
-        self.assertIn("as with a thermostat", process.err)
+        self.assertIn("so the run had a thermostat", process.err)
 
     def test_wrong_input(self):
         before = self.contents()

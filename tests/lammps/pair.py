@@ -258,7 +258,7 @@ run {evaluations * round(values["length"] / values["step"])}
             (base.replace("switch 0.45", "switch 0.45 dielectric 80x"), ["dielectric is '80x'"]),
             (base.replace("switch 0.45", "switch 0.45 dielectric nan"), ["dielectric"]),
             (base.replace("switch 0.45", "switch 0.45 smoothness 2.5"), ["smoothness is 2.5"]),
-            (base.replace("pair_coeff 1 1", "pair_coeff 1 1 0.5"), ["it needs two atom types"]),
+            (base.replace("pair_coeff 1 1", "pair_coeff 1 1 0.5"), ["two atom types"]),
             (base.replace("units lj", "units si"), ["use units real"]),
             (base.replace("pair_style polhode", "pair_style hybrid/overlay zero 0.5 polhode").replace(
                 "pair_coeff 1 1", "pair_coeff * * zero\npair_coeff 1 1 polhode").replace(

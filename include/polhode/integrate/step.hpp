@@ -43,12 +43,12 @@ void check_flows(const Scheme& scheme) {
   if (!OffersGradientKick<F> &&
       (scheme.has(Gradient::exact) || scheme.has(Gradient::finite_difference)))
     throw Error(
-        "the scheme has gradient kicks, but the flows have none; define kick(t, xi_h2, gradient), "
-        "or use a scheme without gradient kicks");
+        "the scheme has gradient kicks, but the class of the flows has none; define kick(t, xi_h2, "
+        "gradient), or use a scheme without gradient kicks");
   if (!OffersBath<F> && scheme.has(Flow::bath))
     throw Error(
-        "the scheme has a bath, but the flows have none; define bath(t, number), or leave the "
-        "stages O out of the scheme");
+        "the scheme has a bath, but the class of the flows has none; define bath(t, number), or "
+        "leave the stages O out of the scheme");
 }
 
 /// Performs one stage of a scheme.

@@ -173,8 +173,8 @@ FittedState fit_state(const Frame& frame, const Topology& topology) {
     }
   }
   if (!atoms.empty())
-    throw Error(fmt::format("the file has {} atoms, but the {} molecules have {}; set the number "
-                            "of molecules to the number in the file",
+    throw Error(fmt::format("the file has {} atoms, but the {} molecules have {} atoms; set the "
+                            "number of molecules to the number in the file",
                             frame.atoms.size(), topology.size(), frame.atoms.size() - atoms.size()),
                 frame.source);
   return fitted;

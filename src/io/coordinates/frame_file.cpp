@@ -258,7 +258,7 @@ Frame read_start(const std::string& name_or_path) {
   if (!format_of(name_or_path).has_names)
     throw Error(
         fmt::format("the format of '{0}' has no atom names, but an initial configuration needs "
-                    "them; convert the file to GRO with the names of another file",
+                    "them; convert the file to GRO, with the atom names of another file",
                     name_or_path));
   if (is_data_file(name_or_path)) return frame_of(read_lammps_data(name_or_path));
   Frame frame;

@@ -55,7 +55,7 @@ void check_folder(const std::string& path) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw Error(fmt::format(
-        "there is no folder '{}' for the output '{}'; create it, or give another output",
+        "there is no folder '{}' for the output '{}'; create the folder, or give another output",
         folder.string(), path));
   if (::access(folder.c_str(), W_OK) != 0)
     throw Error(fmt::format(

@@ -88,8 +88,8 @@ void FrameFit::check_time(const FrameExtent& frame) const {
   const double rounding = 0x1p-22 * std::abs(frame.time) * (1 + n);
   if (std::abs(frame.time - due) <= 0.01 * std::abs(interval_) + rounding) return;
   throw Error(
-      fmt::format("frame {} is at {:g} ps instead of {:g} ps: the first two frames are {:g} ps "
-                  "apart, and all frames of a .{} file must have equal intervals; choose evenly "
+      fmt::format("frame {} is at {:g} ps instead of {:g} ps (the first two frames are {:g} ps "
+                  "apart); a .{} file needs equal intervals between frames, so choose evenly "
                   "spaced frames, or write another format",
                   before_ + 1, frame.time, due, interval_, format_));
 }

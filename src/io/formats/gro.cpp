@@ -29,8 +29,8 @@ std::size_t column_width(std::string_view line, const Lines& lines) {
   const auto p3 = p2 == line.npos ? p2 : line.find('.', p2 + 1);
   if (p3 == line.npos)
     lines.refuse(
-        "an atom line ends before its third coordinate; it must have x, y and z with decimal "
-        "points after 20 characters of names");
+        "an atom line ends before its third coordinate; it must have x, y and z, with decimal "
+        "points, after the 20 characters of the names");
   if (p3 - p2 != p2 - p1)
     lines.refuse(
         fmt::format("the decimal points of x, y and z are {} and {} characters apart; both "
@@ -77,8 +77,8 @@ AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines)
   const std::size_t needed = first_number + (result.has_velocity ? 6 : 3) * width;
   if (written < needed)
     lines.refuse(fmt::format(
-        "the line ends after {} characters; three {} of {} characters each follow the names, so "
-        "the line must have {} characters",
+        "the line ends after {} characters; the names and three {} of {} characters each need {} "
+        "characters",
         written, result.has_velocity ? "coordinates and three velocities" : "coordinates", width,
         needed));
   for (std::size_t k = 0; k < 3; ++k)

@@ -121,8 +121,8 @@ class LammpsDumpReader : public FrameReader {
       return;
     }
     lines_.refuse(
-        fmt::format("the units are {}; they must be real, metal or nano, since the lengths of "
-                    "other units are not known in nm",
+        fmt::format("the units are {}; they must be real, metal or nano, since polhode cannot "
+                    "convert other units to nm",
                     name));
   }
 

@@ -76,8 +76,8 @@ class PdbReader : public FrameReader {
     };
     if (is_digit(12) && columns(line, 35, 35) != ".")
       lines_.refuse(
-          "the serial number of an atom extends beyond character 11 and shifts x, whose decimal "
-          "point must be in character 35; write serials of five characters, modulo 100000 or "
+          "the serial number of an atom extends beyond character 11, so the decimal point of x is "
+          "not in character 35; write serial numbers of five characters, modulo 100000 or in "
           "hybrid-36");
   }
 

@@ -106,10 +106,11 @@ class Shapes {
   Shape check(const Shape& shape, const GromacsMolecule& molecule) const {
     const std::size_t atoms = real_atoms(molecule).size();
     if (shape.size() != atoms)
-      throw Error(fmt::format("the shape of molecule type '{}' has {} positions; it must have {}, "
-                              "one for each atom in their order, without virtual sites",
-                              molecule.name, shape.size(), atoms),
-                  text_of(molecule.place));
+      throw Error(
+          fmt::format("the shape of molecule type '{}' has {} positions; it must have {}: one "
+                      "position for each atom except virtual sites, in the order of the atoms",
+                      molecule.name, shape.size(), atoms),
+          text_of(molecule.place));
     for (const auto& [a, b, length] :
          constrained_distances(gromacs_, molecule, Rigidity::by_constraints))
       if (const double found = norm(shape[a] - shape[b]);

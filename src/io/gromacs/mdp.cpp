@@ -223,7 +223,8 @@ void Translation::run() {
     mdp_.differs("nsteps", "the length of a run must be above 0 ps; the default is 15 ps", "0");
   }
   if (const double sample = time_of("nstenergy", 0); sample > 0)
-    quantity("sample", sample, "ps", "nstenergy times dt; averages use only these samples");
+    quantity("sample", sample, "ps",
+             "nstenergy times dt; averages use only samples at this interval");
 }
 
 void Translation::thermostat() {

@@ -187,7 +187,7 @@ void Preprocessor::expand(std::string_view text, Expansion& e) {
     if (!e.within.empty() && ++replaced_ > max_replaced)
       refuse(
           fmt::format("macros were expanded to {} words in this topology, the maximum; write "
-                      "shorter macros, or the values",
+                      "shorter macros, or replace macros by their values",
                       max_replaced));
     if (plain) {
       if (!e.out.empty()) e.out += ' ';

@@ -177,10 +177,12 @@ Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& 
              r.place);
     for (std::size_t k = 1; k < (r.kind == Kind::virtual2 ? 3 : 4); ++k)
       if (!known[r.atoms[k]])
-        refuse(fmt::format("virtual site {} is constructed from atom {}, which has no position "
-                           "yet; it must be an atom, or a virtual site of an earlier line",
-                           r.atoms[0] + 1, r.atoms[k] + 1),
-               r.place);
+        refuse(
+            fmt::format(
+                "virtual site {} is constructed from atom {}, which has no position yet; a virtual "
+                "site must be constructed from atoms, or from virtual sites of earlier lines",
+                r.atoms[0] + 1, r.atoms[k] + 1),
+            r.place);
     const GromacsAtom& site = molecule.atoms[r.atoms[0]];
     if (site.mass != 0)
       refuse(fmt::format("virtual site '{}' has a mass of {} u; it must be 0 u, since the site is "
@@ -201,11 +203,10 @@ Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& 
     const GromacsAtom& atom = molecule.atoms[k];
     const GromacsAtomType& type = topology.types.at(atom.type);
     if (type.one_sided)
-      refuse(
-          fmt::format(
-              "atom type '{}' has only one of C6 and C12; sigma and epsilon need both or neither",
-              type.name),
-          type.place);
+      refuse(fmt::format("atom type '{}' has only one of C6 and C12; set both or neither, since "
+                         "sigma and epsilon follow from both",
+                         type.name),
+             type.place);
     std::string element;
     if (atom.mass > 0) element = element_of_number(type.atomic_number);
     if (atom.mass > 0 && element.empty()) element = element_of_mass(atom.mass);

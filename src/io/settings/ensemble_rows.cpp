@@ -120,8 +120,8 @@ SettingTable thermostat_table() {
            "every momentum; `\"rescaling\"` applies one factor to all momenta; "
            "`\"separate-rescaling\"` applies one factor to translation and another to rotation"),
        row("friction", parameter(thermostat_of, &Langevin::friction), per_ps, rate,
-           "friction γ of translation, and of rotation unless `rotational_friction` is given; at 0 "
-           "1/ps the run equals a run at constant energy bit for bit",
+           "friction γ of translation, and of rotation unless `rotational_friction` is given; a "
+           "friction of 0 1/ps gives the same trajectory, bit for bit, as constant energy",
            More{.by = "type", .read = read_friction}),
        row("rotational_friction", parameter(thermostat_of, &Langevin::rotational_friction), per_ps,
            rate, "friction γ of rotation", More{.fallback = "value of `friction`", .by = "type"}),

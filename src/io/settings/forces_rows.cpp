@@ -135,7 +135,7 @@ SettingTable forces_table() {
        row("smoothness", forces(&ForceSettings::smoothness), in_library(between(1, 3)),
            "number of continuous derivatives of the switching function"),
        row("skin", forces(&ForceSettings::skin), nm, in_library(above(0)),
-           "skin of the neighbour list; affects the speed, and the results only by rounding"),
+           "skin of the neighbour list; affects the speed, and changes results only by rounding"),
        row("dielectric", only(reaction_field, &ForceSettings::dielectric), in_library(from(1)),
            "relative permittivity outside the cutoff, for the reaction field; may be "
            "`\"infinite\"`",

@@ -160,7 +160,8 @@ double number(std::string_view& rest, const QuantityText& source) {
   if (!rest.empty() && rest.front() == '+') rest.remove_prefix(1);
   double value = 0;
   const auto [end, status] = from_chars(rest.data(), rest.data() + rest.size(), value);
-  if (status == std::errc::invalid_argument) source.refuse(" has no number where one is expected");
+  if (status == std::errc::invalid_argument)
+    source.refuse(" has no number where a number is expected");
   if (status == std::errc::result_out_of_range || !std::isfinite(value))
     source.refuse(" is not a number in the range of double precision; it must be a finite number");
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
@@ -195,7 +196,7 @@ double unit_at(std::string_view rest, const QuantityText& source) {
   const auto [article, noun, example] = words(source.dimension);
   for (const Unit& u : all_units)
     if (u.symbol == symbol)
-      source.refuse(fmt::format(" is {} {}; it must be {} {}, in one of: {}",
+      source.refuse(fmt::format(" is {} {}; it must be {} {}, in one of the units: {}",
                                 words(u.dimension).article, words(u.dimension).noun, article, noun,
                                 join_names(known)));
   if (symbol.find(no_break_space) != symbol.npos)

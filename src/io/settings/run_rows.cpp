@@ -146,9 +146,8 @@ SettingTable run_table() {
   return {
       "run",
       {row("minimise", run(&R::minimise),
-           "[minimises the energy](minimise.md) of the initial configuration before anything else, "
-           "with the default bounds of `polhode minimise`; the molecules may then overlap "
-           "initially"),
+           "[minimises the energy](minimise.md) of the initial configuration first, with the "
+           "default bounds of `polhode minimise`; molecules may overlap in this configuration"),
        row("equilibrate", run(&R::equilibrate), SettingUnit{Dimension::time, "ps", "5 ps"},
            equilibration, "length of the equilibration before the run, with velocity rescaling"),
        row("length", run(&R::length), ps, above(0),
@@ -188,8 +187,8 @@ SettingTable output_table() {
   const auto output = in(&Config::output);
   return {"output",
           {row("prefix", output(&O::prefix),
-               "prefix of the output files, which must not end in `/`; a relative path begins at "
-               "the working directory",
+               "prefix of output file names (the prefix must not end in `/`); a relative prefix "
+               "begins at the working directory",
                More{.read = read_prefix, .free = true}),
            row("trajectory_every", output(&O::trajectory_every), ps,
                from(0, "; 0 ps means no trajectory"),

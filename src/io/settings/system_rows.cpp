@@ -281,8 +281,8 @@ SettingTable system_table() {
            More{.read = read_topology_list, .free = true}),
        row("initial_configuration", system(&S::initial_configuration),
            "initial configuration and its box: `\"w512\"`, or the path of a file in any "
-           "[format](formats.md) with atom names. Velocities in the file are used, without the "
-           "[motion of the centre of mass](../theory.md#the-centre-of-mass)",
+           "[format](formats.md) with atom names. Velocities in the file are used after removal of "
+           "the [motion of the centre of mass](../theory.md#the-centre-of-mass)",
            More{.fallback = "lattice", .read = read_by_table, .free = true}),
        row("checkpoint", system(&S::checkpoint),
            "path of a [checkpoint](checkpoints.md), written by [prepare](prepare.md), that "

@@ -50,11 +50,13 @@ std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
     const bool bare = first->second.bare || second->second.bare;
     if (bare && is_zero(pair.epsilon, pair.law)) continue;
     if (pair.epsilon < 0)
-      refuse("the pair has only one of C6 and C12; sigma and epsilon need both or neither");
+      refuse(
+          "the pair has only one of C6 and C12; set both or neither, since sigma and epsilon "
+          "follow from both");
     if (bare)
       refuse(fmt::format(
           "the pair of atom types '{}' and '{}' has a short-range potential, but one of these "
-          "types has none for pairs of the same type; both types must have one",
+          "types has no potential with itself; both types must have such a potential",
           pair.first, pair.second));
     for (const std::string& a : first->second.sites)
       for (const std::string& b : second->second.sites) {

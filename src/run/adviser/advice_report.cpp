@@ -258,8 +258,7 @@ Quantities of_criterion(const Criterion& criterion) {
       {"quality", "", std::string(name_of(criterion.quality)), "quantity that is bounded"},
       {"requested", "", drift ? in_kJ_per_ns(criterion.bound) : criterion.bound, "required bound"},
       {*unit == 0 ? "" : "unit", "", *unit == 0 ? Value() : Value(unit), "unit of the bound"},
-      {"probability", "", guarantee_probability,
-       "probability with which a new run meets the bound"}};
+      {"probability", "", guarantee_probability, "probability that a new run meets the bound"}};
 }
 
 void write_advice(const AdviceReport& report, const Provenance& provenance,

@@ -14,9 +14,9 @@ void check_forces(double frequency, const std::string& source) {
   constexpr double min_frequency = 1e-6;
   if (!(frequency > min_frequency))
     throw Error(
-        "the forces on the molecules of the initial configuration are nearly zero, as on a perfect "
-        "lattice, so the first step cannot be estimated from the forces; equilibrate first, for "
-        "example with equilibrate = \"5 ps\" in [run]",
+        "the forces in the initial configuration are nearly zero, as on a perfect lattice, so the "
+        "first step cannot be estimated; equilibrate first, for example with equilibrate = \"5 "
+        "ps\" in [run]",
         source);
 }
 
@@ -24,7 +24,7 @@ void check_length(double length, double first, std::string_view scheme) {
   if (length < 10 * first)
     throw Error(
         fmt::format("runs of {:g} fs are too short for advice; a run must have at least ten steps "
-                    "of {:.3g} fs, the first step tried with {}: use longer runs",
+                    "of {:.3g} fs, the first time step tried with the scheme {}: use longer runs",
                     units::fs_per_ps * length, units::fs_per_ps * first, scheme));
 }
 

@@ -145,8 +145,8 @@ class Assembly {
     const std::size_t known = result_.frames_with_step_error;
     if (known == 0)
       throw Error(
-          fmt::format("'{}' has no sample of the shadow energy at the time of any frame, but the "
-                      "time-step bias needs such samples; run a scheme of order 2 with "
+          fmt::format("'{}' has no sample of the shadow energy at the times of the frames, so the "
+                      "time-step bias cannot be computed; run a scheme of order 2 with "
                       "shadow_sample equal to trajectory_every, or leave the energies out",
                       settings_.step_errors->energies));
     if (known < result_.frames)

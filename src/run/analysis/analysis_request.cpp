@@ -129,14 +129,14 @@ std::vector<RequestOption<Request>> Request::options() {
                    join_names(observable_names()))},
       {"output", &Request::output,
        fmt::format("prefix of the output files; default: {}", AnalysisInput{}.prefix)},
-      {"start", &Request::start, "time of the first frame: \"10 ps\"", "from"},
+      {"start", &Request::start, "leave out frames before this time: \"10 ps\"", "from"},
       {"interval", &Request::interval,
        "time between frames, instead of the times in the file: \"0.1 ps\""},
       {"window", &Request::window,
        fmt::format("maximum lag of correlations; default: \"{}\"", in_ps)},
       {"fit", &Request::fit,
-       "range of lags of the line fitted for D: \"2 ps, 10 ps\"; default: from a fifth of the "
-       "maximum lag to the maximum lag"},
+       "range of lags for the straight-line fit that gives D: \"2 ps, 10 ps\"; default: from a "
+       "fifth of the maximum lag to the maximum lag"},
       {"pairs", &Request::pairs,
        "site pairs of g(r): \"OW-OW, OW-HW\"; HW means HW1 and HW2; default: all pairs"},
       {"cutoff", &Request::cutoff,
@@ -149,8 +149,8 @@ std::vector<RequestOption<Request>> Request::options() {
       {"temperature", &Request::temperature,
        "temperature, \"298 K\"; default: the temperature of the velocities, or of the run file"},
       {"electrostatics", &Request::electrostatics,
-       fmt::format("electrostatics that replaces the setting of the run file: pme, reaction-field "
-                   "(of {:g}), coulomb",
+       fmt::format("electrostatics of the run, instead of the setting in the run file: pme, "
+                   "reaction-field (relative permittivity {:g}), coulomb",
                    ForceSettings{}.dielectric)},
       {"plot", &Request::plot,
        fmt::format("format of figures: {}; default: {}", fmt::join(plot_formats, ", "),

@@ -26,11 +26,10 @@ void find_temperature(AnalysisSummary& s, const Analysis& a, const SummarySettin
   else if (settings.run_temperature)
     take(*settings.run_temperature, of_run_file);
   if (s.temperature_source == of_run_file && settings.constant_energy)
-    s.notes.push_back(
-        fmt::format("the frames have no velocities, so the temperature of the run file, {:g} K, is "
-                    "used; a run at constant energy may have another temperature: give the "
-                    "temperature from the summary of the run",
-                    *s.temperature));
+    s.notes.push_back(fmt::format(
+        "the frames have no velocities, so the temperature of the run file, {:g} K, is used; for a "
+        "run at constant energy, give the mean temperature from the summary of the run",
+        *s.temperature));
 }
 
 }  // namespace

@@ -30,8 +30,9 @@ std::string not_converged(const Convergence& c, const RelaxationName& relaxation
   switch (c.obstacle) {
     case Obstacle::slope_changes:
       return fmt::format(
-          "not converged: the slope of the mean-square displacement differs between the halves of "
-          "the fit, up to {:.2g} ps; use a longer window, a fit from a longer lag, or {}",
+          "not converged: the slope of the mean-square displacement differs between the two halves "
+          "of the fit, which ends at {:.2g} ps; use a longer window, a fit from a longer lag, or "
+          "{}",
           c.relaxation, longer);
     case Obstacle::integral_changes:
       return fmt::format(

@@ -31,8 +31,9 @@ std::string why_not(const FirstFrames& f) {
 }
 
 AnalysisFile file_of(const Analysis& a, const TotalDipole::Result& d) {
-  AnalysisFile file = file_over_time(a, "dielectric", d.frames,
-                                     {{}, "dielectric constant from all frames so far", {}, "ε"});
+  AnalysisFile file =
+      file_over_time(a, "dielectric", d.frames,
+                     {{}, "dielectric constant from the frames up to each time", {}, "ε"});
   CurvesFigure::Panel panel;
   draw(panel, "", add(file.table, "epsilon", "1", d.stages), d.stages);
   file.figure.panels.push_back(std::move(panel));
@@ -46,7 +47,7 @@ Quantity row_of(const TotalDipole::Result& d) {
           ? short_text(d.constant) + "; Kirkwood factor " + short_text(d.kirkwood)
           : not_converged(d.convergence, dipole_relaxation);
   return row("dielectric constant",
-             fmt::format("{}; |<M>| is {:.2f} of the rms M", value, d.mean_over_rms));
+             fmt::format("{}; |<M>| is {:.2f} times the rms M", value, d.mean_over_rms));
 }
 
 class Dielectric : public Observable {

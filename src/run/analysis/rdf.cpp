@@ -37,7 +37,7 @@ void check_pair(const SitePair& pair, const Topology& topology) {
     if (molecules_with(topology, word).empty()) return;
   if (count_pairs(topology, pair) > 0) return;
   throw Error(
-      fmt::format("there is no g(r) of '{}-{}': a pair has sites of two molecules, but only one "
+      fmt::format("there is no g(r) of '{}-{}': g(r) needs sites of two molecules, but only one "
                   "molecule has these sites; leave this pair out",
                   pair[0], pair[1]));
 }

@@ -25,8 +25,8 @@ StepErrorSettings step_error_settings(const std::string& energies, const Config&
   if (ensemble.hybrid_monte_carlo)
     throw Error("hybrid Monte Carlo has no time-step bias; leave the energies out");
   throw Error(
-      "the time-step bias is only known at constant energy, or with a rescaling thermostat at the "
-      "ends of steps and all box edges scaled by one factor; leave the energies out");
+      "the time-step bias is known only at constant energy, or with a rescaling thermostat at the "
+      "ends of steps and isotropic scaling of the box; leave the energies out");
 }
 
 StepErrors::StepErrors(const StepErrorSettings& settings, const Topology& topology)
@@ -38,15 +38,15 @@ std::optional<StepError> StepErrors::at(const State& frame, bool has_velocities)
   const double first = frame.time - rounding(frame.time), last = frame.time + rounding(frame.time);
   if (row_ && row_->energies.time > last)
     throw Error(
-        fmt::format("the frame at {:.9g} ps is earlier than the one before it; give a "
-                    "trajectory in the order of time",
+        fmt::format("the frame at {:.9g} ps is earlier than the previous frame; give a trajectory "
+                    "whose times increase",
                     frame.time));
   while (next_ && next_->energies.time <= last) {
     if (next_->energies.time >= first && row_ && row_->energies.time >= first)
-      throw Error(fmt::format(
-          "'{}' has several rows at {:.9g} ps, indistinguishable because times in files are "
-          "rounded, so the row of the frame is not known; use a longer interval between energies",
-          settings_.energies, frame.time));
+      throw Error(
+          fmt::format("'{}' has several rows at {:.9g} ps, because times in files are rounded, so "
+                      "the row of the frame is not known; use a longer interval between energies",
+                      settings_.energies, frame.time));
     row_ = next_;
     next_ = rows_.next();
   }
@@ -77,8 +77,8 @@ void StepErrors::check(const EnergyRow& row, const State& frame, bool has_veloci
   const double of_energy = 1e-12 * (std::abs(e.potential()) + e.kinetic());  // round-off of sums
   if (settings_.fixed == FixedMeans::energy && !(std::abs(row.conserved - e.total()) <= of_energy))
     throw Error(
-        fmt::format("conserved and total energy in '{}' differ at {:.9g} ps, as with a thermostat, "
-                    "but the run file has constant energy; give the run file with the thermostat",
+        fmt::format("conserved and total energy in '{}' differ at {:.9g} ps, so the run had a "
+                    "thermostat, but the run file has none; give the run file of that run",
                     settings_.energies, e.time));
   if (!has_velocities) return;
   // Rounding of positions to 0.001 nm changes the rotational energy of a molecule by a few per

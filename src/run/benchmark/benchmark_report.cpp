@@ -177,7 +177,8 @@ std::vector<std::string> verdict(const Benchmark& b) {
                           threads_text(s.threads), one.evaluations[0].forces.best / e.forces.best,
                           precision, one.steps[0].all.best / hoa2.all.best));
     }
-    add("share of a step of hoa2 on one thread that is not spent on forces: " + join(beside));
+    add("share of the time of a hoa2 step on one thread that is not spent on forces: " +
+        join(beside));
     add("hoa2 at 4 fs simulates " + join(speeds));
   }
   const double spread = b.spread();

@@ -183,7 +183,8 @@ EngineLog read_lammps(Lines& lines) {
   }
   if (state.per_atom.value_or(state.system == "lj")) log.divisor = state.atoms;
   if (log.divisor > 1)
-    log.notes.push_back(fmt::format("energies are divided by {:.0f} atoms", log.divisor));
+    log.notes.push_back(fmt::format(
+        "the log contains energies divided by the number of atoms, {:.0f}", log.divisor));
   if (runs > 1) log.notes.push_back(fmt::format("the log has {} runs; the last one is used", runs));
   return log;
 }

@@ -59,11 +59,10 @@ const LogColumn* column_for(const EngineLog& log, const Given& given,
 
 const LogColumn& total_of(const EngineLog& log, const Given& given) {
   if (const LogColumn* column = column_for(log, given, total_names)) return *column;
-  throw Error(
-      fmt::format(
-          "no column is known as the total energy; name it with --total; the columns are: {}",
-          fmt::join(names_of(log), ", ")),
-      log.file);
+  throw Error(fmt::format("no column has a known name of the total energy; name this column with "
+                          "--total; the columns are: {}",
+                          fmt::join(names_of(log), ", ")),
+              log.file);
 }
 
 const EnergyUnit& unit_of(const LogColumn& total, const BiasRequest& request,
@@ -76,7 +75,7 @@ const EnergyUnit& unit_of(const LogColumn& total, const BiasRequest& request,
     refuse(request.energy_unit, "is not known; write kJ/mol, kcal/mol, eV or lj");
   throw Error(
       fmt::format(
-          "the unit of '{}' is {}; give it with --energy-unit as kJ/mol, kcal/mol, eV or lj",
+          "the unit of '{}' is {}; give the unit with --energy-unit as kJ/mol, kcal/mol, eV or lj",
           total.name,
           total.unit.empty() ? "not in the file" : "'" + total.unit + "', which is not known"),
       log.file);
@@ -196,22 +195,23 @@ Ensemble ensemble_of(const EngineLog& log, const LogColumn& total, const LogColu
     return {conserved, true};
   if (!potential || fluctuation(total) < bath_ratio * std::sqrt(variance_of(potential->values)))
     return {&total, false};
-  throw Error(fmt::format("'{}' fluctuates by {:.3g}, which is more than half of the fluctuation "
-                          "{:.3g} of '{}', so a thermostat or barostat changed the energy; print "
-                          "the conserved energy too, which includes the heat, or run 20 to 50 ps "
-                          "at constant energy, from a frame of this run and with the same step",
-                          total.name, fluctuation(total), std::sqrt(variance_of(potential->values)),
-                          potential->name),
-              log.file);
+  throw Error(
+      fmt::format("'{}' fluctuates by {:.3g}, more than half of the fluctuation {:.3g} of '{}', so "
+                  "a thermostat or barostat changed the energy; also print the conserved energy, "
+                  "or continue this run for 20 to 50 ps at constant energy with the same step",
+                  total.name, fluctuation(total), std::sqrt(variance_of(potential->values)),
+                  potential->name),
+      log.file);
 }
 
 void check_digits(const EngineLog& log, const LogColumn& total, LogBias& b, double fluctuation) {
   if (b.resolution == 0 || b.resolution > fluctuation)
-    throw Error(fmt::format("'{}' fluctuates by {:.2g}, and neighbouring printed values differ by "
-                            "{:.2g}: it has too few digits; print more digits, such as "
-                            "'thermo_modify format float %.12g' of LAMMPS or 'gmx energy -dp'",
-                            total.name, fluctuation, b.resolution),
-                log.file);
+    throw Error(
+        fmt::format("'{}' fluctuates by {:.2g}, and the smallest difference between printed values "
+                    "is {:.2g}, so the column has too few digits; print more digits, for example "
+                    "with 'thermo_modify format float %.12g' of LAMMPS or 'gmx energy -dp'",
+                    total.name, fluctuation, b.resolution),
+        log.file);
   // Rounding is uncorrelated with all averages, but adds this share to the energy's variance.
   const double share = std::pow(b.resolution / fluctuation, 2) / 12;
   if (share > 0.01)
@@ -256,8 +256,8 @@ void check_bath(LogBias& b) {
     if (is_one_of({c.name, "", {}}, temperature_names) &&
         std::abs(c.bias.value) > 5 * c.bias.error + b.temperature / 300)
       b.warnings.push_back(
-          fmt::format("the temperature has a bias of {:.2g} K, but it must be 0: the thermostat "
-                      "does not scale all momenta together (Langevin, Andersen), or the kinetic "
+          fmt::format("the temperature has a bias of {:.2g} K, but this bias must be 0: the "
+                      "thermostat acts on single momenta (Langevin, Andersen), or the kinetic "
                       "energy is averaged over half steps; use a log at constant energy",
                       c.bias.value));
 }
@@ -265,10 +265,10 @@ void check_bath(LogBias& b) {
 /// @param name  column whose bias must be precise
 void add_warnings(LogBias& b, const std::string& name) {
   if (b.drift.significant())
-    b.warnings.push_back(
-        fmt::format("'{}' drifts by {:.3g} {} per unit of time; its line is removed, but averages "
-                    "over a drifting run are uncertain: use a shorter step or higher precision",
-                    b.energy, b.drift.rate.value, b.energy_unit));
+    b.warnings.push_back(fmt::format(
+        "'{}' drifts by {:.3g} {} per unit of time; the fitted drift is removed, but averages over "
+        "a drifting run are uncertain: use a shorter step or higher precision",
+        b.energy, b.drift.rate.value, b.energy_unit));
   const auto of = std::ranges::find(b.columns, name, &ColumnBias::name);
   if (of->bias.known != Known::yes)
     b.warnings.push_back(fmt::format(
@@ -276,7 +276,7 @@ void add_warnings(LogBias& b, const std::string& name) {
   else if (of->bias.error > std::abs(of->bias.value) / 2)
     b.warnings.push_back(fmt::format(
         "the bias of '{}' has an error of {:.2g}, more than half of its value; a log that is "
-        "{:.0f} times longer, or sampled more often, gives an error of a fifth",
+        "{:.0f} times longer, or sampled more often, reduces the error to 20 % of the bias",
         of->name, of->bias.error,
         std::ceil(std::pow(5 * of->bias.error / std::max(std::abs(of->bias.value), 1e-300), 2))));
 }
@@ -292,8 +292,10 @@ std::vector<RequestOption<BiasRequest>> BiasRequest::options() {
            "temperature; default: the mean of the temperature in the log"},
           {"energy_unit", &R::energy_unit,
            "unit of energies: kJ/mol, kcal/mol, eV or lj; default: the unit in the log"},
-          {"start", &R::start, "first time used, in the unit of the log; default: the first row"},
-          {"stop", &R::stop, "last time used, in the unit of the log; default: the last row"}};
+          {"start", &R::start,
+           "earliest time that is used, in the time unit of the log; default: the first row"},
+          {"stop", &R::stop,
+           "latest time that is used, in the time unit of the log; default: the last row"}};
 }
 
 LogBias log_bias(const EngineLog& whole, const BiasRequest& request) {
@@ -335,7 +337,8 @@ LogBias log_bias(const EngineLog& whole, const BiasRequest& request) {
   if (log.format == "xvg file")
     b.notes.push_back(
         "GROMACS prints kinetic energies of full steps with integrator = md-vv; with integrator = "
-        "md they are averages over half steps, for which this bias is not valid");
+        "md, the printed kinetic energies are averages over half steps, for which this bias is not "
+        "valid");
   if (has_bath) check_bath(b);
   add_warnings(b, potential ? potential->name : b.columns.front().name);
   return b;
@@ -359,23 +362,24 @@ Quantities quantities(const LogBias& b) {
        "ensemble"},
       {"energy", "", b.energy, "column of the energy that exact dynamics conserves"},
       {"temperature", b.energy_unit == "lj" ? "" : "[K]", b.temperature,
-       "temperature in the formula", "temperature"},
+       "temperature used to compute the biases", "temperature"},
       {"energy_unit", "", b.energy_unit, "unit of energies"},
-      {"fluctuation", unit, b.fluctuation, "standard deviation of this energy about its line",
-       "fluctuation of E"},
+      {"fluctuation", unit, b.fluctuation,
+       "standard deviation of the conserved energy about a fitted line", "fluctuation of E"},
       {"R", "%", b.R > 0 ? Value(b.R) : Value(),
-       "this fluctuation over the fluctuation of the potential energy; null without potential "
-       "energies",
+       "fluctuation of the conserved energy, divided by the fluctuation of the potential energy; "
+       "null without potential energies",
        "R"},
       {"resolution", unit, b.resolution,
-       "smallest difference between printed values of this energy"},
+       "smallest difference between printed values of the conserved energy"},
       {"drift", unit, b.drift.rate,
-       "drift of this energy per unit of time of the log, which is removed"},
-      {"drift_p_value", "", b.drift.p_value, "probability of a drift this large by chance"},
+       "drift of the conserved energy per unit of time of the log; this drift is removed"},
+      {"drift_p_value", "", b.drift.p_value,
+       "probability that chance gives a drift of at least this size"},
       {"columns", "", columns, "averages of the log", "averages"},
       {"potential_bias_at_constant_temperature", unit, b.at_constant_temperature,
        "time-step bias of the potential energy at the same mean kinetic energy, from a log at "
-       "constant energy; null otherwise"},
+       "constant energy; null for other logs"},
       {"notes", "", b.notes, "choices made in reading the log"},
       {"warnings", "", b.warnings, "what makes the bias uncertain"}};
   if (b.at_constant_temperature)

@@ -75,9 +75,9 @@ Quantities of_point(const CanonicalPoint& p) {
           {"runs", "", p.runs, "number of independent runs", "runs"},
           {"stable", "", p.stable, "whether no run blew up"},
           {"accuracy", "", in_words(p.accuracy(BiasCriterion::strict)),
-           "`below the bound`, `above the bound` or `undecided`, by the strict bounds"},
+           "verdict for the strict bounds: `below the bound`, `above the bound` or `undecided`"},
           {"loose_accuracy", "", in_words(p.accuracy(BiasCriterion::loose)),
-           "`below the bound`, `above the bound` or `undecided`, by the loose bounds"},
+           "verdict for the loose bounds: `below the bound`, `above the bound` or `undecided`"},
           {"correlation_time", "ps", nested(p.correlation_time),
            "integrated autocorrelation time of U"},
           {"force_evaluations_per_sample", "", nested(p.evaluations_per_sample()),
@@ -104,10 +104,10 @@ Quantity of_findings(const char* key, const CanonicalReport& report,
     bounds += fmt::format("{} {} {:g}{}{}", bounds.empty() ? "" : ",", q.label,
                           q.bound(findings.criterion), std::string_view(q.unit) == "1" ? "" : " ",
                           std::string_view(q.unit) == "1" ? "" : q.unit);
-  return {
-      key, "", canonical_sentences(findings, report.points),
-      fmt::format("conclusions about the biases, by the {} bounds", in_words(findings.criterion)),
-      fmt::format("{} bounds:{}; with 95 % confidence", in_words(findings.criterion), bounds)};
+  return {key, "", canonical_sentences(findings, report.points),
+          fmt::format("conclusions about the biases, judged by the {} bounds",
+                      in_words(findings.criterion)),
+          fmt::format("{} bounds:{}; with 95 % confidence", in_words(findings.criterion), bounds)};
 }
 
 /// The quantities shown in the figure. Each panel shows a quantity. The last panel shows the cost

@@ -128,7 +128,8 @@ std::vector<Claim> paper_claims(const std::vector<Curve>& curves) {
   }
 
   Claim crossing{
-      "GIER4 is the cheapest below R = 0.4 % (here: R in %, at which GIER4 and HOA2 cost the same)",
+      "GIER4 is the cheapest below R = 0.4 % (here: the R, in %, at which GIER4 and HOA2 have the "
+      "same cost)",
       std::nullopt, Verdict::undecided};
   if (const auto found = crossover(*gier4, *hoa2)) {
     crossing.value = 100 * found->ratio;

@@ -181,8 +181,8 @@ TuneResult tune(const Config& config, const TuneSettings& given, const Callbacks
   const std::vector<SchemeFamily> all = families(settings, config);
   const System base = build_system(config);
   callbacks.note(fmt::format(
-      "polhode {}: tuning for {} molecules at {:g} fs, {} runs of {:g} ps that measure and {} that "
-      "confirm, instruction set {}, threads {}",
+      "polhode {}: tuning for {} molecules at {:g} fs, {} runs of {:g} ps for tuning and {} for "
+      "confirmation, instruction set {}, threads {}",
       version(), base.topology.size(), settings.step * units::fs_per_ps, settings.runs,
       settings.length, settings.runs, name(current_instruction_set()), workers.threads()));
   note_molecules(base, callbacks);
@@ -221,9 +221,9 @@ Quantities quantities(const TuneResult& r) {
        "number of runs for tuning, and the same number for confirmation", "runs"},
       {"length", "ps", r.settings.length, "length of each run", "length"},
       {"rms_first_bracket", "kJ/mol", rms_bracket(r.covariance.aa, r.settings),
-       "rms of the first error bracket times h²", "first bracket"},
+       "rms of h² times the first error bracket", "first bracket"},
       {"rms_second_bracket", "kJ/mol", rms_bracket(r.covariance.bb, r.settings),
-       "rms of the second error bracket times h²", "second bracket"},
+       "rms of h² times the second error bracket", "second bracket"},
       {"correlation", "", r.covariance.ab / std::sqrt(r.covariance.aa * r.covariance.bb),
        "correlation of the two error brackets", "correlation"}};
   if (r.short_steps)

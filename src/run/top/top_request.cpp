@@ -26,7 +26,8 @@ std::vector<RequestOption<TopRequest>> TopRequest::options() {
       {"output", &R::output,
        "prefix of a figure of the polhode on the inertia ellipsoid: PREFIX.svg, .png, .dat, .gp"},
       {"table", &R::table,
-       "CSV file of tops with columns I1,I2,I3,L1,L2,L3,t, whose rotations are printed"},
+       "CSV file with the columns I1,I2,I3,L1,L2,L3,t and one top per row; prints the rotation of "
+       "each top"},
       {"method", &R::method,
        fmt::format("method for the table: {}; default: {}",
                    fmt::join(enum_names<RotorMethod>, ", "), enum_names<RotorMethod>[0])}};

@@ -218,7 +218,7 @@ TEST_CASE("pairs of atom types become pairs of sites, in sigma and epsilon") {
   CHECK(geometric.topology.parts[0].molecule.sites[0].epsilon ==
         doctest::Approx(0.5).epsilon(1e-12));
   refused(replaced(text, "HW OW 1 0 0", "HW OW 1 0.3 0.1"),
-          {"one of these types has none for pairs of the same type"});
+          {"one of these types has no potential with itself"});
 }
 
 TEST_CASE("with nbfunc 2 atom types and pairs have Buckingham laws") {

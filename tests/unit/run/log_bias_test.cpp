@@ -202,7 +202,7 @@ TEST_CASE("with a thermostat the conserved energy takes the place of the total e
     made.columns[3].values[k] += 10 * made.columns[4].values[k];
   const LogBias other = log_bias(made, {});
   REQUIRE(other.warnings.size() == 1);
-  CHECK(other.warnings[0].find("does not scale all momenta") != std::string::npos);
+  CHECK(other.warnings[0].find("acts on single momenta") != std::string::npos);
 }
 
 TEST_CASE("the last brackets of a title contain the unit") {

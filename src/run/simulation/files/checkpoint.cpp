@@ -321,7 +321,7 @@ std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
   try {
     return FoundCheckpoint{read_checkpoint_of(files.previous, identity, reader),
                            fmt::format("{}; the run resumes from the previous checkpoint, '{}', "
-                                       "which is intact, with the same results",
+                                       "which is intact; the results will be the same",
                                        damage, files.previous)};
   } catch (const DamagedCheckpoint& e) {
     throw OutputError(fmt::format("{}, and {}; start over, or start a new run from the last frame",

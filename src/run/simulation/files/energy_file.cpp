@@ -108,8 +108,8 @@ void check_energies(const std::string& path, EnergyColumns with, const FileMark&
   each_row(path, mark.bytes, energy_columns(with), [&](std::span<const double>) { ++rows; });
   if (rows != mark.frames)
     throw OutputError(fmt::format(
-        "'{}' had {} rows when the checkpoint was written, but has {} rows in the same number of "
-        "bytes, so the file was replaced; restore the original, or start over",
+        "'{}' had {} rows when the checkpoint was written, but now has {} rows in the same number "
+        "of bytes, so the file was replaced; restore the original file, or start over",
         path, mark.frames, rows));
 }
 

@@ -92,8 +92,8 @@ std::optional<Warning> shape_warning(const BarostatSummary& s) {
   if (s.beyond_shape == 0) return std::nullopt;
   return Warning{
       "shape", static_cast<double>(s.beyond_shape), 0,
-      fmt::format("{} moves of the box were rejected because two separately scaled edges would "
-                  "have changed their ratio by more than a factor of {:g}: the shape of the box "
+      fmt::format("{} moves of the box were rejected because they would have changed the ratio of "
+                  "two separately scaled edges by more than a factor of {:g}: the shape of the box "
                   "drifts, as in a fluid",
                   s.beyond_shape, max_shape_change),
       "for a fluid use edges = [\"xyz\"] in [barostat]; for a crystal start a new run from the "

@@ -159,7 +159,7 @@ Quantities of_conservation(const RunSummary& s) {
         "evidence for "
         "a random walk"},
        {"walk_of_rounding_known", "", s.walk_known,
-        "whether the random walk caused by rounding is known"},
+        "whether the size of the random walk caused by rounding is known"},
        {"drift_in_run_over_rms_potential", "", known_if(known, s.relative_drift()),
         "energy change due to the drift in this run, divided by the rms fluctuation of the "
         "potential energy"},

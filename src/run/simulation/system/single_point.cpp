@@ -81,7 +81,7 @@ Quantities quantities(const SinglePoint& p) {
       energy("van_der_waals", p.load.van_der_waals, "van der Waals energy", "van der Waals"),
       energy("coulomb", p.load.coulomb, "Coulomb energy", "Coulomb"),
       {"terms", "kJ/mol", terms.empty() ? Value() : Value(terms),
-       "parts of the Coulomb energy, and the dispersion tail"},
+       "contributions to the Coulomb energy, and the dispersion correction"},
       energy("potential", p.load.potential(), "potential energy", "potential"),
       {"pressure", "bar", p.pressure(), "pressure", "pressure", "", "", 10},
       {"pressure_tensor", "bar", tensor, "pressure tensor"}};

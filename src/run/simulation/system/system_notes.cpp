@@ -29,7 +29,7 @@ void note_molecules(const System& system, const Callbacks& callbacks) {
   if (system.massless_deviation > std::max(1e-3, 2 * system.fit_deviation))
     callbacks.note(
         fmt::format("note: massless sites of the initial configuration deviate by up to {:.4f} nm "
-                    "from the models and are placed according to them",
+                    "from the models; the models determine the positions of these sites",
                     system.massless_deviation));
   if (system.removed_temperature > 1e-4)
     callbacks.note(

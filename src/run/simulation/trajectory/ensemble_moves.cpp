@@ -65,11 +65,10 @@ void check_ensemble(const TrajectorySettings& settings) {
         "a barostat exchanges work with the bodies, so it needs a thermostat; add a table "
         "[thermostat], for example with type = \"rescaling\"");
   if ((e.barostat || e.hybrid_monte_carlo) && !(e.temperature > 0))
-    throw Error(
-        fmt::format("the temperature of {:g} K must be above 0 K for a barostat or hybrid Monte "
-                    "Carlo, since both accept moves by their energy in units of kT; use a higher "
-                    "temperature, or only a thermostat",
-                    e.temperature));
+    throw Error(fmt::format(
+        "the temperature of {:g} K must be above 0 K for a barostat or hybrid Monte Carlo, since "
+        "both compare energies with kT; use a higher temperature, or only a thermostat",
+        e.temperature));
   if (const std::string wrong = wrong_setting(e); !wrong.empty()) throw Error(wrong);
   if (e.thermostat)
     std::visit([&](const auto& type) { check_time_constant(type, settings.step); }, *e.thermostat);
