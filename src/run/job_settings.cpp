@@ -29,7 +29,7 @@ constexpr std::array of_run{
     JobSetting{"pressure", "barostat.pressure",
                "; adds cell-rescaling to a run without a barostat, and langevin to a run without a "
                "thermostat"},
-    JobSetting{"hybrid_steps", "hybrid_monte_carlo.steps", "; 0 switches it off"},
+    JobSetting{"hybrid_steps", "hybrid_monte_carlo.steps", "; 0 switches hybrid Monte Carlo off"},
     output};
 constexpr std::array of_prepare{
     precision,

@@ -155,7 +155,7 @@ void Preprocessor::include(std::string_view name) {
                     included));
   for (const Source& open : sources_)
     if (*open.file == loaded->file)
-      refuse(fmt::format("'{}' includes itself without end; delete one #include", included));
+      refuse(fmt::format("'{}' includes itself endlessly; delete one #include", included));
   sources_.push_back({std::make_shared<const std::string>(std::move(loaded->file)),
                       std::move(loaded->text), 0, 0, conditions_.size()});
 }

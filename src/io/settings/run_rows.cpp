@@ -205,8 +205,8 @@ SettingTable output_table() {
            row("pressure_tensor", output(&O::pressure_tensor),
                "whether the energies file contains the six components of the [molecular pressure "
                "tensor](../theory.md#pressure); external forces must then have a virial"),
-           row("plot", named(output(&O::plot), plot_formats), "figure of the energies",
-               More{.free = true}),
+           row("plot", named(output(&O::plot), plot_formats),
+               "format of the figure of the energies", More{.free = true}),
            row("checkpoint_every", output(&O::checkpoint_every),
                SettingUnit{Dimension::wall_clock, "min"}, above(0),
                "wall-clock interval between [checkpoints](checkpoints.md); a checkpoint is also "
@@ -229,7 +229,7 @@ SettingTable study_table() {
            More{.read = read_schemes, .free = true}),
        row("steps", SettingUnit{Dimension::time, "fs", "2 fs"}, above(0), "time steps",
            More{.domain = "list of times > 0 fs",
-                .fallback = "a ladder per scheme",
+                .fallback = "a series of steps for each scheme",
                 .read = read_steps,
                 .kinds = {SettingKind::texts}}),
        row("runs", study(&S::runs), between(2, 1e6, ", for an error bar"),

@@ -213,7 +213,7 @@ Quantities of_best(const AdviceReport& r) {
       list,
       {{"confirmation", "", of_point(best, p), "independent runs with the advised scheme and step"},
        {"reached_over_asked", "", p.bound / criterion.bound,
-        "bound that was met, divided by the required bound"},
+        "guaranteed bound, divided by the required bound"},
        row("R", fmt::format("{}, mean of {} independent runs of {:.3g} ps", percent(p.ratio()),
                             p.runs.size(), p.length)),
        row(of_R ? "a new run" : std::string(name.substr(0, name.find(" of "))),

@@ -41,8 +41,8 @@ std::string not_converged(const Convergence& c, const RelaxationName& relaxation
           c.relaxation, longer);
     case Obstacle::interval:
       return fmt::format(
-          "not converged: the frames are too far apart for an integral over velocities; write "
-          "frames every {:g} fs or more often",
+          "not converged: the interval between frames is too long for an integral over velocities; "
+          "write frames every {:g} fs or more often",
           rounded_down(units::fs_per_ps * c.interval));
     case Obstacle::none:
     case Obstacle::length:

@@ -212,8 +212,8 @@ Quantities quantities(const Benchmark& b, const Computer& computer) {
       row("threads", join(threads)),
       detail({"limits", "", limits, "speed of one core", "one core, best of all repeats"})};
   append(list, of_systems(b.systems));
-  append(list, {{"spread", "", b.spread(), "largest spread of the repeats"},
-                {"verdict", "", verdict(b), "meaning of the numbers", "verdict"}});
+  append(list, {{"spread", "", b.spread(), "largest spread of repeated timings"},
+                {"verdict", "", verdict(b), "conclusion from the timings", "verdict"}});
   return list;
 }
 

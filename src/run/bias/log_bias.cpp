@@ -376,12 +376,12 @@ Quantities quantities(const LogBias& b) {
        "drift of the conserved energy per unit of time of the log; this drift is removed"},
       {"drift_p_value", "", b.drift.p_value,
        "probability that chance gives a drift of at least this size"},
-      {"columns", "", columns, "averages of the log", "averages"},
+      {"columns", "", columns, "averages over the log and their biases", "averages"},
       {"potential_bias_at_constant_temperature", unit, b.at_constant_temperature,
        "time-step bias of the potential energy at the same mean kinetic energy, from a log at "
        "constant energy; null for other logs"},
-      {"notes", "", b.notes, "choices made in reading the log"},
-      {"warnings", "", b.warnings, "what makes the bias uncertain"}};
+      {"notes", "", b.notes, "choices that were made when the log was read"},
+      {"warnings", "", b.warnings, "reasons why a bias is uncertain"}};
   if (b.at_constant_temperature)
     list.push_back(row("", "time-step bias of the potential energy at constant temperature: " +
                                text_of(*b.at_constant_temperature, b.energy_unit)));

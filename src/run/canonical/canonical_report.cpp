@@ -50,14 +50,15 @@ Quantity of_quantity(const CanonicalPoint& p, std::size_t k) {
   const auto value = [&](const std::optional<Estimate>& e) {  // null in JSON
     return e ? Value(nested(*e)) : Value();
   };
-  return {q.name, "",
-          Quantities{
-              {"mean", "", value(p.mean[k]), "mean over the runs"},
-              {"bias", "", value(p.bias[k]), "bias of this mean"},
-              {"", unit, known(p.mean[k]), "", "", "", column},
-              {"", unit, known(p.bias[k]), "", q.label, mark_on(p, k), column + "_bias"},
-              {"accuracy", "", verdict(BiasCriterion::strict), "verdict by the strict bound"},
-              {"loose_accuracy", "", verdict(BiasCriterion::loose), "verdict by the loose bound"}}};
+  return {
+      q.name, "",
+      Quantities{
+          {"mean", "", value(p.mean[k]), "mean over the runs"},
+          {"bias", "", value(p.bias[k]), "bias of the mean over the runs"},
+          {"", unit, known(p.mean[k]), "", "", "", column},
+          {"", unit, known(p.bias[k]), "", q.label, mark_on(p, k), column + "_bias"},
+          {"accuracy", "", verdict(BiasCriterion::strict), "verdict for the strict bound"},
+          {"loose_accuracy", "", verdict(BiasCriterion::loose), "verdict for the loose bound"}}};
 }
 
 Quantities of_point(const CanonicalPoint& p) {

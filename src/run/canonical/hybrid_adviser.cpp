@@ -268,7 +268,7 @@ Quantities quantities(const HybridAdvice& advice) {
               "independent, longer runs of the best combinations"}),
       {"not_distinguishable", "", advice.equal,
        "indices (from 0) of the finalists whose cost is not distinguishable from the lowest cost"},
-      {"answer", "", answer(advice), "answer in words"}};
+      {"answer", "", answer(advice), "recommendation in words"}};
   if (!advice.finalists.empty()) list.push_back(row("", answer(advice)));
   return list;
 }

@@ -217,8 +217,8 @@ Quantities quantities(const TuneResult& r) {
   Quantities list = {
       {"molecules", "", r.molecules, "number of molecules", "molecules"},
       {"step", "fs", r.settings.step * units::fs_per_ps, "time step", "step"},
-      {"runs", "", r.settings.runs,
-       "number of runs for tuning, and the same number for confirmation", "runs"},
+      {"runs", "", r.settings.runs, "number of runs for tuning; as many runs confirm the result",
+       "runs"},
       {"length", "ps", r.settings.length, "length of each run", "length"},
       {"rms_first_bracket", "kJ/mol", rms_bracket(r.covariance.aa, r.settings),
        "rms of h² times the first error bracket", "first bracket"},
