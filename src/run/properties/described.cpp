@@ -46,7 +46,30 @@ std::vector<EquilibrationTrace> traces_of(const PointData& data) {
   return traces;
 }
 
-/// The mean-square displacement of each kind of molecule, and of the integrated momentum flux.
+/// The spectrum of the pressure in units of the viscosity, up to a frequency where the spectrum of
+/// a liquid has decreased.
+MeasuredCurve spectrum_of_pressure(std::span<const BlockMeans> runs,
+                                   const CorrelationsOfDynamics& which, double interval,
+                                   double edge, const StatePoint& at) {
+  constexpr double highest_mode = 200;
+  const double to_mPa_s = edge * edge * edge / (2 * units::boltzmann * at.temperature) /
+                          unit("mPa s", Dimension::viscosity);
+  const double length = interval * static_cast<double>(lags * windows_in_segment);
+  MeasuredCurve c{"spectrum of the pressure: at zero frequency it is the viscosity",
+                  "frequency (1/ps)",
+                  "mPa s",
+                  {},
+                  {}};
+  const ModeBins& bins = pressure_bins();
+  for (std::size_t b = 0; b < bins.size() && bins.middle(b) < highest_mode; ++b) {
+    c.x.push_back(bins.middle(b) / length);
+    c.value.push_back(
+        pooled_estimate(runs, [&](auto all) { return to_mPa_s * which.spectrum_in(all)[b]; }));
+  }
+  return c;
+}
+
+/// The mean-square displacement of each kind of molecule, and the spectrum of the pressure.
 std::vector<MeasuredCurve> curves_of(const PointData& data) {
   const CorrelationsOfDynamics which(data.topology);
   const Contributions contributions(data, MeasuredIn::dynamics);
@@ -55,11 +78,11 @@ std::vector<MeasuredCurve> curves_of(const PointData& data) {
   const double interval = lag_interval(*contributions.all.front().replica);
   const auto curve = [&](std::string title, std::string in, std::size_t correlation,
                          double factor) {
-    MeasuredCurve c{std::move(title), std::move(in), {}, {}};
+    MeasuredCurve c{std::move(title), "lag (ps)", std::move(in), {}, {}};
     constexpr std::size_t every = 8;  // every eighth lag is kept, because a figure cannot show more
                                       // points
     for (std::size_t k = 0; k < lags; k += every) {
-      c.time.push_back(static_cast<double>(k) * interval);
+      c.x.push_back(static_cast<double>(k) * interval);
       c.value.push_back(
           pooled_estimate(runs, [&](auto all) { return factor * all[correlation * lags + k]; }));
     }
@@ -69,11 +92,7 @@ std::vector<MeasuredCurve> curves_of(const PointData& data) {
   for (std::size_t part = 0; part < which.displacement.size(); ++part)
     curves.push_back(curve("mean-square displacement of " + data.topology.parts[part].molecule.name,
                            "nm2", which.displacement[part], 1));
-  const double edge = edge_of(contributions);
-  const double to_mPa = edge * edge * edge / (5 * units::boltzmann * data.at.temperature) /
-                        unit("mPa s", Dimension::viscosity);
-  curves.push_back(curve("momentum flux: its slope is the viscosity", "mPa s ps",
-                         CorrelationsOfDynamics::momentum_flux, to_mPa));
+  curves.push_back(spectrum_of_pressure(runs, which, interval, edge_of(contributions), data.at));
   return curves;
 }
 

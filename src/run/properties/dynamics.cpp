@@ -32,10 +32,14 @@ CorrelationsOfDynamics::CorrelationsOfDynamics(const Topology& topology) {
 }
 
 PartOfSums CorrelationsOfDynamics::functions() const {
-  return [size = count * lags](auto sums) { return sums.first(std::min(size, sums.size())); };
+  return [size = count * lags + pressure_bins().size()](auto sums) {
+    return sums.first(std::min(size, sums.size()));
+  };
 }
 PartOfSums CorrelationsOfDynamics::distances() const {
-  return [size = count * lags](auto sums) { return sums.subspan(std::min(size, sums.size())); };
+  return [size = count * lags + pressure_bins().size()](auto sums) {
+    return sums.subspan(std::min(size, sums.size()));
+  };
 }
 
 std::vector<BlockMeans> dynamics_of(const Contributions& contributions, const PartOfSums& part) {

@@ -20,6 +20,7 @@
 #include "run/properties/distances.hpp"
 #include "run/properties/dynamics.hpp"
 #include "run/properties/orthoboxy.hpp"
+#include "run/properties/pressure_spectrum.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/second_virial.hpp"
 
@@ -71,13 +72,6 @@ void estimate_average(MeasuredProperty& m, const PointData& data) {
   m.value = without(m.value, bias);
 }
 
-double viscosity_of(Means flux, double interval, const FitWindow& window, double volume,
-                    double kT) {
-  // The five components are distributed over two bodies. The sum of their mean squares grows as 10
-  // kT η t/V.
-  return 2 * slope_between(flux, interval, window) * volume / (10 * kT);
-}
-
 /// The correlation functions of the dynamics of all replicas.
 class Dynamics {
  public:
@@ -89,17 +83,25 @@ class Dynamics {
     if (empty()) return;
     interval_ = lag_interval(*contributions_.all.front().replica);
     edge_ = edge_of(contributions_);
+    for (const BlockMeans& run : runs_) segments_ += static_cast<double>(run.blocks().size());
   }
   bool empty() const { return runs_.front().empty(); }
   const Contributions& contributions() const { return contributions_; }
 
   void viscosity(MeasuredProperty& m) const {
-    const FitWindow window = fit_window(interval_);
     const double mPa_s = unit("mPa s", Dimension::viscosity);
-    estimate_slope(m, runs_, interval_,
-                   [this](Means all, const FitWindow& fit) { return eta(all, fit); });
-    m.value = scaled(m.value, 1 / mPa_s);
-    m.step_bound = bound([&](Means all) { return eta(all, window) / mPa_s; });
+    m.value =
+        scaled(pooled_estimate(runs_, [&](Means all) { return eta(all, segments_); }), 1 / mPa_s);
+    // With a fit of degree 2 up to a third of its cutoff, the third must contain three modes.
+    constexpr double min_mode = 9;
+    if (m.value.known == Known::yes &&
+        spectrum_at_zero(overall(runs_), segments_).highest_mode < min_mode)
+      m.obstacle = fmt::format(
+          "the pressure tensor relaxes too slowly for segments of {:.3g} ps, so its spectrum at "
+          "zero "
+          "frequency is not resolved",
+          segment_length());
+    m.step_bound = bound([&](Means all) { return eta(all, pairs()) / mPa_s; });
   }
 
   /// Computes the diffusion coefficient with the finite-size correction. The error of the
@@ -108,13 +110,13 @@ class Dynamics {
     const FitWindow window = fit_window(interval_);
     estimate_slope(m, runs_, interval_,
                    [this](Means all, const FitWindow& fit) { return D(all, fit); });
-    const auto D0 = [&](Means all) { return D(all, window) + correction(all, window); };
-    m.value = pooled_estimate(runs_, D0);
-    m.finite_size =
-        pooled_estimate(runs_, [&](Means all) { return correction(all, window); }).value /
-        nm2_per_ns;
+    const auto D0 = [&](Means all, double segments) {
+      return D(all, window) + correction(all, segments);
+    };
+    m.value = pooled_estimate(runs_, [&](Means all) { return D0(all, segments_); });
+    m.finite_size = correction(overall(runs_), segments_) / nm2_per_ns;
     m.value = scaled(m.value, 1 / nm2_per_ns);
-    m.step_bound = bound([&](Means all) { return D0(all) / nm2_per_ns; });
+    m.step_bound = bound([&](Means all) { return D0(all, pairs()) / nm2_per_ns; });
   }
 
   /// Computes the relaxation time of the slowest axis.
@@ -134,15 +136,27 @@ class Dynamics {
 
  private:
   Means part(Means all, std::size_t k) const { return all.subspan(k * lags, lags); }
-  double eta(Means all, const FitWindow& fit) const {
-    return viscosity_of(part(all, CorrelationsOfDynamics::momentum_flux), interval_, fit,
-                        edge_ * edge_ * edge_, units::boltzmann * data_.at.temperature);
+  double segment_length() const {
+    return interval_ * static_cast<double>(lags * windows_in_segment);
+  }
+  double pairs() const {
+    return static_cast<double>(pairs_of(contributions_, which_.functions()).size());
+  }
+  ZeroFrequency spectrum_at_zero(Means all, double segments) const {
+    return zero_frequency(which_.spectrum_in(all), PressureSpectrum::components * segments,
+                          pressure_bins());
+  }
+  /// The viscosity from the means of a number of segments: the spectrum at zero frequency is the
+  /// integral of the autocorrelation function over all times, twice the integral of Green and Kubo.
+  double eta(Means all, double segments) const {
+    return spectrum_at_zero(all, segments).value * edge_ * edge_ * edge_ /
+           (2 * units::boltzmann * data_.at.temperature);
   }
   double D(Means all, const FitWindow& fit) const {
     return slope_between(part(all, which_.displacement.front()), interval_, fit) / 6;
   }
-  double correction(Means all, const FitWindow& fit) const {
-    return yeh_hummer_correction(data_.at.temperature, eta(all, fit), edge_);
+  double correction(Means all, double segments) const {
+    return yeh_hummer_correction(data_.at.temperature, eta(all, segments), edge_);
   }
   double slowest_relaxation(Means all) const {
     double slowest = 0;
@@ -171,7 +185,7 @@ class Dynamics {
   Contributions contributions_;
   CorrelationsOfDynamics which_;
   std::vector<BlockMeans> runs_;
-  double interval_ = 0, edge_ = 0;
+  double interval_ = 0, edge_ = 0, segments_ = 0;
 };
 
 /// The number of neighbours within the first minimum of g(r) of the centres.

@@ -77,12 +77,12 @@ std::string convergence(const MeasuredProperty& m) {
 }
 
 std::string correlation(const MeasuredCurve& measured) {
-  SvgCurve curve{measured.time, {}, {}};
+  SvgCurve curve{measured.x, {}, {}};
   for (const SeriesEstimate& e : measured.value) {
     curve.y.push_back(e.value);
     curve.error.push_back(e.error);
   }
-  return svg({measured.title, "lag (ps)", measured.unit, {curve}});
+  return svg({measured.title, measured.axis, measured.unit, {curve}});
 }
 
 std::string distribution(const MeasuredDistribution& d) {

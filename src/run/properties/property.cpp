@@ -119,9 +119,9 @@ constexpr std::array all = {
              "displacement; the Yeh-Hummer correction uses the viscosity of the same runs",
              "yeh2004", false, false},
     Property{"viscosity", "mPa s", In::dynamics,
-             "shear viscosity by the Green-Kubo relation in Einstein's form, from five components "
-             "of the molecular pressure tensor",
-             "allen2017", false, false},
+             "shear viscosity by the Green-Kubo relation, from the spectrum of five components of "
+             "the molecular pressure tensor at zero frequency",
+             "toraman2025", false, false},
     Property{"diffusion-orthoboxy", "1e-9 m2/s", In::elongated,
              "self-diffusion coefficient of an infinite system, from the mean-square displacements "
              "along the short axes of a box with Lz/Lx = Lz/Ly = 2.7933596497, where the "

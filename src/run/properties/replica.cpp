@@ -26,8 +26,8 @@
 #include "run/prepare/compressibility.hpp"
 #include "run/properties/distances.hpp"
 #include "run/properties/elongate.hpp"
-#include "run/properties/momentum_flux.hpp"
 #include "run/properties/phases.hpp"
+#include "run/properties/pressure_spectrum.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/relaxation.hpp"
 #include "run/simulation/system/stable_step.hpp"
@@ -300,31 +300,34 @@ std::optional<BlockMeans::Block> correlations(Chain& chain, double whole_step, s
   t.sample = every * whole_step;
   Displacement displacement(system.topology, lags);
   Reorientation rotation(system.topology, lags);
-  TimeCorrelation flux(2, lags, {Product::displacement});
-  MomentumFlux integrals(t.sample);
+  PressureSpectrum spectrum(steps_of_lags * windows_in_segment / every, t.sample);
   Distances distances = Distances::within(system.topology, system.state.box);
   constexpr std::size_t frames_of_distances = 10;  // distances change less than their pairs cost
   std::size_t samples = 0, frames = 0;
   const auto load = [&](const State& state, const Load& forces) {
-    integrals.add(pressure_tensor(state, system.bodies, forces));
+    spectrum.add(pressure_tensor(state, system.bodies, forces));
     if (samples++ % frame != 0) return;
     if (frames++ % frames_of_distances == 0) distances.add(state);
-    flux.add([&](std::size_t body) { return integrals.displacement(body); });
     displacement.add(state);
     rotation.add(state);
   };
   if (!chain.run(t, {.load = load})) return std::nullopt;
-  BlockMeans::Block segment = flux.means(0).sum();
+  BlockMeans::Block segment;
   const auto append = [&](const BlockMeans& correlation) {
     const BlockMeans::Block all = correlation.sum();
+    segment.weight = all.weight;
     segment.sum.insert(segment.sum.end(), all.sum.begin(), all.sum.end());
+  };
+  const auto append_means = [&](const std::vector<double>& means) {
+    for (const double mean : means) segment.sum.push_back(mean * segment.weight);
   };
   for (std::size_t part = 0; part < system.topology.parts.size(); ++part) {
     append(displacement.mean_square(part));
     for (std::size_t axis = 0; axis < rotation.axes(part).size(); ++axis)
       append(rotation.legendre(part, axis, 2));
   }
-  for (const double mean : distances.means()) segment.sum.push_back(mean * segment.weight);
+  append_means(spectrum.means(pressure_bins()));
+  append_means(distances.means());
   return segment;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/zero_frequency.hpp"
 #include "polhode/forces/mesh/mesh_choice.hpp"
 #include "polhode/io/settings/config.hpp"
 #include "polhode/measure/step_response.hpp"
@@ -18,6 +19,16 @@
 #include "run/properties/property.hpp"
 
 namespace polhode {
+
+/// Lengths of segments in steps, so that they scale with the time scale of the molecular motion.
+inline constexpr std::size_t steps_of_averages = 1250, steps_of_sample = 10,
+                             steps_of_shadow_sample = 50, parts_of_averages = 5,
+                             steps_of_lags = 4000, lags = 400, windows_in_segment = 4;
+/// The bins of the spectrum of the pressure, in modes of a segment of dynamics.
+inline const ModeBins& pressure_bins() {
+  static const ModeBins bins(steps_of_lags * windows_in_segment / 8);
+  return bins;
+}
 
 /// A segment of the run at constant temperature and pressure.
 struct AveragesSegment {
@@ -32,20 +43,22 @@ struct AveragesSegment {
 using PartOfSums = std::function<std::span<const double>(std::span<const double>)>;
 
 /// Indices of the correlation functions of dynamics. The sums of a segment contain the correlation
-/// functions in this order. Each function has `lags` values. The sums of Distances follow, which
-/// records of earlier versions lack.
+/// functions in this order. Each function has `lags` values. The spectrum of the pressure and the
+/// sums of Distances follow.
 struct CorrelationsOfDynamics {
   explicit CorrelationsOfDynamics(const Topology& topology);
-  static constexpr std::size_t momentum_flux = 0;  ///< mean-square integrals of five pressure
-                                                   ///< components, averaged over two "bodies"
-                                                   ///< [(kJ/mol/nm³)² ps²]
-  std::vector<std::size_t> displacement;           ///< mean-square displacement of each kind of
-                                                   ///< molecule [nm²]
+  std::vector<std::size_t> displacement;  ///< mean-square displacement of each kind of molecule
+                                          ///< [nm²]
   /// Second Legendre polynomial of each axis of each kind of molecule.
   std::vector<std::vector<std::size_t>> rotation;
-  std::size_t count = 1;
+  std::size_t count = 0;
 
+  /// The correlation functions, followed by the spectrum of PressureSpectrum.
   PartOfSums functions() const;
+  /// The spectrum among functions().
+  std::span<const double> spectrum_in(std::span<const double> functions) const {
+    return functions.subspan(count * lags, pressure_bins().size());
+  }
   PartOfSums distances() const;
 };
 
@@ -88,10 +101,6 @@ struct Replica {
   bool prepared() const { return step > 0; }
 };
 
-/// Lengths of segments in steps, so that they scale with the time scale of the molecular motion.
-inline constexpr std::size_t steps_of_averages = 1250, steps_of_sample = 10,
-                             steps_of_shadow_sample = 50, parts_of_averages = 5,
-                             steps_of_lags = 4000, lags = 400, windows_in_segment = 4;
 /// Number of segments of averages of each replica before the first decision.
 inline constexpr std::size_t first_averages = 24;
 /// One segment of dynamics in eight is repeated at half of the step, which is a quarter more work.

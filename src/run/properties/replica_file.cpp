@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::string_view mark = "polhode replica 1\n";
+constexpr std::string_view mark = "polhode replica 2\n", earlier_mark = "polhode replica 1\n";
 constexpr std::size_t max_bytes = std::size_t{1} << 31;
 
 json block_json(const BlockMeans::Block& block) { return {block.weight, block.sum}; }
@@ -150,6 +150,11 @@ Replica parse_replica(const std::string& bytes, const std::string& path, std::ui
     return Error(
         fmt::format("'{}' {}; restore it, or remove it to compute the replica again", path, how));
   };
+  if (bytes.starts_with(earlier_mark))
+    throw Error(fmt::format(
+        "'{}' was written by a version of polhode that estimated the viscosity otherwise; give "
+        "another prefix of the output files, or remove the record",
+        path));
   constexpr std::size_t head = mark.size() + 17;
   if (bytes.size() < head || !bytes.starts_with(mark)) throw damaged("is not a replica file");
   const std::string cbor = bytes.substr(head);

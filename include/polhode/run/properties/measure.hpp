@@ -92,10 +92,10 @@ struct MeasuredProperty {
   bool reached() const;
 };
 
-/// A correlation function measured in the dynamics, for figures.
+/// A function measured in the dynamics, for figures.
 struct MeasuredCurve {
-  std::string title, unit;
-  std::vector<double> time;           ///< time lags [ps]
+  std::string title, axis, unit;      ///< `axis` is the name of x with its unit
+  std::vector<double> x;              ///< time lags [ps] or frequencies [1/ps]
   std::vector<SeriesEstimate> value;  ///< values in `unit`
 };
 
