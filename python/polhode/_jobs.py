@@ -112,7 +112,7 @@ def run(source: Source = None, *, output: Path | None = None, resume: bool = Fal
 
     Args:
         source, **keywords: as in settings(); the other arguments have precedence.
-        output: prefix of the output files, which must not end in /.
+        output: prefix of output file names (the prefix must not end in /).
         resume (bool): resume from the last checkpoint; start a new run if there is none.
         force (bool): overwrite output files that exist.
         threads (int): number of threads; default: one for each available core.
@@ -218,19 +218,19 @@ def analyze(trajectory: Path, *, run: Source = None, molecules: Mapping[str, int
         names: coordinate file with the atom names, for formats without them.
         what (list of str): observables: rdf, msd, rotation, velocity, dielectric, density; default: all that
             the frames allow.
-        start: time of the first frame: "10 ps".
+        start: leave out frames before this time: "10 ps".
         interval: time between frames, instead of the times in the file: "0.1 ps".
         window: maximum lag of correlations; default: "10 ps".
-        fit: range of lags of the line fitted for D: "2 ps, 10 ps"; default: from a fifth of the maximum lag
-            to the maximum lag.
+        fit: range of lags for the straight-line fit that gives D: "2 ps, 10 ps"; default: from a fifth of the
+            maximum lag to the maximum lag.
         pairs (list of str): site pairs of g(r): "OW-OW, OW-HW"; HW means HW1 and HW2; default: all pairs.
         cutoff: maximum distance of g(r); default: "1 nm", or half of the shortest edge.
         bin: bin width of g(r); default: "0.002 nm".
         viscosity: viscosity of the liquid, "0.855 mPa s", for the Yeh-Hummer finite-size correction of D;
             default: the published value of the model.
         temperature: temperature, "298 K"; default: the temperature of the velocities, or of the run file.
-        electrostatics (str): electrostatics that replaces the setting of the run file: pme, reaction-field
-            (of 78.5), coulomb.
+        electrostatics (str): electrostatics of the run, instead of the setting in the run file: pme,
+            reaction-field (relative permittivity 78.5), coulomb.
         energies: energies file of the run, for the time-step bias in g(r) and the dielectric constant; needs
             the run file.
         output: prefix of the output files; default: polhode-analysis.
@@ -258,8 +258,8 @@ def convert(source: Path, target: Path, *, names: Path | None = None,
         names: file with the atom names, for formats without names: XTC, TRR, DCD.
         particles: settings of the run whose molecules the particles of a LAMMPS dump file are.
         every (int): write every Nth frame; default: 1.
-        start: time of the first frame: "10 ps".
-        stop: time of the last frame.
+        start: leave out frames before this time: "10 ps".
+        stop: leave out frames after this time.
         force (bool): overwrite output files that exist.
         progress, messages: see Progress.
 
@@ -284,7 +284,7 @@ def export(program: str, source: Source = None, *, pair_style: str = "table",
         source, **keywords: as in settings(); the other arguments have precedence.
         pair_style (str): table: the pair potentials as tables; polhode: pair_style polhode of the plugin;
             polhode-particles: pair_style polhode with one particle per molecule; default: table.
-        output: prefix of the output files, which must not end in /.
+        output: prefix of output file names (the prefix must not end in /).
         force (bool): overwrite output files that exist.
         progress, messages: see Progress.
 

@@ -161,6 +161,14 @@ TemperatureEstimates EnergyStatistics::temperatures_with_errors(const DegreesOfF
                          {}};
   for (std::size_t k = 0; k < T.rotation.size(); ++k)
     T.rotation[k] = estimate([k](const Temperatures& t) { return t.rotation[k]; });
+  const double rotating = n.all() - n.translation;
+  const auto rotation = [&](const Temperatures& t) {
+    double sum = 0;
+    for (std::size_t k = 0; k < t.rotation.size(); ++k) sum += t.rotation[k] * n.rotation[k];
+    return rotating > 0 ? sum / rotating : 0;
+  };
+  T.rotation_all = estimate(rotation);
+  T.difference = estimate([&](const Temperatures& t) { return rotation(t) - t.translation; });
   return T;
 }
 

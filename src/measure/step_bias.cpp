@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/measure/step_bias.hpp"
 
+#include <cmath>
+
 #include "polhode/base/units.hpp"
 
 namespace polhode {
@@ -61,6 +63,14 @@ StepBias StepBiasStatistics::bias(const DegreesOfFreedom& n, FixedMeans fixed, d
             const double variance = mean[volume_square] - mean[volume] * mean[volume];
             return kT > 0 ? variance / (kT * mean[volume]) : 0;
           })};
+}
+
+SeriesEstimate without_bias(const SeriesEstimate& average, const SeriesEstimate& bias) {
+  SeriesEstimate corrected = average;
+  corrected.value -= bias.value;
+  corrected.error = std::hypot(average.error, bias.error);
+  if (average.known == Known::yes && bias.known != Known::yes) corrected.known = bias.known;
+  return corrected;
 }
 
 }  // namespace polhode

@@ -14,7 +14,9 @@
 namespace polhode {
 namespace {
 
-constexpr double tapered = 0.05;  // share of the series in the taper at each end
+// Share of the series in the taper at each end. An exponential autocorrelation function of time τ
+// then has a bias of −26 (τ/T)², where a series without taper has −τ/T.
+constexpr double tapered = 0.1;
 // The tapered series has as much information as this share of its length: (mean w²)²/mean w⁴ for
 // w = sin² at the ends.
 constexpr double information =
@@ -88,7 +90,7 @@ SpectrumFit fit(const Points& points, std::size_t bins) {
 /// A fit that contributes to the mean.
 struct Contribution {
   double criterion;  ///< −2 × logarithm of its probability, up to a constant
-  double log_value, highest_mode;
+  double log_value, max_mode;
 };
 
 template <int degree>
@@ -156,9 +158,9 @@ ZeroFrequency zero_frequency(std::span<const double> mean, double series, const 
     const double probability = std::exp((best - criterion) / 2);
     sum += probability;
     found.value += probability * std::exp(log_value);
-    found.highest_mode += probability * highest;
+    found.max_mode += probability * highest;
   }
-  return {found.value / sum, found.highest_mode / sum};
+  return {found.value / sum, found.max_mode / sum};
 }
 
 }  // namespace polhode

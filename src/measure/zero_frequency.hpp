@@ -36,7 +36,7 @@ struct ZeroFrequency {
   double value = 0;  ///< NaN if a bin is not positive
   /// Mean of the highest mode numbers in the fits. If this number is small, the spectrum changes
   /// within the lowest modes, so the series are too short compared with their correlation time.
-  double highest_mode = 0;
+  double max_mode = 0;
 };
 
 /// Extrapolates a binned periodogram to zero frequency.

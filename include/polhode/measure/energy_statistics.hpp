@@ -20,6 +20,8 @@ namespace polhode {
 struct TemperatureEstimates {
   SeriesEstimate all, translation;
   std::array<SeriesEstimate, 3> rotation;  ///< temperature of rotation about each principal axis
+  SeriesEstimate rotation_all{};           ///< temperature of rotation about all axes
+  SeriesEstimate difference{};             ///< T of rotation minus T of translation
 };
 
 /// Sums over the samples of a trajectory, in blocks of time. Energies are summed relative to the

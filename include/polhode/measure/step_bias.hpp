@@ -26,6 +26,10 @@ struct StepBias {
                                        ///< [nm³ mol/kJ]; otherwise 0
 };
 
+/// An average without its time-step bias. The errors of both are combined as independent: one is of
+/// a mean, and the other of a covariance.
+SeriesEstimate without_bias(const SeriesEstimate& average, const SeriesEstimate& bias);
+
 /// Sums over samples of the energies of a trajectory, from which the time-step bias follows.
 struct StepBiasStatistics {
   StepResponse response;

@@ -51,7 +51,7 @@ std::vector<EquilibrationTrace> traces_of(const PointData& data) {
 MeasuredCurve spectrum_of_pressure(std::span<const BlockMeans> runs,
                                    const CorrelationsOfDynamics& which, double interval,
                                    double edge, const StatePoint& at) {
-  constexpr double highest_mode = 200;
+  constexpr double max_mode = 200;
   const double to_mPa_s = edge * edge * edge / (2 * units::boltzmann * at.temperature) /
                           unit("mPa s", Dimension::viscosity);
   const double length = interval * static_cast<double>(lags * windows_in_segment);
@@ -61,7 +61,7 @@ MeasuredCurve spectrum_of_pressure(std::span<const BlockMeans> runs,
                   {},
                   {}};
   const ModeBins& bins = pressure_bins();
-  for (std::size_t b = 0; b < bins.size() && bins.middle(b) < highest_mode; ++b) {
+  for (std::size_t b = 0; b < bins.size() && bins.middle(b) < max_mode; ++b) {
     c.x.push_back(bins.middle(b) / length);
     c.value.push_back(
         pooled_estimate(runs, [&](auto all) { return to_mPa_s * which.spectrum_in(all)[b]; }));

@@ -46,14 +46,14 @@ std::vector<BlockMeans> dynamics_of(const Contributions& contributions, const Pa
   std::size_t size = std::numeric_limits<std::size_t>::max();
   for (const auto& [replica, from] : contributions.all)
     for (const BlockMeans::Block& segment : segments_of(*replica, contributions.what))
-      if (const std::size_t n = part(segment.sum).size(); n > 0) size = std::min(size, n);
+      size = std::min(size, part(segment.sum).size());
   std::vector<BlockMeans> runs;
   std::vector<BlockMeans::Block> all;
   std::size_t shortest = std::numeric_limits<std::size_t>::max();
   for (const auto& [replica, from] : contributions.all) {
     std::vector<BlockMeans::Block> run;
     for (const BlockMeans::Block& segment : segments_of(*replica, contributions.what))
-      if (!part(segment.sum).empty()) run.push_back(selected(segment, part, size));
+      run.push_back(selected(segment, part, size));
     all.insert(all.end(), run.begin(), run.end());
     shortest = std::min(shortest, run.size());
     runs.emplace_back(std::move(run));
@@ -69,7 +69,7 @@ std::vector<StepPair> pairs_of(const Contributions& contributions, const PartOfS
     const std::vector<BlockMeans::Block>& segments = segments_of(*replica, contributions.what);
     for (const auto& [of, half_step] :
          contributions.what == MeasuredIn::elongated ? replica->elongated.paired : replica->paired)
-      if (of < segments.size() && !part(half_step.sum).empty())
+      if (of < segments.size())
         pairs.push_back({selected(segments[of], part, size), selected(half_step, part, size)});
   }
   return pairs;

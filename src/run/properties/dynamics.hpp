@@ -14,9 +14,8 @@
 
 namespace polhode {
 
-/// Dynamics with the selected sums, as a run for each replica. While the replicas are short, all
-/// segments are a single run. Segments without these sums are left out. Sums of different sizes are
-/// cut to the smallest size.
+/// The selected sums of the segments of dynamics, with a run for each replica. While the replicas
+/// are short, all segments are a single run. Sums of different sizes are cut to the smallest size.
 std::vector<BlockMeans> dynamics_of(const Contributions& contributions, const PartOfSums& part);
 
 /// A segment of dynamics, and the same at half of the step.

@@ -15,6 +15,7 @@
 #include "measure/reorientation.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/math/fit.hpp"
+#include "polhode/measure/step_bias.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "run/properties/contributions.hpp"
 #include "run/properties/distances.hpp"
@@ -40,14 +41,6 @@ Conditions conditions_of(const PointData& data) {
           .degrees_of_freedom = degrees_of_freedom(data.topology).all()};
 }
 
-/// The value of a statistic without its time-step bias.
-SeriesEstimate without(const SeriesEstimate& value, const SeriesEstimate& bias) {
-  SeriesEstimate corrected = value;
-  corrected.value -= bias.value;
-  corrected.error = std::hypot(value.error, bias.error);
-  return corrected;
-}
-
 void estimate_average(MeasuredProperty& m, const PointData& data) {
   const Conditions conditions = conditions_of(data);
   const Property& property = *m.request.property;
@@ -69,7 +62,7 @@ void estimate_average(MeasuredProperty& m, const PointData& data) {
                 statistic);
   if (bias.known != Known::yes) return;
   m.bias = bias;
-  m.value = without(m.value, bias);
+  m.value = without_bias(m.value, bias);
 }
 
 /// The correlation functions of the dynamics of all replicas.
@@ -95,7 +88,7 @@ class Dynamics {
     // With a fit of degree 2 up to a third of its cutoff, the third must contain three modes.
     constexpr double min_mode = 9;
     if (m.value.known == Known::yes &&
-        spectrum_at_zero(overall(runs_), segments_).highest_mode < min_mode)
+        spectrum_at_zero(overall(runs_), segments_).max_mode < min_mode)
       m.obstacle = fmt::format(
           "the pressure tensor relaxes too slowly for segments of {:.3g} ps, so its spectrum at "
           "zero "

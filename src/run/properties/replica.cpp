@@ -28,6 +28,7 @@
 #include "run/properties/elongate.hpp"
 #include "run/properties/phases.hpp"
 #include "run/properties/pressure_spectrum.hpp"
+#include "run/properties/volume_moves.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/relaxation.hpp"
 #include "run/simulation/system/stable_step.hpp"
@@ -116,14 +117,6 @@ class Chain {
 
 double rounded(double step) {
   return std::max(tenth_of_fs, std::floor(step / tenth_of_fs + 1e-9) * tenth_of_fs);
-}
-
-BarostatSettings barostat(const ReplicaSettings& settings, double compressibility, double step) {
-  BarostatSettings b{.type = CellRescaling{std::max(2.0, 100 * step)},
-                     .pressure = settings.at.pressure};
-  b.compressibility = compressibility;
-  b.every = 25 * step;
-  return b;
 }
 
 /// A stage of the preparation.
@@ -233,7 +226,8 @@ TrajectorySettings averages_of(const Chain& chain, const Replica& replica, doubl
   t.shadow_sample = step * steps_of_shadow_sample;
   t.ensemble.thermostat = Rescaling{std::max(0.5, 100 * step)};
   if (!chain.settings().at.constant_volume())
-    t.ensemble.barostat = barostat(chain.settings(), replica.compressibility, step);
+    t.ensemble.barostat =
+        barostat(chain.settings(), compressibility_of_moves(replica, chain.settings().at), step);
   return t;
 }
 

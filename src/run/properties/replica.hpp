@@ -85,7 +85,7 @@ struct ElongatedChain {
 struct Replica {
   std::uint64_t index = 0;
   double step = 0;             ///< time step of its segments [ps]; 0 until it is prepared
-  double compressibility = 0;  ///< compressibility that sets the size of its barostat moves
+  double compressibility = 0;  ///< compressibility that sets the size of its first barostat moves
                                ///< [nm³ mol/kJ]
   State state{0, Box{}};       ///< state at the end of the last segment of averages
   Vec3Column start{};  ///< positions at the start of the first segment, in fractions of the edges;

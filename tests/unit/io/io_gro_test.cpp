@@ -74,12 +74,13 @@ TEST_CASE("errors in GRO files give the line, what was found and what was expect
   check_text("water\n3\n" + atoms, {"the file ends before the box", "a.gro:6"});
   check_text("water\n3\n" + atoms.substr(0, 90),
              {"the file ends before atom 3 of 3 (the number in the second line)", "a.gro:5"});
-  check_text("water\n3\n" + atoms.substr(0, 87),
-             {"the line ends after 42 characters; three coordinates of 8 characters each",
-              "must have 44 characters", "a.gro:4"});
+  check_text(
+      "water\n3\n" + atoms.substr(0, 87),
+      {"the line ends after 42 characters; the names and three coordinates of 8 characters each",
+       "need 44 characters", "a.gro:4"});
   check_text(replaced(water, "0.200   0.300\n", "0.200   0.300  0.1\n"),
-             {"ends after 49 characters; three coordinates and three velocities",
-              "must have 68 characters"});
+             {"ends after 49 characters; the names and three coordinates and three velocities",
+              "need 68 characters"});
   check_text(replaced(water, "0.067", "  nan"), {"x coordinate is nan", "finite", "a.gro:5"});
   check_text(replaced(water, "0.067", "0.O67"), {"found '0.O67' for the x coordinate"});
   check_text(replaced(water, "    1SOL    HW2", "    xSOL    HW2"),

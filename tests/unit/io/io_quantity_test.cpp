@@ -66,10 +66,11 @@ TEST_CASE("the first letter of a sentence becomes small, those of a word in capi
 }
 
 TEST_CASE("a quantity of the wrong dimension is refused with the right one") {
-  check_error([] { quantity("2 fs", Dimension::length, "cutoff"); },
-              {R"(cutoff = "2 fs" is a time; it must be a length, in one of: nm, A)", "1 nm"});
+  check_error(
+      [] { quantity("2 fs", Dimension::length, "cutoff"); },
+      {R"(cutoff = "2 fs" is a time; it must be a length, in one of the units: nm, A)", "1 nm"});
   check_error([] { quantity("2 kcal/mol", Dimension::temperature, "temperature"); },
-              {"is an energy; it must be a temperature, in one of: K", "297 K"});
+              {"is an energy; it must be a temperature, in one of the units: K", "297 K"});
   check_error([] { quantity("2 fss", Dimension::time, "step"); },
               {"there is no unit 'fss' of time", "did you mean 'fs'?", "fs, ps, ns, us"});
 }

@@ -52,10 +52,11 @@ State lattice(double a, Random& random) {
   return state;
 }
 
-/// A segment of dynamics whose correlation functions are zero.
+/// A segment of dynamics whose correlation functions and spectrum are zero.
 BlockMeans::Block segment(double a, Random& random) {
   constexpr std::size_t frames = 3;
-  BlockMeans::Block block{700, std::vector<double>(CorrelationsOfDynamics(argon()).count * lags)};
+  const std::size_t functions = CorrelationsOfDynamics(argon()).count * lags;
+  BlockMeans::Block block{700, std::vector<double>(functions + pressure_bins().size())};
   Distances distances = Distances::within(argon(), lattice(a, random).box);
   for (std::size_t k = 0; k < frames; ++k) distances.add(lattice(a, random));
   for (const double mean : distances.means()) block.sum.push_back(block.weight * mean);
@@ -139,20 +140,4 @@ TEST_CASE("the coordination number of a lattice in motion is 12, for replicas of
   CHECK(d.r.size() == 265);  // up to half of the edge of the smallest box, 1.06 nm
   REQUIRE(d.peak);
   CHECK(d.peak->position.value == doctest::Approx(0.5315 / std::sqrt(2)).epsilon(0.01));
-}
-
-TEST_CASE("segments of records without distances do not count") {
-  std::vector<Replica> replicas = replicas_of(12);
-  const std::size_t functions = CorrelationsOfDynamics(argon()).count * lags;
-  for (Replica& replica : replicas) {
-    BlockMeans::Block old = replica.dynamics.front();
-    old.sum.resize(functions);
-    replica.dynamics.push_back(old);
-  }
-  CHECK(coordination(replicas).value.value == coordination(replicas_of(12)).value.value);
-  for (Replica& replica : replicas)
-    for (BlockMeans::Block& block : replica.dynamics) block.sum.resize(functions);
-  const MeasuredProperty none = coordination(replicas);
-  CHECK(none.value.known != Known::yes);
-  CHECK(!none.obstacle.empty());
 }

@@ -12,11 +12,10 @@
 #include <vector>
 
 #include "measure/displacement.hpp"
-#include "measure/time_correlation.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/math/random.hpp"
-#include "run/properties/momentum_flux.hpp"
+#include "run/properties/pressure_spectrum.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/replica.hpp"
 
@@ -273,6 +272,7 @@ constexpr double edge = 2;           // [nm]
 constexpr double volume_of_box = 8;  // [nm³]
 constexpr double step = 0.004;       // [ps]
 constexpr double interval = step * steps_of_lags / lags;
+constexpr double length_of_segment = step * steps_of_lags * windows_in_segment;  // [ps]
 
 /// The variance of a component of the pressure whose autocorrelation is an exponential:
 /// η = V/kT ∫ ⟨P(0) P(t)⟩ dt.
@@ -280,15 +280,16 @@ double pressure_variance() {
   return viscosity * units::boltzmann * T / (volume_of_box * relaxation);
 }
 
-/// ⟨(∫₀ᵗ P)²⟩ of such a component.
-double flux(double t) {
-  return 2 * pressure_variance() * relaxation * (t - relaxation * (1 - std::exp(-t / relaxation)));
+/// The spectrum of such a component at a frequency [1/ps]: the integral of its autocorrelation
+/// times the cosine over all times.
+double spectrum(double frequency) {
+  return 2 * pressure_variance() * relaxation / (1 + std::pow(2 * pi * frequency * relaxation, 2));
 }
 
-/// Correlation functions of one kind of molecule, for each segment of dynamics, at all lags: the
-/// flux summed over five components, a mean-square displacement, and orientations that relax.
+/// Correlation functions of one kind of molecule, for each segment of dynamics: at all lags a
+/// mean-square displacement, and orientations that relax; then the spectrum of the pressure.
 BlockMeans::Block correlations(const Topology& topology,
-                               const std::function<double(double)>& flux_of_five) {
+                               const std::function<double(double)>& spectrum_at) {
   const CorrelationsOfDynamics which(topology);
   BlockMeans::Block block{1000, std::vector<double>(which.count * lags)};
   for (std::size_t k = 0; k < lags; ++k) {
@@ -296,11 +297,12 @@ BlockMeans::Block correlations(const Topology& topology,
     const auto set = [&](std::size_t correlation, double value) {
       block.sum[correlation * lags + k] = block.weight * value;
     };
-    set(CorrelationsOfDynamics::momentum_flux, flux_of_five(t));
     set(which.displacement.front(), 6 * D * t + 0.01);  // with the offset of a cage
     for (std::size_t axis = 0; axis < which.rotation.front().size(); ++axis)
       set(which.rotation.front()[axis], std::exp(-t / (1 + static_cast<double>(axis))));
   }
+  for (std::size_t b = 0; b < pressure_bins().size(); ++b)
+    block.sum.push_back(block.weight * spectrum_at(pressure_bins().middle(b) / length_of_segment));
   return block;
 }
 
@@ -314,8 +316,7 @@ Replica moving(std::uint64_t index, const std::vector<BlockMeans::Block>& segmen
 
 /// Replicas with the exact correlation functions.
 std::vector<Replica> exact() {
-  const std::vector<BlockMeans::Block> segments(
-      12, correlations(water(), [](double t) { return 5 * flux(t) / 2; }));
+  const std::vector<BlockMeans::Block> segments(12, correlations(water(), spectrum));
   return four([&](std::uint64_t k) { return moving(k, segments); });
 }
 
@@ -325,9 +326,10 @@ TEST_CASE("dynamics have the viscosity, diffusion and relaxation of their correl
   const std::vector<Replica> replicas = exact();
   const MeasuredProperty eta = measured("viscosity", replicas);
   REQUIRE(eta.value.known == Known::yes);
-  // The window begins after 10 relaxation times: the slope has its limit to exp(−10) = 5e-5.
+  // The fit of degree 2 in x = (2πντ)² omits x³/3 of the logarithm ln(1 + x). A fit up to x = 1/4
+  // omits at most 0.5 %, and its value at 0 is wrong by a twentieth of it, as Chebyshev's.
   CHECK(eta.value.value ==
-        doctest::Approx(viscosity * u / (nm * ps) * 1e3).epsilon(1e-4));  // [mPa s]
+        doctest::Approx(viscosity * u / (nm * ps) * 1e3).epsilon(3e-4));  // [mPa s]
   const MeasuredProperty diffusion = measured("diffusion", replicas);
   REQUIRE(diffusion.value.known == Known::yes);
   REQUIRE(diffusion.finite_size);
@@ -335,7 +337,7 @@ TEST_CASE("dynamics have the viscosity, diffusion and relaxation of their correl
   const double correction =
       2.837297 * k_B * T / (6 * pi * viscosity * u / (nm * ps) * edge * nm) * 1e9;  // [1e-9 m²/s]
   CHECK(correction > 0.4);
-  CHECK(*diffusion.finite_size == doctest::Approx(correction).epsilon(1e-4));
+  CHECK(*diffusion.finite_size == doctest::Approx(correction).epsilon(3e-4));
   CHECK(diffusion.value.value ==
         doctest::Approx(D * 1e-6 * 1e9 + correction).epsilon(1e-4));  // nm²/ps = 1e-6 m²/s
   // The time of the slowest axis. The trapezoidal rule at 0.04 ps adds (0.04/τ)²/12.
@@ -357,22 +359,19 @@ TEST_CASE("the viscosity of sampled pressures agrees within its error, which has
     for (double& x : c) x = sigma * random.normal();
     std::vector<BlockMeans::Block> blocks;
     for (std::size_t segment = 0; segment < segments; ++segment) {
-      MomentumFlux integrals(sample);
-      TimeCorrelation correlation(2, lags, {Product::displacement});
+      PressureSpectrum pressures(every * lags * windows_in_segment, sample);
       for (std::size_t k = 0; k < every * lags * windows_in_segment; ++k) {
         for (double& x : c) x = decay * x + sigma * std::sqrt(1 - decay * decay) * random.normal();
         // Of independent_components(), the inverse, with a mean pressure that must not matter.
         const double a = c[0] * 2 / std::sqrt(3.0), mean = 5;
-        integrals.add({{mean + a, c[4], c[3]},
+        pressures.add({{mean + a, c[4], c[3]},
                        {c[4], mean - a / 2 + c[1], c[2]},
                        {c[3], c[2], mean - a / 2 - c[1]}});
-        if (k % every == 0)
-          correlation.add([&](std::size_t body) { return integrals.displacement(body); });
       }
       BlockMeans::Block block = correlations(water(), [](double) { return 0; });
-      const BlockMeans::Block found = correlation.means(0).sum();
-      for (std::size_t k = 0; k < lags; ++k)
-        block.sum[k] = block.weight * found.sum[k] / found.weight;
+      const std::vector<double> found = pressures.means(pressure_bins());
+      for (std::size_t b = 0; b < found.size(); ++b)
+        block.sum[block.sum.size() - found.size() + b] = block.weight * found[b];
       blocks.push_back(block);
     }
     return moving(replica, blocks);
@@ -384,20 +383,25 @@ TEST_CASE("the viscosity of sampled pressures agrees within its error, which has
   // white.
   CHECK((eta.value.modes == 35 || eta.value.modes == 19));
   CHECK(std::abs(eta.value.value - expected) < three_sigma(eta.value));
-  // 48 segments of 5 components and 4 windows, in each of which the slope of a random walk has a
-  // relative error of about 1: 1/√960 = 3 %, within a factor of 2.
-  CHECK(eta.value.error > 0.016 * expected);
-  CHECK(eta.value.error < 0.065 * expected);
+  // 480 values in each mode have relative variances of 2/480. Modes beyond the half width of the
+  // spectrum, mode 20 of a segment, cannot reduce the error below √(2/9600) = 1.4 %. The shortest
+  // fit, through three modes, has the variance (1.5² + 0.6² + 0.1²) 2/480: 10 %.
+  CHECK(eta.value.error > 0.014 * expected);
+  CHECK(eta.value.error < 0.10 * expected);
 }
 
 TEST_CASE("dynamics with too few segments, or with slopes that change, are not converged") {
   std::vector<Replica> short_ones = exact();
   for (Replica& replica : short_ones) replica.dynamics.resize(2);
   CHECK(measured("viscosity", short_ones).value.known != Known::yes);
-  const std::vector<BlockMeans::Block> bent(12,
-                                            correlations(water(), [](double t) { return t * t; }));
+  // A spectrum that falls by half within the first two modes.
+  const std::vector<BlockMeans::Block> bent(
+      12, correlations(water(), [](double frequency) {
+        return 1 / (1 + std::pow(frequency * length_of_segment / 2, 2));
+      }));
   const std::vector<Replica> slow = four([&](std::uint64_t k) { return moving(k, bent); });
-  CHECK(measured("viscosity", slow).obstacle.find("slope still changes") != std::string::npos);
+  CHECK(measured("viscosity", slow).obstacle.find("relaxes too slowly for segments of 64 ps") !=
+        std::string::npos);
 }
 
 TEST_CASE("paired segments at half of the step bound the time-step bias of dynamics") {
@@ -405,7 +409,7 @@ TEST_CASE("paired segments at half of the step bound the time-step bias of dynam
   // 95 % quantile of Student's t with three degrees of freedom is 3.182.
   const std::array differences = {0.01, 0.03, 0.02, 0.06};
   const auto scaled_by = [](double factor) {
-    return correlations(water(), [=](double t) { return factor * 5 * flux(t) / 2; });
+    return correlations(water(), [=](double frequency) { return factor * spectrum(frequency); });
   };
   const double eta = viscosity * u / (nm * ps) * 1e3;  // [mPa s]
   std::vector<Replica> replicas = four([&](std::uint64_t k) {
@@ -439,7 +443,8 @@ TEST_CASE("a replica without dynamics does not withhold the values of dynamics")
   replicas[0] = Replica{.index = 0};  // the first, from which the interval of lags was taken
   replicas[1].averages = late(1).averages;
   const MeasuredProperty m = measured("viscosity", replicas);
-  CHECK(m.value.value == doctest::Approx(all.value).epsilon(1e-12));
+  // Half as many segments weight the fits of the spectrum differently, whose errors are below 3e-4.
+  CHECK(m.value.value == doctest::Approx(all.value).epsilon(3e-4));
   CHECK(m.contributions == "from 2 of 4 replicas, 1 too short so far, 1 not in equilibrium");
   CHECK(m.obstacle.find("a replica has not reached equilibrium") == 0);
 }
@@ -462,22 +467,4 @@ TEST_CASE("five components of an isotropic tensor have equal variance and no cov
   // The hydrostatic and the antisymmetric part do not count.
   for (const double x : independent_components({{3, 1, -2}, {-1, 3, 4}, {2, -4, 3}}))
     CHECK(std::abs(x) < 1e-15);
-}
-
-TEST_CASE("the integral of a pressure is that of the trapezoidal rule") {
-  constexpr double dt = 0.25;
-  const Mat3<double> shear{{0, 0, 0}, {0, 0, 3}, {0, 3, 0}};
-  MomentumFlux constant(dt);
-  constant.add(shear);
-  CHECK(constant.displacement(0).z == 0);
-  for (int k = 0; k < 8; ++k) constant.add(shear);
-  CHECK(constant.displacement(0).z == 3 * 8 * dt);
-  CHECK(constant.displacement(0).x == 0);
-  CHECK(constant.displacement(1).x == 0);
-  MomentumFlux rising(dt);  // by 1 in a sample: the integral of a line is exact
-  for (int k = 0; k <= 8; ++k) {
-    const double P = k;
-    rising.add({{0, P, 0}, {P, 0, 0}, {0, 0, 0}});
-  }
-  CHECK(rising.displacement(1).y == 0.5 * 8 * 8 * dt);
 }

@@ -154,21 +154,41 @@ Quantities of_ensemble(const EnsembleSummary& s) {
   return {{"ensemble", "", std::move(list)}};
 }
 
-/// A time-step bias, followed by the average without this bias.
-/// @param average  the average, in the same unit
-Quantity bias_of(std::string key, std::string unit, const SeriesEstimate& bias, double average,
-                 std::string label, const std::string& of = "") {
-  std::string note = fmt::format("{}, without it {:.5g}", of, average - bias.value);
-  return {std::move(key), std::move(unit), bias, "", std::move(label), std::move(note)};
-}
+/// An average with its time-step bias.
+struct BiasedAverage {
+  std::string key, unit;
+  SeriesEstimate bias, average;
+  std::string label, of = {};  ///< without a label, there is no row
 
-/// The mean temperature of rotation about all axes.
-double rotation_temperature(const RunSummary& s) {
-  const DegreesOfFreedom& n = s.degrees_of_freedom;
-  double T = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    T += s.temperatures.rotation[k].value * n.rotation[k] / (n.all() - n.translation);
-  return T;
+  /// The bias, followed in the text by the average without it.
+  Quantity bias_row() const {
+    const std::string note = fmt::format("{}, without it {}", of, text_of(corrected()));
+    return {key, unit, bias, "", label, note};
+  }
+  SeriesEstimate corrected() const { return without_bias(average, bias); }
+};
+
+/// The averages whose time-step bias is reported.
+std::vector<BiasedAverage> biased_averages(const RunSummary& s) {
+  const StepBias& bias = *s.step_bias;
+  const double per_molecule = 1 / static_cast<double>(s.molecules);
+  const bool turns = s.degrees_of_freedom.all() > s.degrees_of_freedom.translation;
+  const auto label = [](bool shown, const char* text) { return shown ? text : ""; };
+  const auto& barostat = s.ensemble.barostat;
+  std::vector<BiasedAverage> list = {
+      {"potential", "kJ/mol", scaled(bias.potential, per_molecule), s.potential, "potential energy",
+       " per molecule"},
+      {"pressure", "bar", in_bar(bias.pressure), in_bar(s.pressure), "pressure"},
+      {"temperature_translation", "K", bias.translation, s.temperatures.translation,
+       "T of translation"},
+      {"temperature_rotation_all", "K", bias.rotation, s.temperatures.rotation_all,
+       label(turns, "T of rotation")},
+      {"rotation_minus_translation", "K", bias.difference, s.temperatures.difference,
+       label(turns, "their difference")}};
+  if (barostat)
+    list.insert(list.begin() + 2, {"density", "kg/m3", in_kg_per_m3(bias.density),
+                                   in_kg_per_m3(barostat->density), "density"});
+  return list;
 }
 
 }  // namespace
@@ -196,42 +216,38 @@ Quantities of_warnings(const std::vector<Warning>& warnings) {
 }
 
 Quantities of_step_bias(const RunSummary& s) {
-  if (!s.step_bias) return {{"step_bias", "", {}}};
+  if (!s.step_bias) return {{"step_bias", "", {}}, {"corrected", "", {}}};
   const StepBias& bias = *s.step_bias;
-  const double per_molecule = 1 / static_cast<double>(s.molecules);
-  const double translation = s.temperatures.translation.value;
-  const double rotation = rotation_temperature(s);
-  const bool turns = s.degrees_of_freedom.all() > s.degrees_of_freedom.translation;
   const auto& barostat = s.ensemble.barostat;
-  const auto label = [](bool shown, const char* text) { return shown ? text : ""; };
-  Quantities list = {
-      bias_of("potential", "kJ/mol", scaled(bias.potential, per_molecule), s.potential.value,
-              "potential energy", " per molecule"),
-      bias_of("pressure", "bar", in_bar(bias.pressure), in_bar(s.pressure).value, "pressure"),
-      bias_of("density", "kg/m3", in_kg_per_m3(bias.density),
-              barostat ? in_kg_per_m3(barostat->density).value : 0,
-              label(barostat.has_value(), "density")),
-      {"compressibility", "1/bar", in_per_bar(bias.compressibility)},
-      {"volume", "nm3", bias.volume},
-      bias_of("temperature_translation", "K", bias.translation, translation, "T of translation"),
-      bias_of("temperature_rotation_all", "K", bias.rotation, rotation,
-              label(turns, "T of rotation")),
-      {"temperature_rotation", "K", bias.axes},
-      bias_of("rotation_minus_translation", "K", bias.difference, rotation - translation,
-              label(turns, "their difference")),
-      {"temperature_configurational", "K",
-       s.configurational_bias[0] ? Value(list_of(s.configurational_bias)) : Value()}};
-  Quantities all = {{"step_bias", "", std::move(list),
-                     "time-step bias of each average; null if unknown", "time-step bias"}};
+  Quantities biases, corrected;
+  for (const BiasedAverage& average : biased_averages(s)) {
+    biases.push_back(average.bias_row());
+    corrected.push_back({average.key, average.unit, average.corrected()});
+  }
+  if (!barostat) biases.push_back({"density", "kg/m3", in_kg_per_m3(bias.density)});
+  append(biases, {{"compressibility", "1/bar", in_per_bar(bias.compressibility)},
+                  {"volume", "nm3", bias.volume},
+                  {"temperature_rotation", "K", bias.axes},
+                  {"temperature_configurational", "K",
+                   s.configurational_bias[0] ? Value(list_of(s.configurational_bias)) : Value()}});
+  Quantities all = {{"step_bias", "", std::move(biases),
+                     "time-step bias of each average; null if unknown", "time-step bias"},
+                    {"corrected", "", std::move(corrected),
+                     "averages without their time-step bias; their errors include the error of the "
+                     "bias; null if the bias is unknown"}};
   Quantities others;
+  const auto add = [&](const char* unit, const SeriesEstimate& of, const SeriesEstimate& average,
+                       const char* label) {
+    others.push_back(BiasedAverage{"", unit, of, average, label}.bias_row());
+  };
   if (barostat)
-    others = {bias_of("", "1/bar", in_per_bar(bias.compressibility),
-                      in_per_bar(barostat->compressibility).value, "compressibility")};
+    add("1/bar", in_per_bar(bias.compressibility), in_per_bar(barostat->compressibility),
+        "compressibility");
   constexpr std::array names{"T_conf, translation", "T_conf, axis 1", "T_conf, axis 2",
                              "T_conf, axis 3"};
   for (std::size_t k = 0; k < names.size(); ++k)
     if (const auto& known = s.configurational_bias[k])
-      others.push_back(bias_of("", "K", *known, s.configurational[k]->value, names[k]));
+      add("K", *known, *s.configurational[k], names[k]);
   if (!others.empty())
     all.push_back(detail({"", "", std::move(others), "", "other time-step biases"}));
   return all;

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "measure/zero_frequency.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "polhode/math/random.hpp"
+#include "polhode/measure/correlated_series.hpp"
+
+using namespace polhode;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// The spectrum of exponential autocorrelation functions a exp(−t/τ).
+struct Exponentials {
+  std::vector<std::pair<double, double>> terms;  ///< a and τ
+
+  double at(double frequency) const {
+    double sum = 0;
+    for (const auto& [a, time] : terms)
+      sum += 2 * a * time / (1 + std::pow(2 * pi * frequency * time, 2));
+    return sum;
+  }
+};
+
+std::vector<double> on_bins(const ModeBins& bins, const std::function<double(double)>& f) {
+  std::vector<double> values;
+  for (std::size_t b = 0; b < bins.size(); ++b) values.push_back(f(bins.middle(b)));
+  return values;
+}
+
+/// A draw of the mean periodogram of independent series: in each mode a mean of exponentially
+/// distributed values.
+std::vector<double> draw(const ModeBins& bins, std::size_t series, double length,
+                         const Exponentials& exact, Random& random) {
+  std::vector<double> means;
+  for (std::size_t b = 0; b < bins.size(); ++b) {
+    double sum = 0;
+    for (std::size_t k = bins.first(b); k < bins.first(b) + bins.count(b); ++k) {
+      const double mean = exact.at(static_cast<double>(k) / length);
+      for (std::size_t j = 0; j < series; ++j) {
+        const double x = random.normal(), y = random.normal();
+        sum += mean * (x * x + y * y) / 2;
+      }
+    }
+    means.push_back(sum / static_cast<double>(series * bins.count(b)));
+  }
+  return means;
+}
+
+}  // namespace
+
+TEST_CASE("bins of modes follow each other without gaps, and are a seventh wide at most") {
+  const ModeBins bins(2000);
+  CHECK(bins.first(0) == 1);
+  for (std::size_t b = 0; b + 1 < bins.size(); ++b)
+    CHECK(bins.first(b) + bins.count(b) == bins.first(b + 1));
+  for (std::size_t b = 0; b < bins.size(); ++b)
+    CHECK(static_cast<double>(bins.count(b) - 1) <= 0.15 * static_cast<double>(bins.first(b)));
+  const std::size_t last = bins.size() - 1;
+  CHECK(bins.first(last) <= 2000);
+  CHECK(bins.first(last) + bins.count(last) > 2000);
+}
+
+TEST_CASE(
+    "the periodogram of a sampled exponential process is its spectrum without a bias of 1/T") {
+  // The autoregressive process x' = d x + √(1 − d²) g: between samples, its spectrum is the sum
+  // over dᵏ, (1 − d²)/(1 − 2d cos 2πν + d²).
+  constexpr std::size_t samples = 400, series = 4000;
+  constexpr double time = 5;
+  const double d = std::exp(-1 / time);
+  const ModeBins bins(10);
+  std::vector<double> mean(bins.size());
+  Random random(11, 1);
+  for (std::size_t k = 0; k < series; ++k) {
+    std::vector<double> x(samples);
+    double last = random.normal();
+    for (double& value : x) value = last = d * last + std::sqrt(1 - d * d) * random.normal();
+    const std::vector<double> one = binned_periodogram(x, 1, bins);
+    for (std::size_t b = 0; b < mean.size(); ++b) mean[b] += one[b] / series;
+  }
+  for (std::size_t b = 0; b < bins.size(); ++b) {
+    const double cosine = std::cos(2 * pi * bins.middle(b) / samples);
+    const double exact = (1 - d * d) / (1 - 2 * d * cosine + d * d);
+    // 4000 exponentially distributed values: 1.6 %. The bias −26 (τ/T)² of the taper is 0.4 %.
+    CHECK(mean[b] == doctest::Approx(exact).epsilon(3.5 * 0.016 + 0.004));
+    if (b == 0) CHECK(mean[b] == doctest::Approx(exact).epsilon(3.5 * 0.016 + 0.004));
+  }
+}
+
+TEST_CASE("a polynomial of degree 2 is extrapolated exactly") {
+  const ModeBins bins(2000);
+  const auto f = [](double mode) {
+    const double x = std::pow(mode / 2000, 2);
+    return 3 * std::exp(-2 * x + 0.5 * x * x);
+  };
+  // So many series that a straight line has no probability.
+  const ZeroFrequency found = zero_frequency(on_bins(bins, f), 1e12, bins);
+  CHECK(found.value == doctest::Approx(3).epsilon(1e-9));
+  CHECK(found.max_mode > 1000);  // the fits do not stop before they must
+  std::vector<double> broken = on_bins(bins, f);
+  broken[3] = 0;
+  CHECK(std::isnan(zero_frequency(broken, 100, bins).value));
+}
+
+TEST_CASE("the interval of the spectrum at zero frequency contains its value as often as stated") {
+  // As of a liquid: a fast decay, a slow one, and a weak tail. 48 segments of five components.
+  constexpr double length = 150;
+  const Exponentials exact{{{0.8, 0.06}, {0.2, 0.4}, {0.02, 1.5}}};
+  constexpr std::size_t components = 5, segments = 48, seeds = 200;
+  const ModeBins bins(1000);
+  int within_68 = 0, within_95 = 0;
+  double sum = 0, squares = 0, stated = 0;
+  for (std::size_t seed = 0; seed < seeds; ++seed) {
+    Random random(5, seed);
+    std::vector<BlockMeans::Block> blocks;
+    for (std::size_t k = 0; k < segments; ++k)
+      blocks.push_back({1, draw(bins, components, length, exact, random)});
+    const BlockMeans run(blocks);
+    const SeriesEstimate found = pooled_estimate(std::vector<BlockMeans>{run}, [&](auto means) {
+      return zero_frequency(means, components * segments, bins).value;
+    });
+    REQUIRE(found.known == Known::yes);
+    const double deviation = found.value / exact.at(0) - 1, error = found.error / exact.at(0);
+    if (std::abs(deviation) < interval_factor(found, 0.6827) * error) ++within_68;
+    if (std::abs(deviation) < interval_factor(found, 0.95) * error) ++within_95;
+    sum += deviation;
+    squares += deviation * deviation;
+    stated += error * error;
+  }
+  // Binomial numbers of 200: 136.5 ± 6.6 and 190 ± 3.1, within three standard deviations.
+  CHECK(within_68 >= 117);
+  CHECK(within_68 <= 156);
+  CHECK(within_95 >= 181);
+  // The bias is below a half of the error of one measurement, whose error of the mean is 0.07.
+  const double scatter = std::sqrt(squares / seeds);
+  CHECK(std::abs(sum / seeds) < 0.5 * scatter);
+  // Stated errors over the scatter; both have relative uncertainties of 1/√400 and less.
+  CHECK(std::sqrt(stated / seeds) > 0.85 * scatter);
+  CHECK(std::sqrt(stated / seeds) < 1.3 * scatter);
+  MESSAGE("bias ", sum / seeds, ", scatter ", scatter, ", stated ", std::sqrt(stated / seeds),
+          ", within 68 %: ", within_68, ", within 95 %: ", within_95);
+}
