@@ -146,6 +146,12 @@ plot = "none"
         alone = json.loads(self.measured("--json", verb="merge").out)["points"][0]["properties"][0]
         self.assertEqual(found["value"], alone["value"])
 
+    def test_molecules_that_overlap_on_the_lattice_are_measured(self):
+        """Benzene overlaps on the lattice of its estimated density, so the replicas are minimised first."""
+        process = self.polhode("measure", "benzene", "density", "5 %", "--molecules", "40", "--time-limit", "0.01 s", "--output", "out")
+        self.assertEqual(process.returncode, 0, process.err)
+        self.assertIn("the time limit is reached", process.err)
+
     def test_a_state_point_at_constant_volume(self):
         """The pressure at the density of 500 bar is 500 bar."""
         at_pressure = json.loads(self.measured("compressibility", "10 %", "--json").out)["points"][0]

@@ -34,7 +34,9 @@ PointSystem::PointSystem(const MeasureSettings& settings, const StatePoint& at)
   topology = build_topology(config.system);
   common.liquid_density = estimated_density(topology);
   check_density(common.liquid_density, at);
-  const System system = build_system(configuration_of(common));
+  Config built = configuration_of(common);
+  built.run.minimise = true;  // as in each replica: molecules overlap on a lattice of this density
+  const System system = build_system(built);
   topology = system.topology;
   mixing = system.forces.mixing;
   // Three numbers at constant volume, so that records of both kinds are never mixed.
