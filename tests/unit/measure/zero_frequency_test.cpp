@@ -100,7 +100,7 @@ TEST_CASE("a polynomial of degree 2 is extrapolated exactly") {
     const double x = std::pow(mode / 2000, 2);
     return 3 * std::exp(-2 * x + 0.5 * x * x);
   };
-  // So many series that a straight line has no probability.
+  // With 1e12 series, a straight line has no probability.
   const ZeroFrequency found = zero_frequency(on_bins(bins, f), 1e12, bins);
   CHECK(found.value == doctest::Approx(3).epsilon(1e-9));
   CHECK(found.max_mode > 1000);  // the fits do not stop before they must
