@@ -15,17 +15,17 @@ QUANTITIES = {"potential_kJ_per_mol": "potential energy [kJ/mol]", "pressure_bar
               "temperature_translation_K": "T of translation [K]", "temperature_rotation_all_K": "T of rotation [K]"}
 
 
-def tables(o, seed, step, length, name, place):
+def tables(o, seed, step, length, name, place, minimise=None):
     return {"system": {"molecules": runs.molecules("tip4p", o.molecules), **place, "temperature": "298 K", "seed": seed},
             "forces": {"precision": "mixed", "electrostatics": "reaction-field", "cutoff": f"{o.cutoff:g} nm", "switch": f"{0.85 * o.cutoff:g} nm"},
             "integrator": {"scheme": "velocity-verlet", "step": f"{step:g} fs"},
-            "run": {"length": f"{length:g} ps", "sample": "8 fs"}, "output": {"prefix": name, **runs.QUIET}, **RESCALING}
+            "run": {"length": f"{length:g} ps", "sample": "8 fs", "minimise": minimise}, "output": {"prefix": name, **runs.QUIET}, **RESCALING}
 
 
 def averages(o, folder, seed):
     """The corrected averages with their errors, and the biases, at both steps."""
     start = f"start{seed}"
-    runs.run(o, tables(o, seed, 1, o.equilibrate, start, {"density": "0.995 g/cm3"}), folder, name=start)
+    runs.run(o, tables(o, seed, 1, o.equilibrate, start, {"density": "0.995 g/cm3"}, True), folder, name=start)
     found = {}
     for step in STEPS:
         name = f"seed{seed}-{step:g}"
@@ -53,6 +53,9 @@ def report(result):
     for key, title in QUANTITIES.items():
         pairs = [[seed[f"{step:g}"][key] for step in STEPS] for seed in result["seeds"]]
         pairs = [p for p in pairs if all(x["corrected"][1] for x in p)]
+        if not pairs:
+            rows.append([title, "the runs are too short", "", 0, "", ""])
+            continue
         long, short = (np.array([p[k]["corrected"] for p in pairs], float) for k in (0, 1))
         difference, error = long[:, 0] - short[:, 0], np.hypot(long[:, 1], short[:, 1])
         bias = mean([p[0]["step_bias"][0] for p in pairs])

@@ -203,7 +203,8 @@ bool relax(Chain& chain, Replica& replica) {
       replica.compressibility = next_compressibility(energies, b, t.length, kT);
     }
     check_liquid(system.state, system.topology.mass(), settings);
-    if (stage.has_barostat) check_one_phase(waves, system.state.size(), settings.at);
+    // A lattice below the density of the liquid is inhomogeneous while it condenses.
+    if (&stage == &stages.back()) check_one_phase(waves, system.state.size(), settings.at);
     // In a dilute gas the forces give no information about collisions, so the step does not grow
     // any more.
     const double stable = rounded(chain.max_stable_step(t) / 4);
