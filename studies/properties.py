@@ -18,6 +18,7 @@ NAMES = {"density": "density", "potential-energy": "potential energy", "enthalpy
          "dielectric-constant": "dielectric constant", "second-virial-coefficient": "second virial coefficient",
          "heat-capacity": "heat capacity", "rotational-relaxation": "rotational relaxation time"}
 MARKS = {"yes": "", "no": "*", "experiment": "†"}  # of published values
+CENTRE = ":centre of mass"  # of pairs of molecular centres
 SHORT = {"density": "density", "enthalpy-of-vaporization": "ΔH", "diffusion": "D₀", "viscosity": "η", "dielectric-constant": "ε"}
 
 
@@ -28,11 +29,11 @@ def cases():
 
 
 def system(case, folder):
-    """The words of a system; one whose sigma is mixed geometrically is a run file."""
+    """The words of a system. If its sigma is mixed geometrically, it is a run file."""
     if "mixing" not in case:
         return [case["system"], *(["--molecules", case["molecules"]] if "molecules" in case else [])]
     tables = {"system": {"molecules": runs.molecules(case["system"], case["molecules"]), "density": case["density"], "temperature": "300 K"},
-              "forces": {"cutoff": "0.9 nm", "electrostatics": "pme", "dispersion_correction": True, "mixing": case["mixing"], "precision": "mixed"}}
+              "forces": {"cutoff": case.get("cutoff", "0.9 nm"), "electrostatics": "pme", "dispersion_correction": True, "mixing": case["mixing"], "precision": "mixed"}}
     Path(folder, f"{case['system']}.toml").write_text(runs.run_file(**tables), encoding="utf-8")
     return [f"{case['system']}.toml"]
 
@@ -49,9 +50,15 @@ def measured(o):
             words = [word for pair in case["properties"].items() for word in pair]
             limit = ["--time-limit", o.time_limit] if o.time_limit else []
             asked = runs.asked(o, "measure", *system(case, folder), *words, "--at", case["at"], "--threads", o.threads, *limit, "--output", case["name"], folder=folder)
-            return {"system": case["system"], "points": asked["points"]}
+            return {"system": case["system"], "points": [without_curves(point) for point in asked["points"]]}
 
         return {"cases": runs.parallel(o, one, chosen)}
+
+
+def without_curves(point):
+    """A state point with the first shells of its radial distribution functions, but without the functions."""
+    kept = [{key: x for key, x in g.items() if key not in ("r_nm", "g", "g_error")} for g in point["radial_distributions"]]
+    return point | {"radial_distributions": kept}
 
 
 def uncertainty(text, error):
@@ -86,12 +93,12 @@ SUMMARY = ("density", "enthalpy-of-vaporization", "diffusion", "viscosity", "die
 
 
 def summary(result):
-    """One row for each pure liquid with the properties that users compare first."""
+    """One row for each liquid with the properties that users compare first."""
     rows, units = [], {}
     for case in result["cases"]:
         for point in case["points"]:
             of = {p["name"]: p for p in point["properties"]}
-            if "enthalpy-of-vaporization" not in of:
+            if "density" not in of or "viscosity" not in of:
                 continue
             units |= {name: of[name]["unit"] for name in SUMMARY if name in of}
             rows.append([case["system"], f"{point['temperature_K']:g} K", *(shown(of.get(name)) for name in SUMMARY)])
@@ -104,6 +111,25 @@ def shown(p):
         return ""
     value, error = p["value"]["value"], p["value"]["error"]
     return "not converged" if value is None else text(value, error) if error else f"{value:.3g}, error not known"
+
+
+def shells(case, point):
+    """A table of the first shells of molecular centres, around the kind with fewer molecules. Shells with an error above a tenth
+    of the number of neighbours are left out."""
+    counts = {name: int(count) for name, count in map(str.split, case["system"].split(","))} if "," in case["system"] else {case["system"]: 1}
+    rows = []
+    for g in point.get("radial_distributions", []):
+        neighbours = g["coordination"] or {"value": 0, "error": None}  # of the second kind around the first
+        is_precise = neighbours["error"] is not None and neighbours["error"] < 0.1 * neighbours["value"]
+        if not is_precise or not all(site.endswith(CENTRE) for site in g["pair"]):
+            continue
+        first, second = (site.removesuffix(CENTRE) for site in g["pair"])
+        factor = 1.0
+        if counts[first] > counts[second]:
+            factor, first, second = counts[first] / counts[second], second, first
+        rows.append([f"{second} around {first}", *(shown({"value": g[key]}) for key in ("peak_nm", "peak_height", "minimum_nm")),
+                     text(factor * neighbours["value"], factor * neighbours["error"])])
+    return "\n" + study.table(["first shell", "peak of g(r) [nm]", "height", "minimum [nm]", "neighbours"], rows) if rows else ""
 
 
 def tables(result):
@@ -123,7 +149,7 @@ def tables(result):
             of = f", {point['molecules']} molecules" if "second-virial-coefficient" not in [p["name"] for p in point["properties"]] else ""
             state = f"{point['density_kg_per_m3']:g} kg/m3" if point["pressure_bar"] is None else f"{point['pressure_bar']:g} bar"
             parts.append(f"**{case['system']}** at {point['temperature_K']:g} K and {state}{of}:\n\n"
-                         + study.table(["property", "unit", "polhode", "published", "deviation", "source"], rows))
+                         + study.table(["property", "unit", "polhode", "published", "deviation", "source"], rows) + shells(case, point))
     return "\n".join(parts)
 
 
