@@ -11,10 +11,12 @@ import zlib
 from pathlib import Path
 from typing import NamedTuple
 
+import half_femtosecond_compared as compared
 import half_femtosecond_tables as tables
 from lib import runs, study
 
 SMALL, LATE = "constant energy, 64 molecules", "constant energy, after 100 ps"
+HALF = "constant energy, half steps"  # baoab without friction is velocity Verlet, and reports half-step temperatures
 FOURTH_ORDER = ("gier4-fd", "4mn5fv")  # without a shadow energy to be sampled
 RESCALING = {"thermostat": {"type": "rescaling", "time_constant": "1 ps"}}
 BAROSTAT = {"type": "cell-rescaling", "pressure": "1 bar", "compressibility": "4.5e-5 1/bar", "time_constant": "1 ps"}
@@ -31,6 +33,7 @@ def langevin(friction):
 
 ENSEMBLES = {
     "constant energy": {}, SMALL: {}, LATE: {}, "rescaling": RESCALING,
+    HALF: {"thermostat": {"type": "langevin", "friction": "1e-9 1/ps"}},
     "separate rescaling": {"thermostat": {"type": "separate-rescaling", "time_constant": "1 ps"}},
     **{langevin(friction): {"thermostat": {"type": "langevin", "friction": f"{friction} 1/ps"}} for friction in FRICTIONS},
     "hybrid Monte Carlo": {"hybrid_monte_carlo": {"steps": 25}},
@@ -61,6 +64,8 @@ GROUPS = {  # (ensemble, length [ps], time steps [fs] of each scheme)
     "properties": [("constant energy", 100, {"velocity-verlet": (0.5, 1, 2, 4), "hoa2": (4,), "gier4-fd": (5,)}),
                    ("rescaling", 100, {"velocity-verlet": (2, 4), "hoa2": (4, 6)})],
     "structure": [("hybrid Monte Carlo", 250, {"hoa2": (4,)}), ("Langevin", 250, {"baoab": (2, 4, 6, 8), "obabo": (4,)})],
+    "half-steps": [(HALF, 100, {"baoab": (1, 2, 4)})],
+    "conserved": [("rescaling", 100, {"velocity-verlet": (4,), "gier4-fd": (4, 5, 6), "4mn5fv": (7,)})],
     "quick": [("constant energy", 30, {"velocity-verlet": (0.5, 1, 2, 4), "hoa2": (2, 4, 6), "gier4-fd": (3, 4, 5)})],
 }
 PAIRS = (("velocity-verlet", 2), ("velocity-verlet", 4), ("hoa2", 4), ("hoa2", 6))
@@ -76,7 +81,7 @@ POINTS += [Point("density", "tip4p-2005", T, density, "constant pressure", schem
 SMOKE = [Point(group, *WATER, ensemble, scheme, 4, 1) for group, ensemble, scheme in (
     ("energy", SMALL, "velocity-verlet"), ("energy", SMALL, "hoa2"), ("canonical", "rescaling", "velocity-verlet"),
     ("friction", langevin(20), "baoab"), ("properties", "constant energy", "velocity-verlet"), ("structure", "hybrid Monte Carlo", "hoa2"),
-    ("density", "constant pressure", "velocity-verlet"))]
+    ("half-steps", HALF, "baoab"), ("conserved", "rescaling", "velocity-verlet"), ("density", "constant pressure", "velocity-verlet"))]
 
 
 def run_tables(point, seed, equilibrate):
@@ -113,6 +118,9 @@ def line(o, point, seed):
             said = runs.asked(o, "analyze", "run-trajectory.trr", "--run", "run.toml", "--names", "run-final.gro", *energies, "--what", "rdf,dielectric",
                               "--pairs", "OW-OW, OW-HW", "--cutoff", "0.6 nm", "--plot", "none", "--threads", 1, folder=folder)
             found["analysis"] = {name: said[name] for name in ("rdf", "dielectric", "frames", "notes")}
+        if point.group == "conserved":
+            columns = runs.asked(o, "bias", "run-energies.csv", "--temperature", f"{point.temperature} K", folder=folder)["columns"]
+            found["log_bias"] = {one["name"]: one["bias"]["value"] for one in columns if one["name"] in compared.LOGGED}
     barostat = (report["ensemble"] or {}).get("barostat")
     return found | ({name: barostat[name] for name in ("density_kg_per_m3", "volume_nm3", "compressibility_per_bar")} if barostat else {})
 
@@ -135,6 +143,32 @@ def complete(o, lines):
         runs.parallel(o, one, missing)
 
 
+def report(points):
+    """The tables of the groups that have runs."""
+    of = lambda *groups: {p: runs for p, runs in points.items() if p.group in groups}
+    several = of("density") if len({p.temperature for p in of("density")}) > 3 else {}
+    energy = of("energy", "quick")
+    starts = energy if energy and min(map(len, energy.values())) > 2 else {}
+    parts = []
+    for title, make, chosen in (("Force evaluations per ps for a required bias, at the same kinetic energy", compared.same_kinetic_energy, starts),
+                                ("Force evaluations per ps for a required bias, at constant energy", tables.costs, energy),
+                                ("Constant energy", compared.constant_energy, energy),
+                                ("Starts", tables.starts, of("starts")), ("Constant temperature", tables.controlled, of("canonical")),
+                                ("Constant temperature, differences", compared.controlled, of("canonical")),
+                                ("Constant temperature, two formulas", lambda chosen: compared.converted(energy, chosen), of("canonical") if starts else {}),
+                                ("Conserved energy", compared.conserved, of("conserved")),
+                                ("Estimators of the temperature", compared.estimators, of("half-steps")),
+                                ("Friction", tables.friction, of("friction")), ("Structure", tables.structure, of("properties")),
+                                ("Structure with Langevin thermostats", tables.structure_seen, of("structure")),
+                                ("Compressibility", tables.compressibilities, of("compression")),
+                                ("Compressibility from volumes", tables.from_volumes, of("density")),
+                                ("Constant pressure", compared.at_constant_pressure, of("density")),
+                                ("Density", tables.densities, of("density")), ("Temperature of maximum density", tables.maxima, several)):
+        if chosen:
+            parts += [f"### {title}\n", make(chosen)]
+    return "\n".join(parts)
+
+
 def main():
     groups = [group for group in dict.fromkeys(p.group for p in POINTS) if group != "quick"]
     o = study.options(__doc__, {"runs": 1, "groups": groups}, runs=(4, "runs of each point"), quick=(False, "constant energy only, short runs: a few minutes"),
@@ -145,7 +179,7 @@ def main():
     if not o.report:
         complete(o, lines)
     points = tables.by_point(lines, o.groups)
-    print(tables.report(points))
+    print(report(points))
     if o.figure:
         import half_femtosecond_figures as figures
         figures.draw(points, Path(o.figure))

@@ -4,7 +4,7 @@
 import half_femtosecond_tables as tables
 import numpy as np
 from lib import figures
-from lib.statistics import inf, text
+from lib.statistics import inf
 
 PANELS = {"difference": "|T$_{\\rm rot}$ − T$_{\\rm trans}$|, time-step bias  (K)", "potential": "|potential energy|, time-step bias  (kJ/mol)"}
 
@@ -37,28 +37,28 @@ def looks(names):
 
 
 def density(points):
-    """Draws two panels. The upper panel has densities without a time-step bias and of schemes without a prediction, with cubics, and the
-    predicted densities of the other schemes. The lower panel has the predicted biases, with parabolas."""
-    maxima, own, biases = tables.maxima_of(points), tables.own_densities(points), tables.density_biases(points)
-    style = {tables.LIMIT: (figures.Style(figures.INK, "o").of(), "-"), **looks([n for n in maxima if n != tables.LIMIT])}
-    limit = tables.limit_densities(points)
-    measured = {tables.LIMIT: limit, **{n: own[n] for n in maxima if n in own}}
-    T = np.linspace(limit[0][0], limit[-1][0], 200)
+    """Draws two panels. Points with error bars are measured, lines are predicted. The upper panel has the measured densities; its lines are
+    the limit of short steps and its sum with the predicted biases. The lower panel has the same densities minus the limit."""
+    (_, predictions), biases, measured = tables.maxima_of(points), tables.density_biases(points), tables.measured_densities(points)
+    style = {tables.LIMIT: (figures.Style(figures.INK, "o").of(), ":"), **looks(list(measured))}
+    limit = predictions[tables.LIMIT].fit
     figure, ((above,), (below,)) = figures.panels(1, 2, size=(7.6, 7.6), sharex=True, height_ratios=(3, 2))
-    marks = lambda ax, n, rows: ax.errorbar(*zip(*rows), linestyle="none", **style[n][0])
-    for n, m in maxima.items():
-        look, line = style[n]
-        above.plot(T, m.fit(T), color=look["color"], linestyle=line)
-        above.plot([], [], linestyle=line, label=f"{n}: maximum at {text(m.place, 1)} K", **look)
-        if n in measured:
-            marks(above, n, measured[n])
-        elif n in biases:
-            below.plot(T, tables.bias_fit(*list(zip(*biases[n]))[:2])(T), color=look["color"], linestyle=line)
-            marks(below, n, biases[n])
+    T = np.linspace(*limit.domain, 200)
+    for k, (name, rows) in enumerate(measured.items()):
+        look, _ = style[name]
+        at, value, error = map(np.array, zip(*rows))
+        beside = at + 0.8 * (k - (len(measured) - 1) / 2)  # so that the points of a temperature do not cover each other
+        above.errorbar(beside, value, error, linestyle="none", label=f"{name}, measured", **look)
+        below.errorbar(beside, value - limit(at), error, linestyle="none", **look)
+    for name, prediction in predictions.items():
+        look, line = style[name]
+        above.plot(T, prediction.fit(T), color=look["color"], linestyle=line, label=name if name == tables.LIMIT else f"{name}, predicted")
+        if name in biases:
+            below.plot(T, tables.bias_fit(*list(zip(*biases[name]))[:2])(T), color=look["color"], linestyle=line)
     above.set(ylabel="density  (kg/m³)")
-    below.set(xlabel="temperature  (K)", ylabel="time-step bias  (kg/m³)")
-    below.axhline(0, color=figures.INK, linewidth=1)
-    figures.legend(figure, above, 1)
+    below.set(xlabel="temperature  (K)", ylabel="density minus limit  (kg/m³)")
+    below.axhline(0, color=figures.INK, linewidth=1, linestyle=":")
+    figures.legend(figure, above, 2)
     return figure
 
 

@@ -63,25 +63,14 @@ def predicted(name):
     return lambda run: run["step_bias"] and run["step_bias"][BIASES[name]]["value"]
 
 
-def constant_energy(points):
-    """A table of biases against the step."""
-    head = ["scheme", "step [fs]", "force evaluations per ps", "T_rot − T_trans, measured [K]", "predicted [K]", "configurational [K]",
-            "potential energy, predicted bias [kJ/mol]", "pressure, predicted bias [bar]"]
-    return table(head, [[p.scheme, f"{p.step:g}", f"{cost(p):.0f}", cell(of_runs(runs, difference), 3),
-                         cell(of_runs(runs, predicted("difference")), 3), cell(of_runs(runs, configurational), 2),
-                         cell(of_runs(runs, predicted("potential")), 4), cell(of_runs(runs, predicted("pressure")), 2)]
-                        for p, runs in points.items()])
-
-
 def controlled(points):
     """A table of averages of runs with a thermostat."""
-    head = ["thermostat", "scheme", "step [fs]", "force evaluations per ps", "potential energy [kJ/mol]", "predicted bias", "pressure [bar]",
-            "predicted bias", "T_trans, T_rot, kinetic [K]", "configurational [K]"]
+    head = ["thermostat", "scheme", "step [fs]", "force evaluations per ps", "potential energy [kJ/mol]", "pressure [bar]",
+            "T_trans, T_rot, kinetic [K]", "configurational [K]"]
     kelvin = lambda runs, *values: ", ".join(cell(of_runs(runs, value), 2) for value in values)
     place = lambda k: lambda run: float(np.mean([T["value"] for T in run["temperature_configurational_K"]][slice(1, 4) if k else slice(0, 1)]))
     return table(head, [[p.ensemble, p.scheme, f"{p.step:g}", f"{cost(p):.0f}",
-                         cell(of_runs(runs, lambda run: run["potential_kJ_per_mol"]), 4), cell(of_runs(runs, predicted("potential")), 4),
-                         cell(of_runs(runs, lambda run: run["pressure_bar"]), 1), cell(of_runs(runs, predicted("pressure")), 1),
+                         cell(of_runs(runs, lambda run: run["potential_kJ_per_mol"]), 4), cell(of_runs(runs, lambda run: run["pressure_bar"]), 1),
                          kelvin(runs, lambda run: run["temperature_translation_K"], rotation), kelvin(runs, place(0), place(1))]
                         for p, runs in points.items()])
 
@@ -137,19 +126,23 @@ def density_biases(points):
     return dict(curves)
 
 
-def own_densities(points):
-    """[(T, density, error)] by scheme and step, for schemes without a prediction."""
+def measured_densities(points):
+    """[(T, density, error)] by scheme and step. The errors come from the scatter of runs, pooled over the schemes at each temperature."""
+    scatter = defaultdict(list)
+    for p, runs in points.items():
+        values = np.array([density(run) for run in runs])
+        scatter[p.temperature].append((((values - values.mean()) ** 2).sum(), len(values) - 1))
+    variance = {T: sum(s for s, _ in of) / max(1, sum(n for _, n in of)) for T, of in scatter.items()}
     curves = defaultdict(list)
     for p, runs in points.items():
-        if of_runs(runs, density_bias) is None:
-            curves[name_of(p)].append((p.temperature, *of_runs(runs, density)))
+        curves[name_of(p)].append((p.temperature, of_runs(runs, density)[0], (variance[p.temperature] / len(runs)) ** 0.5))
     return dict(curves)
 
 
-def density_fit(T, densities):
-    """A least-squares cubic. The density decreases faster on the cold side of the maximum than on the warm side, and a parabola deviates
-    from the densities of this study by more than their errors (chi squared 21 with 4 degrees of freedom; cubic: 4 with 3)."""
-    return Polynomial.fit(T, densities, 3)
+def density_fit(T, densities, degree=3, errors=None):
+    """A least-squares polynomial, weighted if there are errors and none is zero."""
+    weights = None if errors is None or min(errors) <= 0 else 1 / np.asarray(errors)
+    return Polynomial.fit(T, densities, degree, w=weights)
 
 
 def bias_fit(T, biases):
@@ -169,75 +162,105 @@ def spread(drawn):
 
 
 class Maximum(NamedTuple):
-    """Of a curve: (value, error) of its place, how far the step moves it [K], and what the step changes in the density, the mean over
-    temperatures [%]; `fit` is the curve."""
-    place: tuple
-    moved: tuple | None
+    """Of a curve: by fit, (value, error) of its place and of its shift due to the step [K]; what the step changes in the density, the mean
+    over temperatures [%]; chi squared of the weighted fits by degree; `fit` is the cubic."""
+    place: dict
+    moved: dict
     change: tuple | None
+    chi_squared: dict
     fit: Polynomial
 
 
+# Fits without weights, as in the first version of this study, and a weighted one: (degree, whether points are weighted by their errors).
+FITS = {"cubic": (3, False), "parabola": (2, False), "weighted cubic": (3, True)}
+
+
+def fitted(name, T, value, error):
+    degree, weighted = FITS[name]
+    return density_fit(T, value, degree, error if weighted else None)
+
+
+def chi_squared(T, value, error):
+    """By degree; empty without errors."""
+    return {n: float((((value - density_fit(T, value, n, error)(T)) / error) ** 2).sum()) for n in (3, 2)} if all(error > 0) else {}
+
+
 def maxima_of(points, draws=2000):
-    """By curve, the limit first: its maximum, with errors from curves drawn within the errors of their points. The curve of a scheme
-    with a prediction is the fit of the limit plus the fit of its bias, and is drawn with the drawn limit; curves of their own do not
-    depend on it."""
+    """({name: Maximum} of measured densities, {name: Maximum} of predictions, the limit first). Errors are from curves drawn within the
+    errors of their points. A prediction is the fit of the limit plus the fit of the predicted bias, and is drawn with the drawn limit."""
     random = np.random.default_rng(1)
     drawn = lambda value, error: value + error * random.standard_normal((draws, len(value)))
     T, limit, error = map(np.array, zip(*limit_densities(points)))
-    limits, fit = drawn(limit, error), density_fit(T, limit)
-    fits = [density_fit(T, one) for one in limits]
-    tops = np.array([maximum(one) for one in fits])
-    result = {LIMIT: Maximum((maximum(fit), spread(tops)), None, None, fit)}
-
-    def add(name, curve, many, change, changes):
-        place = np.array([maximum(one) for one in many])
-        result[name] = Maximum((maximum(curve), spread(place)), (maximum(curve) - maximum(fit), spread(place - tops)),
-                               (100 * float(change.mean()), spread(100 * changes.mean(axis=1))), curve)
-
-    for name, curve in own_densities(points).items():
+    limits = drawn(limit, error)
+    fit = {n: fitted(n, T, limit, error) for n in FITS}
+    fits = {n: [fitted(n, T, one, error) for one in limits] for n in FITS}
+    tops = {n: np.array([maximum(one) for one in fits[n]]) for n in FITS}
+    measured = {}
+    predictions = {LIMIT: Maximum({n: (maximum(fit[n]), spread(tops[n])) for n in FITS}, {}, None, chi_squared(T, limit, error), fit["cubic"])}
+    for name, curve in measured_densities(points).items():
         if len(curve) == len(T):
             _, value, error = map(np.array, zip(*curve))
             own = drawn(value, error)
-            add(name, density_fit(T, value), [density_fit(T, one) for one in own], value / limit - 1, own / limits - 1)
+            place = {n: (maximum(fitted(n, T, value, error)), spread([maximum(fitted(n, T, one, error)) for one in own])) for n in FITS}
+            change = (100 * float((value / limit - 1).mean()), spread(100 * (own / limits - 1).mean(axis=1)))
+            measured[name] = Maximum(place, {}, change, chi_squared(T, value, error), fitted("cubic", T, value, error))
     for name, curve in density_biases(points).items():
         if len(curve) == len(T):
             _, value, error = map(np.array, zip(*curve))
             biases = drawn(value, error)
-            add(name, fit + bias_fit(T, value), [f + bias_fit(T, one) for f, one in zip(fits, biases)], value / limit, biases / limits)
-    return result
+            curves = {n: fit[n] + bias_fit(T, value) for n in FITS}
+            many = {n: np.array([maximum(f + bias_fit(T, one)) for f, one in zip(fits[n], biases)]) for n in FITS}
+            predictions[name] = Maximum({n: (maximum(curves[n]), spread(many[n])) for n in FITS},
+                                        {n: (maximum(curves[n]) - maximum(fit[n]), spread(many[n] - tops[n])) for n in FITS},
+                                        (100 * float((value / limit).mean()), spread(100 * (biases / limits).mean(axis=1))), {}, curves["cubic"])
+    return measured, predictions
 
 
 def maxima(points, draws=2000):
-    """Temperatures of the maxima, how far the step moves them, and what it changes in the density."""
-    row = lambda name, m: [name, cell(m.place, 1), cell(m.moved, 1), cell(m.change, 3)]
-    return table(["", "maximum of the density [K]", "shift due to the step [K]", "density, mean over temperatures [%]"],
-                 [row(name, m) for name, m in maxima_of(points, draws).items()])
+    """Temperatures of the density maxima by three fits, how far the step moves them, and what it changes in the density."""
+    head = ["densities", *(f"maximum, {name} [K]" for name in FITS), "χ² of weighted cubic, parabola", "shift, cubic [K]", "shift, parabola [K]",
+            "density, mean over temperatures [%]"]
+    row = lambda name, m: [name, *(cell(m.place[n], 1) for n in FITS), ", ".join(f"{m.chi_squared[n]:.1f}" for n in m.chi_squared),
+                           *(cell(m.moved.get(n), 1) for n in ("cubic", "parabola")), cell(m.change, 3)]
+    measured, predictions = maxima_of(points, draws)
+    return table(head, [row(f"measured: {name}", m) for name, m in measured.items()]
+                 + [row(name if name == LIMIT else f"predicted: {name}", m) for name, m in predictions.items()])
 
 
 def cost_at(curve, bound):
-    """Force evaluations per ps at which the bias is as large as the bound, from (cost, bias). It follows from the power law between two
-    points, or beyond them from the two nearest points; None if there are fewer than two points."""
+    """Force evaluations per ps at which the bias is as large as the bound, from (cost, bias). It follows from the power law between the two
+    points on either side of the bound, or, at steps shorter than measured, of the two shortest steps. If the longest step satisfies the
+    bound, it is the cost of this step, because no power law is continued beyond the longest step measured. None if there are fewer than
+    two points."""
     curve = sorted((c, abs(b)) for c, b in curve)
-    if len(curve) < 2:
-        return None
-    pairs = list(zip(curve, curve[1:]))
-    (c1, b1), (c2, b2) = next((pair for pair in pairs if pair[0][1] >= bound >= pair[1][1]), pairs[0] if curve[0][1] < bound else pairs[-1])
+    if len(curve) < 2 or curve[0][1] <= bound:
+        return curve[0][0] if len(curve) > 1 else None
+    (c1, b1), (c2, b2) = next((pair for pair in zip(curve, curve[1:]) if pair[0][1] >= bound >= pair[1][1]), curve[-2:])
     return exp(log(c1) + log(bound / b1) * log(c2 / c1) / log(b2 / b1)) if b1 != b2 else None
 
 
-def costs(points):
-    """By scheme, the cost at which the predicted bias of each quantity is as large as required, and at least the cost of the longest step."""
+def cost_text(curve, bound, draws=500):
+    """The cost at a bound from (cost, bias, error), with its error from biases drawn within their errors; or that the cost is below the
+    cost of the longest step measured."""
+    bare = [(c, b) for c, b, _ in curve]
+    found, least = cost_at(bare, bound), min(c for c, _ in bare)
+    if found is None or found == least:
+        return "" if found is None else f"below {least:.0f} (longest step measured)"
+    random = np.random.default_rng(1)
+    drawn = [cost_at([(c, b + (e if e < inf else 0) * random.standard_normal()) for c, b, e in curve], bound) for _ in range(draws)]
+    return f"{found:.0f} ± {spread([one for one in drawn if one is not None]):.0f}"
+
+
+def costs(points, required=None, bias=None):
+    """By scheme, the cost at which the bias of each quantity is as large as required. `bias(runs, name)` is (bias, error); the default is the
+    predicted bias at constant energy."""
+    required, bias = required or REQUIRED, bias or (lambda runs, name: of_runs(runs, predicted(name)))
     curves = defaultdict(lambda: defaultdict(list))
     for p, runs in points.items():
-        for name in REQUIRED:
-            curves[p.scheme][name].append((cost(p), of_runs(runs, predicted(name))[0]))
-    head = ["scheme", *(f"{name}: {bound:g} {unit}" for name, (bound, unit) in REQUIRED.items())]
-
-    def text(curve, bound):
-        found, least = cost_at(curve, bound), min(c for c, _ in curve)
-        return "" if found is None else f"below {least:.0f}" if found < least else f"{found:.0f}"
-
-    return table(head, [[scheme, *(text(curve[name], REQUIRED[name][0]) for name in REQUIRED)] for scheme, curve in curves.items()])
+        for name in required:
+            curves[p.scheme][name].append((cost(p), *bias(runs, name)))
+    head = ["scheme", *(f"{name}: {bound:g} {unit}" for name, (bound, unit) in required.items())]
+    return table(head, [[scheme, *(cost_text(curve[name], required[name][0]) for name in required)] for scheme, curve in curves.items()])
 
 
 def biases(runs, value):
@@ -325,21 +348,3 @@ def friction(points):
                          cell(of_runs(points[p], lambda run: run["pressure_bar"]), 1),
                          pair(points[p], [lambda run: run["temperature_translation_K"], rotation]), halves(points[p]), pair(points[p], places)]
                         for p in order])
-
-
-def report(points):
-    """The tables of the groups that have runs."""
-    of = lambda *groups: {p: runs for p, runs in points.items() if p.group in groups}
-    several = of("density") if len({p.temperature for p in of("density")}) > 3 else {}
-    parts = []
-    for title, make, chosen in (("Constant energy", constant_energy, of("energy", "quick")),
-                                ("Force evaluations per ps for a required bias", costs, of("energy", "quick")),
-                                ("Starts", starts, of("starts")), ("Constant temperature", controlled, of("canonical")),
-                                ("Friction", friction, of("friction")), ("Structure", structure, of("properties")),
-                                ("Structure with Langevin thermostats", structure_seen, of("structure")),
-                                ("Compressibility", compressibilities, of("compression")),
-                                ("Compressibility from volumes", from_volumes, of("density")),
-                                ("Density", densities, of("density")), ("Temperature of maximum density", maxima, several)):
-        if chosen:
-            parts += [f"### {title}\n", make(chosen)]
-    return "\n".join(parts)

@@ -13,6 +13,7 @@ import all_schemes
 import analysis_errors
 import drift
 import half_femtosecond as hf
+import half_femtosecond_compared as compared
 import half_femtosecond_figures
 import half_femtosecond_tables as tables
 import liquids
@@ -161,9 +162,22 @@ class Curves(unittest.TestCase):
 class HalfFemtosecond(unittest.TestCase):
     def test_cost_at_a_bias(self):
         law = lambda *costs: [(cost, 8e6 / cost**2) for cost in costs]  # second order
-        for of in (law(250, 500, 1000), law(1000, 500, 250), law(2000, 4000), law(100, 200), [(c, -b) for c, b in law(250, 500, 1000)]):
-            self.assertAlmostEqual(tables.cost_at(of, 20), 632.455532, places=5)
+        for of in (law(250, 500, 1000), law(1000, 500, 250), law(2000, 4000)[::-1], law(100, 200), [(c, -b) for c, b in law(250, 500, 1000)]):
+            longest = min(c for c, _ in of)
+            self.assertAlmostEqual(tables.cost_at(of, 20), max(longest, 632.455532), places=5)
         self.assertIsNone(tables.cost_at(law(500), 20))
+
+    def test_no_cost_is_continued_beyond_the_longest_step(self):
+        """The bias at the longest step is 80. A bound of 80 or more gives the cost of this step, and any power law would give a lower one.
+        Bounds below the bias of the shortest step are continued to shorter steps. Noise that reverses the two longest steps changes
+        nothing: the longest step decides."""
+        law = [(cost, 2e7 / cost**2, 0.0) for cost in (500, 1000, 2000)]
+        self.assertEqual(tables.cost_text(law, 81), "below 500 (longest step measured)")
+        self.assertEqual(tables.cost_text(law, 80), "below 500 (longest step measured)")
+        self.assertEqual(tables.cost_text(law, 79), "503 ± 0")
+        self.assertEqual(tables.cost_text(law, 0.05), "20000 ± 0")
+        self.assertEqual(tables.cost_text([(500, 60, 0.0), (1000, 70, 0.0), (2000, 5, 0.0)], 65), "below 500 (longest step measured)")
+        self.assertEqual(tables.cost_text([(500, 80, 0.0)], 20), "")
 
     def test_maximum_of_a_curve_that_falls_faster_on_the_cold_side(self):
         T = [257, 267, 277, 287, 298, 308, 318]
@@ -185,10 +199,42 @@ class HalfFemtosecond(unittest.TestCase):
             own = {"density_kg_per_m3": {"value": 1.001 * true(T - 4)}, "volume_nm3": {"value": 6.0}, "step_bias": None}
             for scheme, run in (("hoa2", with_prediction), ("gier4-fd", own)):
                 found[hf.Point("density", "tip4p-2005", T, 1, "constant pressure", scheme, 4, 500)] = [run, run]
-        limit, gier4, hoa2 = tables.maxima(found).splitlines()[2:]
-        self.assertEqual(limit, "| limit of short steps | 277.0 ± 0.0 |  |  |")
-        self.assertEqual(hoa2.replace("-0.0", "0.0"), "| hoa2, 4 fs | 277.0 ± 0.0 | 0.0 ± 0.0 | 0.200 ± 0.000 |")
-        self.assertEqual(gier4, "| gier4-fd, 4 fs | 281.0 ± 0.0 | 4.0 ± 0.0 | 0.092 ± 0.000 |")  # 0.1 % - 0.005 * 16 / 1000
+        hoa2, gier4, limit, predicted = (line.replace("-0.0 ", "0.0 ") for line in tables.maxima(found).splitlines()[2:])
+        self.assertEqual(limit, "| limit of short steps | 277.0 ± 0.0 | 277.0 ± 0.0 | 277.0 ± 0.0 |  |  |  |  |")
+        self.assertEqual(hoa2, "| measured: hoa2, 4 fs | 277.0 ± 0.0 | 277.0 ± 0.0 | 277.0 ± 0.0 |  |  |  | 0.200 ± 0.000 |")
+        self.assertEqual(predicted, "| predicted: hoa2, 4 fs | 277.0 ± 0.0 | 277.0 ± 0.0 | 277.0 ± 0.0 |  | 0.0 ± 0.0 | 0.0 ± 0.0 | 0.200 ± 0.000 |")
+        self.assertEqual(gier4, "| measured: gier4-fd, 4 fs | 281.0 ± 0.0 | 281.0 ± 0.0 | 281.0 ± 0.0 |  |  |  | 0.092 ± 0.000 |")  # 0.1 % - 0.005 * 16 / 1000
+
+    def test_measured_biases_from_common_starts(self):
+        """Two schemes and three starts whose energies differ by 10: the predicted bias of the second is 0.5, the measured one 0.5 as well, and
+        without noise the error is 0. At the same kinetic energy biases are larger by dU/dK = 3."""
+        point = lambda scheme: hf.Point("energy", "spce", 298.15, 0.998, "constant energy", scheme, 4, 100)
+        runs = {}
+        for scheme, bias in (("gier4-fd", 0.0), ("hoa2", 0.5)):
+            runs[point(scheme)] = []
+            for start in range(3):
+                K = 7 + 0.1 * start
+                run = {"potential_kJ_per_mol": 3 * K + bias, "pressure_bar": 100 * K + 40 * bias, "degrees_of_freedom_rotation": [216],
+                       "step_bias": {"potential_kJ_per_mol": {"value": bias}, "pressure_bar": {"value": 40 * bias}}}
+                runs[point(scheme)].append(run | {"temperature_K": (K - bias) / (1293 / 432 * compared.GAS)})
+        value, error = compared.from_common_starts(runs, compared.potential, "potential")[point("hoa2")]
+        self.assertAlmostEqual(value, 0.5, 9)
+        self.assertAlmostEqual(error, 0, 9)
+        (heat, _), (stress, _) = compared.responses(runs)
+        self.assertAlmostEqual(heat, 3, 9)
+        self.assertAlmostEqual(stress, 100, 7)
+        bias = compared.at_same_kinetic_energy(runs)
+        self.assertAlmostEqual(bias(runs[point("hoa2")], "potential")[0], 2, 9)
+        self.assertAlmostEqual(bias(runs[point("hoa2")], "pressure")[0], 70, 6)
+        self.assertAlmostEqual(bias(runs[point("hoa2")], "density")[0], -7000 * tables.KAPPA, 6)
+
+    def test_third_order_temperature(self):
+        """Full steps deviate by -2 and half steps by 1: the third-order estimate has no deviation."""
+        run = {"temperature_K": 298.15, "temperature_translation_K": 296.15, "temperature_rotation_K": [278.15] * 3,
+               "half_steps": {"temperature_translation_K": 299.15, "temperature_rotation_K": [308.15] * 3},
+               "temperature_configurational_K": [{"value": T} for T in (299, 308, 308, 308)]}
+        point = hf.Point("half-steps", "spce", 298.15, 0.998, hf.HALF, "baoab", 4, 100)
+        self.assertIn("| 4 | rotation minus translation | -18.00 ± 0.00 | 9.00 ± 0.00 | 0.00 ± 0.00 | 9.00 ± 0.00 |", compared.estimators({point: [run, run]}))
 
     def test_the_shorter_of_two_steps_is_open_and_dashed(self):
         looks = half_femtosecond_figures.looks(["velocity-verlet, 2 fs", "velocity-verlet, 4 fs", "hoa2, 4 fs"])
