@@ -163,6 +163,7 @@ def report(points):
                                 ("Compressibility", tables.compressibilities, of("compression")),
                                 ("Compressibility from volumes", tables.from_volumes, of("density")),
                                 ("Constant pressure", compared.at_constant_pressure, of("density")),
+                                ("Density at 1 bar", compared.at_one_bar, of("density")),
                                 ("Density", tables.densities, of("density")), ("Temperature of maximum density", tables.maxima, several)):
         if chosen:
             parts += [f"### {title}\n", make(chosen)]

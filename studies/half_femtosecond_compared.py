@@ -21,6 +21,7 @@ from lib.study import table
 
 GAS = 8.31446261815324e-3  # kJ/mol/K
 # At constant temperature and pressure a density bias of 0.02 % takes the place of the pressure bias.
+BAR = 10 * 8.31446261815324 / 18.0154  # bar cm³/g/K of water: the pressure of an ideal gas
 LOGGED = ("potential", "pressure", "kinetic_translation", "kinetic_rotation")  # columns whose biases the record has
 REQUIRED = {**tables.REQUIRED, "density": (0.02, "%")}
 
@@ -68,9 +69,10 @@ def chi_squared(measured, predicted):
 
 
 def constant_energy(points):
-    """A table of biases at constant energy, measured beside predicted."""
+    """A table of measured and predicted biases at constant energy."""
     biases = {name: from_common_starts(points, value, name) for name, value in (("potential", potential), ("pressure", pressure))}
     error, freedom = pooled(points, tables.difference)
+    starts = min(map(len, points.values()))
     head = ["scheme", "step [fs]", "force evaluations per ps", "T_rot − T_trans, measured [K]", "predicted [K]", "configurational [K]",
             "potential energy bias, measured [kJ/mol]", "predicted [kJ/mol]", "pressure bias, measured [bar]", "predicted [bar]"]
     own = lambda runs, name, digits: cell(tables.of_runs(runs, tables.predicted(name)), digits)
@@ -83,12 +85,15 @@ def constant_energy(points):
         predicted = [tables.of_runs(runs, tables.predicted(name)) for runs in points.values()]
         agreement.append(f"{name}: chi squared of measured minus predicted {chi_squared(biases[name].values(), predicted):.1f} with "
                          f"{len(points) - 1} degrees of freedom, pooled standard error {next(iter(biases[name].values()))[1]:.3g} {unit}")
+    excess = [[tables.difference(run) - tables.predicted("difference")(run) for run in runs[:starts]] for runs in points.values()]
+    agreement.append(f"difference of temperatures, measured minus predicted: {cell(mean(np.ravel(excess)), 2)} K over all runs, "
+                     f"{cell(mean(np.mean(excess, axis=0)), 2)} K from the scatter of the means over initial configurations")
     agreement.append(f"difference of temperatures: standard deviation of a run {error:.2f} K, {freedom} degrees of freedom")
     return table(head, rows) + "\n" + "\n".join(agreement) + "\n"
 
 
 def controlled(points):
-    """A table of averages with a thermostat minus the averages of hybrid Monte Carlo, beside predicted biases."""
+    """A table of averages with a thermostat minus the averages of hybrid Monte Carlo, and of predicted biases."""
     exact = next((runs for p, runs in points.items() if p.ensemble == "hybrid Monte Carlo"), None)
     if exact is None:
         return "There are no runs with hybrid Monte Carlo to compare with.\n"
@@ -98,8 +103,8 @@ def controlled(points):
         difference = mean([value(run) for run in runs])[0] - mean([value(run) for run in exact])[0]
         return cell((difference, error[value] * sqrt(1 / len(runs) + 1 / len(exact))), digits)
 
-    head = ["thermostat", "scheme", "step [fs]", "force evaluations per ps", "potential energy, measured minus hybrid Monte Carlo [kJ/mol]", "predicted [kJ/mol]",
-            "pressure, measured minus hybrid Monte Carlo [bar]", "predicted [bar]"]
+    head = ["thermostat", "scheme", "step [fs]", "force evaluations per ps", "potential energy, measured minus hybrid Monte Carlo [kJ/mol]",
+            "predicted [kJ/mol]", "pressure, measured minus hybrid Monte Carlo [bar]", "predicted [bar]"]
     rows = [[p.ensemble, p.scheme, f"{p.step:g}", f"{tables.cost(p):.0f}", against(runs, potential, 3),
              cell(tables.of_runs(runs, tables.predicted("potential")), 3), against(runs, pressure, 0),
              cell(tables.of_runs(runs, tables.predicted("pressure")), 0)] for p, runs in points.items() if runs is not exact]
@@ -107,8 +112,8 @@ def controlled(points):
 
 
 def responses(points):
-    """(dU/dK, error) and (dP/dK, error) [bar mol/kJ] at constant volume, from runs at constant energy: the starts have different energies,
-    and the predicted biases are subtracted from all means."""
+    """(dU/dK, error) and (dP/dK, error) [bar mol/kJ] at constant volume, from runs at constant energy: the initial configurations have
+    different energies, and the predicted biases are subtracted from all means."""
     means = []
     for start in range(min(len(runs) for runs in points.values())):
         rows = [(kinetic(run) + tables.predicted("potential")(run), potential(run) - tables.predicted("potential")(run),
@@ -174,27 +179,28 @@ def conserved(points):
 
 def estimators(points):
     """Estimators of the temperature with velocity Verlet, scaled to a full-step temperature of 298.15 K. Third order: a third of the
-    full-step temperature plus two thirds of the half-step temperature."""
+    full-step temperature plus two thirds of the half-step temperature. The noise of full and half steps is the same, so their differences
+    are precise. The pressure of half steps differs by the kinetic energy of translation."""
     half = lambda run: (run["half_steps"]["temperature_translation_K"], float(np.mean(run["half_steps"]["temperature_rotation_K"])))
     full = lambda run: (run["temperature_translation_K"], tables.rotation(run))
-    third = lambda run: tuple((f + 2 * h) / 3 for f, h in zip(full(run), half(run)))
     place = lambda run: (run["temperature_configurational_K"][0]["value"],
                          float(np.mean([T["value"] for T in run["temperature_configurational_K"][1:]])))
-    kinds = {"full steps": full, "half steps": half, "third order": third, "configurational": place}
-    head = ["step [fs]", "motion", *(f"{name} [K]" for name in kinds)]
+    kinds = {"full steps": full, "half steps": half, "third order": lambda run: tuple((f + 2 * h) / 3 for f, h in zip(full(run), half(run))),
+             "configurational": place, "third order minus full steps": lambda run: tuple(2 / 3 * (h - f) for f, h in zip(full(run), half(run)))}
+    motions = {"translation": lambda pair: pair[0], "rotation": lambda pair: pair[1], "rotation minus translation": lambda pair: pair[1] - pair[0]}
+    head = ["step [fs]", "motion", *(f"{name} [K]" for name in kinds), "pressure, half steps minus full steps [bar]"]
     rows = []
     for p, runs in points.items():
         at = [p.temperature / run["temperature_K"] for run in runs]
-        value = lambda kind, k: mean([scale * kinds[kind](run)[k] for scale, run in zip(at, runs)])
-        for k, motion in enumerate(("translation", "rotation")):
-            rows.append([f"{p.step:g}", motion, *(cell(value(kind, k), 2) for kind in kinds)])
-        rows.append([f"{p.step:g}", "rotation minus translation",
-                     *(cell(mean([s * (kinds[kind](r)[1] - kinds[kind](r)[0]) for s, r in zip(at, runs)]), 2) for kind in kinds)])
+        stress = mean([scale * BAR * p.density * (half(run)[0] - full(run)[0]) for scale, run in zip(at, runs)])
+        for motion, of in motions.items():
+            values = [cell(mean([scale * of(kind(run)) for scale, run in zip(at, runs)]), 3 if "minus" in name else 2) for name, kind in kinds.items()]
+            rows.append([f"{p.step:g}", motion, *values, cell(stress, 2) if motion == "translation" else ""])
     return table(head, rows)
 
 
 def at_constant_pressure(points):
-    """Biases at constant temperature and pressure, averaged over the temperatures: predicted beside measured. The measured value is the
+    """Biases at constant temperature and pressure, averaged over the temperatures. The measured value is the
     difference from the mean over all schemes of averages minus predicted biases, with the scatter pooled over all points."""
     known = {p: runs for p, runs in points.items() if tables.of_runs(runs, tables.predicted("potential")) is not None}
     bias = lambda run: tables.predicted("potential")(run)
@@ -205,8 +211,8 @@ def at_constant_pressure(points):
     by_scheme = defaultdict(list)
     for p, runs in points.items():
         by_scheme[p.scheme, p.step].append((p, runs))
-    head = ["scheme", "step [fs]", "T_rot − T_trans, measured [K]", "predicted [K]", "potential energy bias, measured [kJ/mol]", "predicted [kJ/mol]",
-            "density bias, predicted, rms over temperatures [%]"]
+    head = ["scheme", "step [fs]", "T_rot − T_trans, measured [K]", "predicted [K]", "potential energy bias, measured [kJ/mol]",
+            "predicted [kJ/mol]", "density bias, predicted, rms over temperatures [%]"]
     rows = []
     for (scheme, step), of in by_scheme.items():
         every = [run for _, runs in of for run in runs]
@@ -219,3 +225,27 @@ def at_constant_pressure(points):
                      "" if free else cell(tables.of_runs(every, bias), 4),
                      "" if free else f"{sqrt(np.mean([mean([density(run) for run in runs])[0] ** 2 for _, runs in of])):.3f}"])
     return table(head, rows)
+
+
+def at_one_bar(points):
+    """Densities minus predicted biases, relative to their mean over all other schemes at the same temperature, averaged over the temperatures,
+    as measured and corrected to a mean pressure of 1 bar by the compressibility of the volume fluctuations. This correction was decided on
+    after the densities were known."""
+    kappa = {T: np.mean([run["compressibility_per_bar"]["value"] for p, runs in points.items() if p.temperature == T for run in runs])
+             for T in {p.temperature for p in points}}
+    kinds = (lambda run, T: 1.0, lambda run, T: 1 - kappa[T] * (pressure(run) - 1))
+    without = lambda run, T, kind: tables.density(run) * kind(run, T) - (tables.density_bias(run) or 0)
+    rows = []
+    for name in dict.fromkeys(map(tables.name_of, points)):
+        row = []
+        for kind in kinds:
+            found = []
+            for p in (p for p in points if tables.name_of(p) == name):
+                own = mean([without(run, p.temperature, kind) for run in points[p]])
+                others = mean([without(run, q.temperature, kind) for q, runs in points.items() if q.temperature == p.temperature and q != p
+                               and runs[0]["step_bias"] for run in runs] or [own[0]])
+                found.append((100 * (own[0] / others[0] - 1), 100 * hypot(own[1], others[1]) / others[0]))
+            row.append((float(np.mean([value for value, _ in found])), sqrt(sum(error**2 for _, error in found)) / len(found)))
+        every = [pressure(run) for p, runs in points.items() if tables.name_of(p) == name for run in runs]
+        rows.append([name, cell(mean(every), 1), *(cell(one, 3) for one in row)])
+    return table(["scheme", "mean pressure [bar]", "density minus bias, relative to the other schemes [%]", "the same at 1 bar [%]"], rows)

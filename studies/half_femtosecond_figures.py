@@ -47,9 +47,9 @@ def density(points):
     for k, (name, rows) in enumerate(measured.items()):
         look, _ = style[name]
         at, value, error = map(np.array, zip(*rows))
-        beside = at + 0.8 * (k - (len(measured) - 1) / 2)  # so that the points of a temperature do not cover each other
-        above.errorbar(beside, value, error, linestyle="none", label=f"{name}, measured", **look)
-        below.errorbar(beside, value - limit(at), error, linestyle="none", **look)
+        shifted = at + 0.5 * (k - (len(measured) - 1) / 2)  # so that the points of a temperature do not cover each other
+        above.errorbar(shifted, value, error, linestyle="none", label=f"{name}, measured", **look)
+        below.errorbar(shifted, value - limit(at), error, linestyle="none", **look)
     for name, prediction in predictions.items():
         look, line = style[name]
         above.plot(T, prediction.fit(T), color=look["color"], linestyle=line, label=name if name == tables.LIMIT else f"{name}, predicted")
