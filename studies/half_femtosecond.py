@@ -152,6 +152,7 @@ def report(points):
     parts = []
     for title, make, chosen in (("Force evaluations per ps for a required bias, at the same kinetic energy", compared.same_kinetic_energy, starts),
                                 ("Force evaluations per ps for a required bias, at constant energy", tables.costs, energy),
+                                ("Biases at the same kinetic energy", compared.biases_at_same_kinetic_energy, starts),
                                 ("Constant energy", compared.constant_energy, energy),
                                 ("Starts", tables.starts, of("starts")), ("Constant temperature", tables.controlled, of("canonical")),
                                 ("Constant temperature, differences", compared.controlled, of("canonical")),

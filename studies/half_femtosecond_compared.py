@@ -152,6 +152,14 @@ def same_kinetic_energy(points):
             + f"\ndU/dK = {heat:.2f} ± {heat_error:.2f}, dP/dK = {stress:.0f} ± {stress_error:.0f} bar mol/kJ\n")
 
 
+def biases_at_same_kinetic_energy(points):
+    """A table of all biases at the same kinetic energy, from the biases at constant energy."""
+    bias = at_same_kinetic_energy(points)
+    head = ["scheme", "step [fs]", "force evaluations per ps", "potential energy [kJ/mol]", "pressure [bar]", "density at constant pressure [%]"]
+    return table(head, [[p.scheme, f"{p.step:g}", f"{tables.cost(p):.0f}", cell(bias(runs, "potential"), 4), cell(bias(runs, "pressure"), 1),
+                         cell(bias(runs, "density"), 3)] for p, runs in points.items()])
+
+
 def converted(energy, canonical):
     """A table of biases with a rescaling thermostat: from samples of the shadow energy, and from runs at constant energy."""
     bias = at_same_kinetic_energy(energy)

@@ -81,6 +81,18 @@ class AllSchemes(unittest.TestCase):
             self.assertIn(row, self.page)
 
 
+class HalfFemtosecond(unittest.TestCase):
+    def test_the_page_has_the_tables_of_the_records(self):
+        page = (ROOT / "docs/evidence/half-femtosecond.md").read_text(encoding="utf-8")
+        for record in ("2026-11-23-half-femtosecond.jsonl", "2026-11-26-half-femtosecond.jsonl"):
+            printed = subprocess.run([sys.executable, "-B", ROOT / "studies/half_femtosecond.py", "--report", "--record", RECORDS / record], text=True,
+                                     capture_output=True, check=True).stdout
+            rows = [line for line in printed.splitlines() if line.startswith("| ")]
+            self.assertGreater(len(rows), 10)
+            for row in rows:
+                self.assertIn(row, page, record)
+
+
 class Properties(unittest.TestCase):
     def test_the_pages_have_the_tables_of_the_record(self):
         result = json.loads((RECORDS / "2026-11-26-properties.json").read_text(encoding="utf-8"))
