@@ -18,7 +18,7 @@ BarostatSettings barostat(const ReplicaSettings& settings, double compressibilit
 }
 
 double compressibility_of_moves(const Replica& replica, const StatePoint& at) {
-  constexpr std::size_t first = 4;
+  constexpr std::size_t first = 2;
   const std::size_t end = std::bit_floor(replica.averages.size());
   if (end < first) return replica.compressibility;
   double weight = 0, V = 0, V2 = 0;

@@ -12,7 +12,7 @@ namespace polhode {
 BarostatSettings barostat(const ReplicaSettings& settings, double compressibility, double step);
 
 /// The compressibility that sets the size of moves in the next segment of averages [nm³ mol/kJ].
-/// From the fourth segment on, it follows from the volume fluctuations of earlier segments. With a
+/// From the third segment on, it follows from the volume fluctuations of earlier segments. With a
 /// value far too small, the volume would relax so slowly that segments are correlated. The value
 /// changes only when the number of segments has doubled. It is a function of these segments alone,
 /// so a resumed replica has the same moves.

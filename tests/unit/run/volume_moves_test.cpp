@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The size of barostat moves of a replica.
+#include "run/properties/volume_moves.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "io/settings/ensemble_names.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/math/random.hpp"
+
+using namespace polhode;
+
+namespace {
+
+constexpr double temperature = 160, V = 3;
+constexpr StatePoint at{temperature, 30};
+
+/// A segment of 100 independent volumes of a system with this compressibility.
+AveragesSegment segment(double compressibility, std::uint64_t number) {
+  constexpr std::size_t samples = 100;
+  AveragesSegment s{.sums = {samples, std::vector<double>(averages_count)}, .response = {}};
+  Random random(4, number);
+  const double deviation =
+      std::sqrt(compressibility * units::boltzmann * temperature * V);  // of the volume
+  for (std::size_t k = 0; k < samples; ++k) {
+    const double volume_now = V + deviation * random.normal();
+    s.sums.sum[volume] += volume_now;
+    s.sums.sum[volume_squared] += volume_now * volume_now;
+  }
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("barostat moves follow the volume fluctuations of earlier segments") {
+  const double first = default_compressibility(), exact = 7 * first;
+  Replica replica{.compressibility = first};
+  CHECK(compressibility_of_moves(replica, at) == first);
+  std::vector<double> sizes;
+  for (std::uint64_t k = 0; k < 16; ++k) {
+    replica.averages.push_back(segment(exact, k));
+    sizes.push_back(compressibility_of_moves(replica, at));
+  }
+  CHECK(sizes[0] == first);  // after one segment
+  // The variance of 100 (n) independent volumes has a relative error of √(2/100 n); 4 deviations.
+  CHECK(sizes[1] == doctest::Approx(exact).epsilon(4 * std::sqrt(2 / 100.0)));
+  CHECK(sizes[15] == doctest::Approx(exact).epsilon(4 * std::sqrt(2 / 800.0)));
+  // The value changes when the number of segments has doubled, so few segments have transients.
+  for (const std::size_t k : {2u, 4u, 5u, 6u, 8u, 14u}) CHECK(sizes[k] == sizes[k - 1]);
+  for (const std::size_t k : {3u, 7u, 15u}) CHECK(sizes[k] != sizes[k - 1]);
+  // A resumed replica has the same moves: the value depends on the segments alone.
+  Replica resumed{.compressibility = first, .averages = replica.averages};
+  CHECK(compressibility_of_moves(resumed, at) == sizes[15]);
+  // Volumes that do not fluctuate do not stop the barostat.
+  for (AveragesSegment& s : replica.averages) s = segment(0, 1);
+  CHECK(compressibility_of_moves(replica, at) == doctest::Approx(0.1 * first));
+}
