@@ -116,7 +116,9 @@ constexpr std::array all = {
              "neumann1983", true, false, dielectric_constant},
     Property{"diffusion", "1e-9 m2/s", In::dynamics,
              "self-diffusion coefficient of an infinite system, from the slope of the mean-square "
-             "displacement; the Yeh-Hummer correction uses the viscosity of the same runs",
+             "displacement; the Yeh-Hummer correction uses the viscosity of the same runs; in a "
+             "mixture, "
+             "of the first kind of molecule",
              "yeh2004", false, false},
     Property{"viscosity", "mPa s", In::dynamics,
              "shear viscosity by the Green-Kubo relation, from the spectrum of five components of "
@@ -125,7 +127,7 @@ constexpr std::array all = {
     Property{"diffusion-orthoboxy", "1e-9 m2/s", In::elongated,
              "self-diffusion coefficient of an infinite system, from the mean-square displacements "
              "along the short axes of a box with Lz/Lx = Lz/Ly = 2.7933596497, where the "
-             "finite-size correction vanishes",
+             "finite-size correction vanishes; in a mixture, of the first kind of molecule",
              "busch2023", false, false},
     Property{"viscosity-orthoboxy", "mPa s", In::elongated,
              "shear viscosity from the difference of the diffusion coefficients along the axes of "
