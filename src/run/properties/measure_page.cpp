@@ -62,7 +62,8 @@ std::string table_of(const MeasuredPoint& point) {
          rows + "</table></div>\n";
 }
 
-/// A figure of the convergence of a value with the amount of data.
+/// A figure of the convergence of a value with the amount of data; empty if fewer than two parts of
+/// the data have an error.
 std::string convergence(const MeasuredProperty& m) {
   SvgCurve curve;
   for (std::size_t k = 0; k < m.stages.size(); ++k) {
@@ -72,6 +73,7 @@ std::string convergence(const MeasuredProperty& m) {
     curve.y.push_back(s.value);
     curve.error.push_back(s.error);
   }
+  if (curve.x.size() < 2) return "";
   const std::string name = m.request.property->name, unit = m.request.property->unit;
   return svg({name + ", convergence", "part of the data (%)", unit.empty() ? name : unit, {curve}});
 }
