@@ -3,6 +3,7 @@
 // sites.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct Molecule {
   Vec3<double> J;  ///< principal moments of inertia [u nm²], J1 ≤ J2 ≤ J3; J1 = 0 for a linear
                    ///< molecule, all are 0 for an atom
   Top top = Top::atom;
+  std::optional<MixingRule> mixing{};  ///< rule with which the model was parametrized; empty if its
+                                       ///< file gives none
 
   double charge() const;  ///< Total charge [e].
   double dipole() const;  ///< Dipole moment |Σ q r| about the centre of mass [e nm].

@@ -73,6 +73,12 @@ struct TabulatedLaw {
 
 using ShortRangeLaw = std::variant<LennardJonesLaw, MieLaw, BuckinghamLaw, TabulatedLaw>;
 
+/// The rule that gives σ and ε of two different sites.
+enum class MixingRule {
+  lorentz_berthelot,  ///< arithmetic mean of σ, geometric mean of ε
+  geometric,          ///< geometric means of σ and ε
+};
+
 /// Whether the short-range potential of a site or pair is zero everywhere.
 inline bool is_zero(double epsilon, const ShortRangeLaw& law) {
   return epsilon == 0 &&

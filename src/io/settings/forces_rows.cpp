@@ -160,7 +160,8 @@ SettingTable forces_table() {
        row("dispersion_correction", forces(&ForceSettings::dispersion_correction),
            "adds the energy and pressure that the truncation of the short-range potentials "
            "removes; not available with `\"site-shift\"` or tabulated potentials"),
-       row("mixing", mixing, "mixing rule of [σ and ε of unlike sites](#pair)"),
+       row("mixing", mixing, "mixing rule of [σ and ε of unlike sites](#pair)",
+           More{.fallback = "the rule in the molecule files, or else `\"lorentz-berthelot\"`"}),
        row("precision", forces(&ForceSettings::precision),
            "precision [of the pair interactions](../theory-forces.md#precision); everything else "
            "is in double precision. Mixed precision is as good as double precision down to [R = "

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/io/topology/molecule_file.hpp"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <variant>
 
 #include "base/printable.hpp"
 #include "base/suggest.hpp"
+#include "forces/laws/setting_names.hpp"
 #include "io/files/embedded.hpp"
 #include "io/files/text_file.hpp"
 #include "io/settings/molecule_table.hpp"
@@ -78,12 +79,22 @@ Site read_site(TomlTable table, const std::string& file) {
   return site;
 }
 
+std::optional<MixingRule> mixing_of(TomlTable& table) {
+  const auto given = table.text("mixing");
+  if (!given) return std::nullopt;
+  const auto rule = value_of<MixingRule>(*given);
+  table.require(rule.has_value(), "mixing",
+                fmt::format("must be one of: {}", fmt::join(enum_names<MixingRule>, ", ")));
+  return rule;
+}
+
 }  // namespace
 
 Molecule read_molecule_table(TomlTable table, const std::string& file) {
   const std::string name = required_text(table, "name", "tip4p");
   const std::string description = table.text("description").value_or("");
   const std::string source = required_text(table, "source", "jorgensen1983");
+  const auto mixing = mixing_of(table);
   const auto site_tables = table.tables("site");
   table.refuse_unknown();
   if (!site_tables || site_tables->empty())
@@ -94,6 +105,7 @@ Molecule read_molecule_table(TomlTable table, const std::string& file) {
     Molecule molecule = rigid_molecule(name, std::move(sites));
     molecule.description = description;
     molecule.source = source;
+    molecule.mixing = mixing;
     return molecule;
   } catch (const Error& e) {
     throw e.at(table.where(""));

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "base/printable.hpp"
+#include "forces/laws/setting_names.hpp"
 #include "io/settings/quantity.hpp"
 #include "model/dipole.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
@@ -52,6 +53,7 @@ Quantities of_molecule(const Molecule& m, bool alone) {
   const auto label = [&](const char* text) { return alone ? text : ""; };
   std::vector<Quantities> sites;
   for (const Site& s : m.sites) sites.push_back(of_site(s));
+  const Value mixing = m.mixing ? Value(std::string(name_of(*m.mixing))) : Value();
   return {{"name", "", m.name, "name of the model", "name"},
           {"", "", m.sites.size(), "", alone ? "" : "sites"},
           {"mass", "[u]", m.mass, "mass", "mass", "", "", 6},
@@ -60,6 +62,8 @@ Quantities of_molecule(const Molecule& m, bool alone) {
           {"charge", "[e]", round_charge(m.charge()), "charge", "charge", "", "", 6},
           {"dipole", "[D]", dipole_in_debye(m), "dipole moment", "dipole"},
           {"top", "", name(m.top), "kind of top", "top"},
+          {"mixing", "", mixing, "mixing rule of the model; null if its file gives none",
+           label("mixing rule")},
           {"source", "", m.source, "key of the bibliography"},
           row("source", printable(m.source)),
           {"description", "", m.description, "description of the molecule"},

@@ -138,6 +138,11 @@ TEST_CASE("a molecule file is read") {
   const Molecule atom =
       parse_molecule(file(head, site + "epsilon = \"120 K\"\nsigma = \"3.4 A\""), "x.toml");
   CHECK(atom.top == Top::atom);
+  CHECK(!atom.mixing);
+  const std::string rule = head + "\nmixing = \"geometric\"";
+  CHECK(parse_molecule(file(rule, site), "x.toml").mixing == MixingRule::geometric);
+  check_text(file(head + "\nmixing = \"arithmetic\"", site),
+             {"must be one of: lorentz-berthelot, geometric", "x.toml:3"});
   CHECK(atom.sites.front().sigma == doctest::Approx(0.34).epsilon(1e-15));
 }
 
@@ -207,7 +212,7 @@ TEST_CASE("errors in molecule files name file, line and key") {
              {"no effect without sigma", "x.toml:8, site[0].epsilon"});
   check_text(file(head, site + "epsilon = \"-3 K\""), {"epsilon = \"-3 K\" must be 0 or more"});
   check_text(file(head + "\nmoments = \"1 1 3 nm\"", site),  // they follow from the sites
-             {"there is no key 'moments'", "there are: name, description, source, site"});
+             {"there is no key 'moments'", "there are: name, description, source, mixing, site"});
   check_text(file("name = \"x\"", site), {"no source", "write for example source", "x.toml"});
   check_text(file("source = \"x\"", site), {"no name"});
   check_text(file(head, "name = \"A\"\nmass = \"1 u\"\nelement = \"H\""),

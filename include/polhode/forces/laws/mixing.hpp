@@ -12,11 +12,6 @@ namespace polhode {
 
 struct Topology;
 
-enum class MixingRule {
-  lorentz_berthelot,  ///< arithmetic mean of σ, geometric mean of ε
-  geometric,          ///< geometric means of σ and ε
-};
-
 /// Explicit parameters for two sites, instead of the result of the mixing rule.
 struct PairOverride {
   std::string first, second;  ///< The two sites in either order, each as molecule and site name:

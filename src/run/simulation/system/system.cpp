@@ -44,6 +44,22 @@ void take_topology_file(const Config& config, const Frame& start, System& system
   }
 }
 
+// The mixing rule with which the models were parametrized, or else the default.
+MixingRule rule_of_models(const Config& config, const Topology& topology) {
+  std::optional<MixingRule> rule;
+  for (const auto& [molecule, count] : topology.parts) {
+    if (!molecule.mixing) continue;
+    rule = *molecule.mixing;
+    for (const auto& [other, number] : topology.parts)
+      if (other.mixing != rule)
+        throw Error(fmt::format("the model '{}' has a mixing rule, which the model '{}' does not "
+                                "have; write mixing = \"geometric\" or \"lorentz-berthelot\"",
+                                molecule.name, other.name),
+                    config.source + ", forces.mixing");
+  }
+  return rule.value_or(config.forces.mixing.rule);
+}
+
 // Checks the required memory; call it before anything is allocated per molecule.
 void check_size(const Topology& topology) {
   check_count(topology);
@@ -151,6 +167,8 @@ System build_system(const Config& config) {
                 {},
                 config.forces,
                 config.system.temperature};
+  if (!from_file && !config.gives("forces.mixing"))
+    system.forces.mixing.rule = rule_of_models(config, system.topology);
   if (config.system.initial_configuration.empty()) {
     system.state = lattice_start(config, system.topology);
   } else {
