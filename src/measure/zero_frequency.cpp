@@ -35,44 +35,40 @@ struct SpectrumFit {
   double deviance = 0;   ///< −2 × logarithm of the likelihood relative to a perfect fit
 };
 
-/// The bins with the weights of their means.
-struct Points {
-  std::span<const double> mean;
-  const ModeBins& bins;
-  double series;
+/// The number of degrees of freedom of the mean of a bin.
+double degrees_of_freedom(const ModeBins& bins, std::size_t bin, double series) {
+  return 2 * information * series * static_cast<double>(bins.count(bin));
+}
 
-  double degrees_of_freedom(std::size_t bin) const {
-    return 2 * information * series * static_cast<double>(bins.count(bin));
-  }
-};
-
+/// Fits the first bins. The number of series is only a common factor of all weights.
 template <int degree>
-SpectrumFit fit(const Points& points, std::size_t bins) {
+SpectrumFit fit(std::span<const double> mean, const ModeBins& bins, std::size_t count,
+                double series = 1) {
   constexpr int size = degree + 1, max_iterations = 50;
   constexpr double converged = 1e-10;
   using Vector = Eigen::Matrix<double, size, 1>;
-  const double highest = points.bins.middle(bins - 1);
+  const double highest = bins.middle(count - 1);
   const auto powers = [&](std::size_t b) {
-    const double x = std::pow(points.bins.middle(b) / highest, 2);
+    const double x = std::pow(bins.middle(b) / highest, 2);
     Vector v = Vector::Ones();
     for (int k = 1; k < size; ++k) v(k) = v(k - 1) * x;
     return v;
   };
   Eigen::Matrix<double, size, size> information_matrix = decltype(information_matrix)::Zero();
   Vector first = Vector::Zero();
-  for (std::size_t b = 0; b < bins; ++b) {
+  for (std::size_t b = 0; b < count; ++b) {
     const Vector v = powers(b);
-    const double weight = points.degrees_of_freedom(b) / 2;
+    const double weight = degrees_of_freedom(bins, b, 1) / 2;
     information_matrix += weight * v * v.transpose();
-    first += weight * std::log(points.mean[b]) * v;
+    first += weight * std::log(mean[b]) * v;
   }
   const Eigen::LDLT<Eigen::Matrix<double, size, size>> solver(information_matrix);
   Vector c = solver.solve(first);
   for (int n = 0; n < max_iterations; ++n) {  // scoring: the likelihood is concave
     Vector gradient = Vector::Zero();
-    for (std::size_t b = 0; b < bins; ++b) {
+    for (std::size_t b = 0; b < count; ++b) {
       const Vector v = powers(b);
-      gradient += points.degrees_of_freedom(b) / 2 * (points.mean[b] * std::exp(-v.dot(c)) - 1) * v;
+      gradient += degrees_of_freedom(bins, b, 1) / 2 * (mean[b] * std::exp(-v.dot(c)) - 1) * v;
     }
     const Vector change = solver.solve(gradient);
     const double size_of_change = change.template lpNorm<Eigen::Infinity>();
@@ -80,31 +76,20 @@ SpectrumFit fit(const Points& points, std::size_t bins) {
     if (size_of_change < converged) break;
   }
   SpectrumFit done{c(0), 0};
-  for (std::size_t b = 0; b < bins; ++b) {
-    const double ratio = points.mean[b] * std::exp(-powers(b).dot(c));
-    done.deviance += points.degrees_of_freedom(b) * (ratio - 1 - std::log(ratio));
+  for (std::size_t b = 0; b < count; ++b) {
+    const double ratio = mean[b] * std::exp(-powers(b).dot(c));
+    done.deviance += degrees_of_freedom(bins, b, series) * (ratio - 1 - std::log(ratio));
   }
   return done;
 }
 
-/// A fit that contributes to the mean.
-struct Contribution {
-  double criterion;  ///< −2 × logarithm of its probability, up to a constant
-  double log_value, max_mode;
-};
+SpectrumFit fit(std::size_t degree, std::span<const double> mean, const ModeBins& bins,
+                std::size_t count, double series = 1) {
+  return degree == 1 ? fit<1>(mean, bins, count, series) : fit<2>(mean, bins, count, series);
+}
 
-template <int degree>
-void add_fits(std::vector<Contribution>& all, const Points& points) {
-  constexpr std::size_t parameters = degree + 1, shorter = 3;
-  std::vector<SpectrumFit> fits(points.bins.size() + 1);
-  for (std::size_t n = parameters; n < fits.size(); ++n) fits[n] = fit<degree>(points, n);
-  std::size_t inner = parameters;
-  for (std::size_t n = parameters + 2; n < fits.size(); ++n) {
-    const double highest = points.bins.middle(n - 1);
-    while (inner < n && shorter * points.bins.middle(inner) <= highest) ++inner;
-    const double free_parameters = static_cast<double>(parameters + points.bins.size() - n);
-    all.push_back({fits[n].deviance + 2 * free_parameters, fits[inner].log_value, highest});
-  }
+bool is_positive(std::span<const double> mean) {
+  return std::all_of(mean.begin(), mean.end(), [](double x) { return x > 0; });
 }
 
 }  // namespace
@@ -142,25 +127,39 @@ std::vector<double> binned_periodogram(std::span<const double> series, double in
   return means;
 }
 
-ZeroFrequency zero_frequency(std::span<const double> mean, double series, const ModeBins& bins) {
-  if (std::any_of(mean.begin(), mean.end(), [](double x) { return !(x > 0); }))
-    return {std::numeric_limits<double>::quiet_NaN(), 0};
-  const Points points{mean, bins, series};
-  std::vector<Contribution> all;
-  add_fits<1>(all, points);
-  add_fits<2>(all, points);
-  const double best = std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
-                        return a.criterion < b.criterion;
-                      })->criterion;
-  ZeroFrequency found;
-  double sum = 0;
-  for (const auto& [criterion, log_value, highest] : all) {
-    const double probability = std::exp((best - criterion) / 2);
-    sum += probability;
-    found.value += probability * std::exp(log_value);
-    found.max_mode += probability * highest;
+ZeroFrequency::ZeroFrequency(std::span<const double> mean, double series, const ModeBins& bins)
+    : bins_(bins) {
+  if (!is_positive(mean)) return;
+  constexpr double shorter = 3, negligible = 1e-4;
+  std::vector<double> criteria, modes;  // −2 × logarithms of probabilities, up to a constant
+  for (const std::size_t degree : {1u, 2u}) {
+    std::size_t inner = degree + 1;
+    for (std::size_t n = degree + 3; n <= bins.size(); ++n) {
+      const double highest = bins.middle(n - 1);
+      while (inner < n && shorter * bins.middle(inner) <= highest) ++inner;
+      const auto parameters = static_cast<double>(degree + 1 + bins.size() - n);
+      criteria.push_back(fit(degree, mean, bins, n, series).deviance + 2 * parameters);
+      modes.push_back(highest);
+      contributions_.push_back({degree, inner, 0});
+    }
   }
-  return {found.value / sum, found.max_mode / sum};
+  const double best = *std::min_element(criteria.begin(), criteria.end());
+  double sum = 0;
+  for (std::size_t k = 0; k < criteria.size(); ++k)
+    sum += contributions_[k].probability = std::exp((best - criteria[k]) / 2);
+  for (std::size_t k = 0; k < criteria.size(); ++k)
+    max_mode_ += (contributions_[k].probability /= sum) * modes[k];
+  std::erase_if(contributions_, [&](const auto& c) { return c.probability < negligible; });
+}
+
+double ZeroFrequency::value(std::span<const double> mean) const {
+  if (contributions_.empty() || !is_positive(mean)) return std::numeric_limits<double>::quiet_NaN();
+  double value = 0, sum = 0;
+  for (const auto& [degree, count, probability] : contributions_) {
+    value += probability * std::exp(fit(degree, mean, bins_, count).log_value);
+    sum += probability;
+  }
+  return value / sum;
 }
 
 }  // namespace polhode

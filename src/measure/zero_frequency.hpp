@@ -31,14 +31,6 @@ class ModeBins {
 std::vector<double> binned_periodogram(std::span<const double> series, double interval,
                                        const ModeBins& bins);
 
-/// The spectrum at zero frequency.
-struct ZeroFrequency {
-  double value = 0;  ///< NaN if a bin is not positive
-  /// Mean of the highest mode numbers in the fits. If this number is small, the spectrum changes
-  /// within the lowest modes, so the series are too short compared with their correlation time.
-  double max_mode = 0;
-};
-
 /// Extrapolates a binned periodogram to zero frequency.
 ///
 /// The logarithm of the spectrum is fitted by polynomials in ν² up to a cutoff frequency, with the
@@ -46,8 +38,29 @@ struct ZeroFrequency {
 /// probabilities of [jay2021], in which each bin above the cutoff costs a parameter. The value of
 /// each contribution is fitted up to a third of its cutoff. The third decreases the error from the
 /// omitted power of ν far below the statistical error.
-/// @param mean    mean periodogram of independent series in each bin
-/// @param series  number of these series
-ZeroFrequency zero_frequency(std::span<const double> mean, double series, const ModeBins& bins);
+class ZeroFrequency {
+ public:
+  /// Determines the probabilities of all degrees and cutoffs.
+  /// @param mean    mean periodogram of independent series in each bin
+  /// @param series  number of these series
+  ZeroFrequency(std::span<const double> mean, double series, const ModeBins& bins);
+
+  /// The spectrum at zero frequency for other means, with the same probabilities; NaN if a bin is
+  /// not positive.
+  double value(std::span<const double> mean) const;
+  /// Mean of the highest mode numbers in the fits. If this number is small, the spectrum changes
+  /// within the lowest modes, so the series are too short compared with their correlation time.
+  double max_mode() const { return max_mode_; }
+
+ private:
+  /// A fit whose value contributes.
+  struct Contribution {
+    std::size_t degree, bins;
+    double probability;
+  };
+  ModeBins bins_;
+  std::vector<Contribution> contributions_;
+  double max_mode_ = 0;
+};
 
 }  // namespace polhode

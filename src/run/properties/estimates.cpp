@@ -76,25 +76,26 @@ class Dynamics {
     if (empty()) return;
     interval_ = lag_interval(*contributions_.all.front().replica);
     edge_ = edge_of(contributions_);
-    for (const BlockMeans& run : runs_) segments_ += static_cast<double>(run.blocks().size());
+    double segments = 0;
+    for (const BlockMeans& run : runs_) segments += static_cast<double>(run.blocks().size());
+    spectrum_.emplace(which_.spectrum_in(overall(runs_)), PressureSpectrum::components * segments,
+                      pressure_bins());
   }
   bool empty() const { return runs_.front().empty(); }
   const Contributions& contributions() const { return contributions_; }
 
   void viscosity(MeasuredProperty& m) const {
     const double mPa_s = unit("mPa s", Dimension::viscosity);
-    m.value =
-        scaled(pooled_estimate(runs_, [&](Means all) { return eta(all, segments_); }), 1 / mPa_s);
+    const auto value = [&](Means all) { return eta(all) / mPa_s; };
+    m.value = pooled_estimate(runs_, value);
     // With a fit of degree 2 up to a third of its cutoff, the third must contain three modes.
     constexpr double min_mode = 9;
-    if (m.value.known == Known::yes &&
-        spectrum_at_zero(overall(runs_), segments_).max_mode < min_mode)
+    if (m.value.known == Known::yes && spectrum_->max_mode() < min_mode)
       m.obstacle = fmt::format(
           "the pressure tensor relaxes too slowly for segments of {:.3g} ps, so its spectrum at "
-          "zero "
-          "frequency is not resolved",
+          "zero frequency is not resolved",
           segment_length());
-    m.step_bound = bound([&](Means all) { return eta(all, pairs()) / mPa_s; });
+    m.step_bound = bound(value);
   }
 
   /// Computes the diffusion coefficient with the finite-size correction. The error of the
@@ -103,13 +104,11 @@ class Dynamics {
     const FitWindow window = fit_window(interval_);
     estimate_slope(m, runs_, interval_,
                    [this](Means all, const FitWindow& fit) { return D(all, fit); });
-    const auto D0 = [&](Means all, double segments) {
-      return D(all, window) + correction(all, segments);
-    };
-    m.value = pooled_estimate(runs_, [&](Means all) { return D0(all, segments_); });
-    m.finite_size = correction(overall(runs_), segments_) / nm2_per_ns;
+    const auto D0 = [&](Means all) { return D(all, window) + correction(all); };
+    m.value = pooled_estimate(runs_, D0);
+    m.finite_size = correction(overall(runs_)) / nm2_per_ns;
     m.value = scaled(m.value, 1 / nm2_per_ns);
-    m.step_bound = bound([&](Means all) { return D0(all, pairs()) / nm2_per_ns; });
+    m.step_bound = bound([&](Means all) { return D0(all) / nm2_per_ns; });
   }
 
   /// Computes the relaxation time of the slowest axis.
@@ -132,24 +131,17 @@ class Dynamics {
   double segment_length() const {
     return interval_ * static_cast<double>(lags * windows_in_segment);
   }
-  double pairs() const {
-    return static_cast<double>(pairs_of(contributions_, which_.functions()).size());
-  }
-  ZeroFrequency spectrum_at_zero(Means all, double segments) const {
-    return zero_frequency(which_.spectrum_in(all), PressureSpectrum::components * segments,
-                          pressure_bins());
-  }
-  /// The viscosity from the means of a number of segments: the spectrum at zero frequency is the
-  /// integral of the autocorrelation function over all times, twice the integral of Green and Kubo.
-  double eta(Means all, double segments) const {
-    return spectrum_at_zero(all, segments).value * edge_ * edge_ * edge_ /
+  /// The viscosity. The spectrum at zero frequency is the integral of the autocorrelation function
+  /// over all times, twice the integral of Green and Kubo.
+  double eta(Means all) const {
+    return spectrum_->value(which_.spectrum_in(all)) * edge_ * edge_ * edge_ /
            (2 * units::boltzmann * data_.at.temperature);
   }
   double D(Means all, const FitWindow& fit) const {
     return slope_between(part(all, which_.displacement.front()), interval_, fit) / 6;
   }
-  double correction(Means all, double segments) const {
-    return yeh_hummer_correction(data_.at.temperature, eta(all, segments), edge_);
+  double correction(Means all) const {
+    return yeh_hummer_correction(data_.at.temperature, eta(all), edge_);
   }
   double slowest_relaxation(Means all) const {
     double slowest = 0;
@@ -178,7 +170,8 @@ class Dynamics {
   Contributions contributions_;
   CorrelationsOfDynamics which_;
   std::vector<BlockMeans> runs_;
-  double interval_ = 0, edge_ = 0, segments_ = 0;
+  std::optional<ZeroFrequency> spectrum_;
+  double interval_ = 0, edge_ = 0;
 };
 
 /// The number of neighbours within the first minimum of g(r) of the centres.

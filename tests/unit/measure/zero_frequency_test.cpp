@@ -99,12 +99,14 @@ TEST_CASE("a polynomial of degree 2 is extrapolated exactly") {
     return 3 * std::exp(-2 * x + 0.5 * x * x);
   };
   // With 1e12 series, a straight line has no probability.
-  const ZeroFrequency found = zero_frequency(on_bins(bins, f), 1e12, bins);
-  CHECK(found.value == doctest::Approx(3).epsilon(1e-9));
-  CHECK(found.max_mode > 1000);  // the fits do not stop before they must
-  std::vector<double> broken = on_bins(bins, f);
+  const std::vector<double> exact = on_bins(bins, f);
+  const ZeroFrequency found(exact, 1e12, bins);
+  CHECK(found.value(exact) == doctest::Approx(3).epsilon(1e-9));
+  CHECK(found.max_mode() > 1000);  // the fits do not stop before they must
+  std::vector<double> broken = exact;
   broken[3] = 0;
-  CHECK(std::isnan(zero_frequency(broken, 100, bins).value));
+  CHECK(std::isnan(found.value(broken)));
+  CHECK(std::isnan(ZeroFrequency(broken, 100, bins).value(exact)));
 }
 
 TEST_CASE("the interval of the spectrum at zero frequency contains its value as often as stated") {
@@ -121,9 +123,9 @@ TEST_CASE("the interval of the spectrum at zero frequency contains its value as 
     for (std::size_t k = 0; k < segments; ++k)
       blocks.push_back({1, draw(bins, components, length, exact, random)});
     const BlockMeans run(blocks);
-    const SeriesEstimate found = pooled_estimate(std::vector<BlockMeans>{run}, [&](auto means) {
-      return zero_frequency(means, components * segments, bins).value;
-    });
+    const ZeroFrequency zero(run.mean(), components * segments, bins);
+    const SeriesEstimate found = pooled_estimate(std::vector<BlockMeans>{run},
+                                                 [&](auto means) { return zero.value(means); });
     REQUIRE(found.known == Known::yes);
     const double deviation = found.value / exact.at(0) - 1, error = found.error / exact.at(0);
     if (std::abs(deviation) < interval_factor(found, 0.6827) * error) ++within_68;
