@@ -33,7 +33,7 @@ def temperatures(translation, rotation, degrees=TRANSLATION):
 
 def switched(r, sigma, epsilon):
     """u and -u' of Lennard-Jones times the switching function of GROMACS and OpenMM."""
-    x = np.maximum((r - SWITCH) / (CUTOFF - SWITCH), 0)  # above 1 beyond the cutoff, where the table of polhode must go on smoothly
+    x = np.maximum((r - SWITCH) / (CUTOFF - SWITCH), 0)  # above 1 beyond the cutoff, where the table of polhode must continue smoothly
     w, slope = 1 - 10 * x**3 + 15 * x**4 - 6 * x**5, -30 * x**2 * (1 - x) ** 2 / (CUTOFF - SWITCH)
     s = (sigma / r) ** 6
     u, force = 4 * epsilon * (s**2 - s), 24 * epsilon * (2 * s**2 - s) / r

@@ -12,6 +12,7 @@ from pathlib import Path
 import study_path  # first: it says where the others are
 import built_program
 import all_schemes
+import other_programs
 import properties
 from lib import figures
 
@@ -24,6 +25,7 @@ FIGURES = {  # study: record, option of --figure, images in docs/
     "accuracy": ("2026-11-21-accuracy.json", "accuracy.svg", ("accuracy/accuracy.svg",)),
     "precision": ("2026-11-21-precision.json", "precision.svg", ("precision/precision.svg",)),
     "liquids": ("2026-11-21-liquids.json", "radial.svg", ("liquids/radial.svg",)),
+    "other_programs": ("2026-11-26-other-programs.json", "other-programs.svg", ("other-programs/other-programs.svg",)),
 }
 BENCH = {  # kind of bench/figures.py: record in bench/results, argument, images in docs/
     "peers": ("2026-11-21-peers.json", "peers.svg", ("performance/peers.svg",)),
@@ -58,7 +60,7 @@ class Figures(unittest.TestCase):
                 schemes = [name for name in named if name in ("velocity-verlet", "hoa2", "gier4", "gier4-fd", "bcss3", "4mn5fv")]
                 for scheme, style in figures.styles(schemes).items():
                     self.assertIn(style.color.lower(), text, f"{image}: {scheme}")
-                if "radial" not in image:
+                if "radial" not in image and "other-programs" not in image:
                     self.assertGreater(len(schemes), 2, image)
 
 
@@ -112,6 +114,35 @@ class Properties(unittest.TestCase):
         value, entry = {"value": 13.0, "error": 3.0}, {"value": "8", "error": "4"}
         self.assertAlmostEqual(properties.deviation(value, entry), 1)
         self.assertAlmostEqual(properties.deviation(value, {"value": "62.3", "error": ""}), (13 - 62.3) / (9 + 0.01) ** 0.5)
+
+
+class OtherPrograms(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.result = json.loads((RECORDS / FIGURES["other_programs"][0]).read_text(encoding="utf-8"))
+        cls.page = (ROOT / "docs/evidence/other-programs.md").read_text(encoding="utf-8")
+
+    def test_the_page_has_the_tables_of_the_record(self):
+        for line in other_programs.report(self.result).splitlines():
+            self.assertIn(line, self.page)
+
+    def test_each_deviation_above_the_bound_is_discussed(self):
+        discussed = self.page.split("## Agreement")[1]
+        for point, _, quantity, deviation in other_programs.comparisons(self.result):
+            if abs(deviation) > other_programs.BOUND:
+                self.assertIn(f"**{other_programs.name_of(point)}, {point['thermostat'] or 'constant energy'}, {point['step']:g} fs, {quantity}**", discussed)
+
+    def test_all_programs_have_the_same_forces(self):
+        energies = self.result["energies"]
+        self.assertGreaterEqual(len(energies), 4)
+        for program, energy in energies.items():
+            constant = self.result["excluded_pairs_GROMACS"] if program == "GROMACS" else 0
+            self.assertLess(abs(energy - constant - energies["polhode"]), other_programs.ENERGIES_AGREE, program)
+
+    def test_the_published_differences_are_those_of_the_table(self):
+        if not other_programs.PUBLISHED.exists():
+            self.skipTest(f"there is no {other_programs.PUBLISHED}")
+        self.assertEqual(other_programs.published(), self.result["published"])
 
 
 if __name__ == "__main__":
