@@ -140,7 +140,8 @@ def measured(o):
         energies = runs.kept(o.folder, "energies", lambda: inputs.energies(o))
         points = runs.parallel(o, lambda case: point(o, case), cases)
         return {"versions": versions(o), "length_ps": o.length, "canonical_ps": o.canonical, "discard_ps": o.discard, "energies": energies,
-                "excluded_pairs_GROMACS": inputs.excluded_pairs(), "points": points, "published": published()}
+                "excluded_pairs_GROMACS": inputs.excluded_pairs(),
+                "velocities_in_files_GROMACS": inputs.gromacs_energies(o) if o.gmx else None, "points": points, "published": published()}
 
 
 # Tables
@@ -248,15 +249,18 @@ def draw(result):
             x, y, error = map(np.array, zip(*sorted(rows)))
             left.errorbar(x * 1.05 ** (k - 1.5), y, [np.minimum(error, 0.9 * abs(y)), error], label=f"{program} {dict(CONSTANT_ENERGY)[program]}",
                           color=color, marker=marker, linestyle="none")
-    left.set(xscale="log", yscale="log", xlim=(0.4, 5), ylim=(5e-4, 0.5), xlabel="time step  (fs)", ylabel="U, time-step bias at constant energy  (kJ/mol)")
+            if program == "polhode":
+                left.plot(x, y[0] * (x / x[0]) ** 2, color=figures.INK, linewidth=1, linestyle=":", label="proportional to the square of the step")
+    left.set(xscale="log", yscale="log", xlim=(0.4, 5), ylim=(1e-3, 4), xlabel="time step  (fs)", ylabel="U, time-step bias at constant energy  (kJ/mol)")
     figures.plain_ticks(left.xaxis, (0.5, 1, 2, 4))
-    figures.plain_ticks(left.yaxis, (0.001, 0.01, 0.1))
-    left.legend()
-    for (program, name), marker, color in zip(SHOWN.items(), "osD^v", (*figures.PALETTE[:3], figures.INK, figures.INK)):
+    figures.plain_ticks(left.yaxis, (0.001, 0.01, 0.1, 1))
+    left.legend(loc="upper left")
+    shown = (colors[2], figures.PALETTE[4], colors[1], figures.INK)
+    for (program, name), marker, color in zip(SHOWN.items(), "^psv", shown):
         rows = [(p["temperature"], p["difference"]) for p in result["published"] if p["program"] == program]
         if rows:
             right.plot(*zip(*rows), linestyle="none", marker=marker, color=color, label=name, markerfacecolor="none" if color == figures.INK else color)
-    for (value, error), color in zip(PREDICTED, figures.PALETTE):
+    for (value, error), color in zip(PREDICTED, shown):
         right.axhline(value, color=color, linewidth=1, linestyle="--")
         right.axhspan(value - error, value + error, color=color, alpha=0.15, linewidth=0)
     right.plot([], [], color=figures.INK, linewidth=1, linestyle="--", label="predicted by polhode")

@@ -195,6 +195,15 @@ def gromacs(o, case, name):
     return columns, {}
 
 
+def gromacs_energies(o, step=2):
+    """Total energy [kJ/mol] that md-vv prints at the beginning, from a file with velocities of full steps and of half steps."""
+    found = {}
+    for kind, file in (("full steps", "start-final.gro"), ("half steps", gromacs_start(o, step))):
+        gromacs_run(o, "velocities", dt=step / 1000, start=file)
+        found[kind] = float(npt.gromacs_table(o, "velocities", ("Total-Energy",))[0][0])
+    return found
+
+
 # LAMMPS
 
 LAMMPS = """units real
