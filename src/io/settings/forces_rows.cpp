@@ -64,6 +64,8 @@ void read_dielectric(TomlTable& table, const SettingRow& row, Config& config) {
   config.forces.dielectric = std::numeric_limits<double>::infinity();
 }
 
+MixingRule* mixing_rule(Config& config) { return &config.forces.mixing.rule; }
+
 void check_mixing(TomlTable& table, Config& config) {
   table.renamed("accuracy", "pme_accuracy");
   const std::string& topology = config.system.topology.file;
@@ -111,7 +113,6 @@ void read_pairs(const std::vector<TomlTable>& tables, Config& config) {
 SettingTable forces_table() {
   using enum Electrostatics;
   const auto forces = in(&Config::forces);
-  const auto mixing = member([](Config& c) { return &c.forces.mixing.rule; });
   return {
       "forces",
       {row("truncation", forces(&ForceSettings::truncation),
@@ -160,7 +161,7 @@ SettingTable forces_table() {
        row("dispersion_correction", forces(&ForceSettings::dispersion_correction),
            "adds the energy and pressure that the truncation of the short-range potentials "
            "removes; not available with `\"site-shift\"` or tabulated potentials"),
-       row("mixing", mixing, "mixing rule of [σ and ε of unlike sites](#pair)",
+       row("mixing", member(mixing_rule), "mixing rule of [σ and ε of unlike sites](#pair)",
            More{.fallback = "the rule in the molecule files, or else `\"lorentz-berthelot\"`"}),
        row("precision", forces(&ForceSettings::precision),
            "precision [of the pair interactions](../theory-forces.md#precision); everything else "
