@@ -130,7 +130,7 @@ std::vector<double> binned_periodogram(std::span<const double> series, double in
 ZeroFrequency::ZeroFrequency(std::span<const double> mean, double series, const ModeBins& bins)
     : bins_(bins) {
   if (!is_positive(mean)) return;
-  constexpr double shorter = 3, negligible = 1e-4;
+  constexpr double shorter = 2, negligible = 1e-4;
   std::vector<double> criteria, modes;  // −2 × logarithms of probabilities, up to a constant
   for (const std::size_t degree : {1u, 2u}) {
     std::size_t inner = degree + 1;

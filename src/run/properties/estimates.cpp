@@ -88,8 +88,8 @@ class Dynamics {
     const double mPa_s = unit("mPa s", Dimension::viscosity);
     const auto value = [&](Means all) { return eta(all) / mPa_s; };
     m.value = pooled_estimate(runs_, value);
-    // With a fit of degree 2 up to a third of its cutoff, the third must contain three modes.
-    constexpr double min_mode = 9;
+    // With a fit of degree 2 up to half of its cutoff, the half must contain three modes.
+    constexpr double min_mode = 6;
     if (m.value.known == Known::yes && spectrum_->max_mode() < min_mode)
       m.obstacle = fmt::format(
           "the pressure tensor relaxes too slowly for segments of {:.3g} ps, so its spectrum at "
