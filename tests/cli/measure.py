@@ -276,7 +276,7 @@ scheme = "baoab"
 step = "10 fs"
 [run]
 equilibrate = "20 ps"
-length = "1 ns"
+length = "4 ns"
 sample = "1 ps"
 [thermostat]
 type = "langevin"

@@ -170,7 +170,7 @@ class Prepare(Sandbox):
                               ("spce", '{ model = "na-spce", count = 4 }, { model = "cl-spce", count = 4 }')):
             with self.subTest(solute=solute):
                 text = edited(BENZENE, ('{ model = "benzene", count = 40 }', f'{{ model = "{water}", count = 100 }}, {solute}'),
-                              ('"0.876 g/cm3"', '"0.95 g/cm3"'), ('cutoff = "0.8 nm"', 'cutoff = "0.7 nm"\nelectrostatics = "pme"'))
+                              ('"0.876 g/cm3"', '"0.95 g/cm3"'), ('cutoff = "0.8 nm"', 'cutoff = "0.7 nm"\nelectrostatics = "pme"\nmixing = "geometric"'))
                 report = json.loads(self.done("prepare", text, "--pressure", "1 bar", "--nvt", "0.4 ps", "--npt", "0.8 ps",
                                               "--force", "--json").out)
                 self.assertEqual(report["minimisation"]["end"], "converged")
