@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Whether averages without their time-step bias are those of short steps: velocity Verlet at 4 fs against 0.5 fs, over many seeds.
 
-Each seed equilibrates its own liquid and continues from there with both steps, with new velocities. The criterion, fixed before the
-runs: of 100 differences of each corrected average, 59 to 77 lie within the stated 68 % interval and 91 to 99 within the 95 %
-interval (two standard deviations of a binomial number), and the mean difference is within three of its standard errors of zero."""
+Each seed equilibrates its own liquid and continues from there with both steps, with new velocities that are the same for both. The criterion, fixed before the
+runs: of 100 differences of each corrected average, 59 to 77 lie within one stated error and 91 to 99 within 1.96 stated errors
+(two standard deviations of a binomial number), and the mean difference is within three of its standard errors of zero."""
 
 import numpy as np
 from lib import runs, study

@@ -128,6 +128,7 @@ class Molecule(Record):
         name, description, source (str)
         mass (float): [u]
         top (str): "atom", "linear", "spherical", "symmetric" or "asymmetric"
+        mixing (str or None): mixing rule with which the model was parametrized
         charge (float): total charge [e]
         dipole (float): dipole moment [D]
         sites (list of dict): sites in the principal frame, with positions (3) [nm], masses [u] and charges [e].
@@ -160,7 +161,8 @@ class Molecule(Record):
         lennard_jones = all(s["law"] == "lennard-jones" for s in self.sites)
         if not lennard_jones:
             raise Error(f"{self.name} has laws other than Lennard-Jones; use its name instead")
-        return {"name": self.name, "description": self.description, "source": self.source or "-",
+        rule = {"mixing": self.mixing} if self.mixing else {}
+        return {"name": self.name, "description": self.description, "source": self.source or "-", **rule,
                 "site": [_site_table(site) for site in self.sites]}
 
     def __repr__(self):

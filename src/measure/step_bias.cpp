@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/measure/step_bias.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "polhode/base/units.hpp"
@@ -68,8 +69,13 @@ StepBias StepBiasStatistics::bias(const DegreesOfFreedom& n, FixedMeans fixed, d
 SeriesEstimate without_bias(const SeriesEstimate& average, const SeriesEstimate& bias) {
   SeriesEstimate corrected = average;
   corrected.value -= bias.value;
-  corrected.error = std::hypot(average.error, bias.error);
-  if (average.known == Known::yes && bias.known != Known::yes) corrected.known = bias.known;
+  if (average.known == Known::yes && bias.known == Known::yes) {
+    corrected.error = std::hypot(average.error, bias.error);
+    corrected.modes = std::min(average.modes, bias.modes);
+  } else {
+    if (average.known == Known::yes) corrected.known = bias.known;
+    corrected.error = corrected.modes = 0;
+  }
   return corrected;
 }
 

@@ -36,8 +36,8 @@ std::vector<double> binned_periodogram(std::span<const double> series, double in
 /// The logarithm of the spectrum is fitted by polynomials in ν² up to a cutoff frequency, with the
 /// likelihood of a periodogram [toraman2025]. All degrees and cutoffs contribute with the
 /// probabilities of [jay2021], in which each bin above the cutoff costs a parameter. The value of
-/// each contribution is fitted up to half of its cutoff, where the error from the omitted power of
-/// ν is far below the statistical error.
+/// each contribution is fitted up to half of its cutoff, or to as many bins as it has parameters.
+/// The error from the omitted power of ν is there far below the statistical error.
 class ZeroFrequency {
  public:
   /// Determines the probabilities of all degrees and cutoffs.

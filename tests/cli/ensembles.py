@@ -71,6 +71,7 @@ class Ensembles(Sandbox):
             self.assertAlmostEqual(bias[name]["value"] / value, 1, places=2)
             self.assertGreater(bias[name]["error"], 0)
         self.assertEqual(bias["temperature_rotation_all_K"]["value"], 0)  # atoms
+        self.assertNotIn("temperature_rotation_all_K", report["corrected"])
         text = self.done("run", coarse, "--force", "--verbose").out
         for words in ("time-step bias", "  potential energy    ", "kJ/mol per molecule, without it -"):
             self.assertIn(words, text)

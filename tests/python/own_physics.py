@@ -231,6 +231,12 @@ class Molecules(unittest.TestCase):
         # Its sites have been turned to the principal frame: rounding remains.
         self.assertAlmostEqual(a["potential"] / b["potential"], 1, delta=1e-9)
         self.assertEqual(len(polhode.molecules()), len(polhode.molecules().keys()))
+        # The mixing rule of the model changes the energy.
+        box = {"count": 27, "box": "2.4 nm", "cutoff": "1 nm"}
+        named, given, other = (polhode.Simulation(molecules=m, **box).energies["potential"] for m in (
+            "ch4", polhode.molecules("ch4"), {**polhode.molecules("ch4").as_dict(), "mixing": "lorentz-berthelot"}))
+        self.assertAlmostEqual(named / given, 1, delta=1e-9)
+        self.assertNotAlmostEqual(named / other, 1, delta=1e-4)
 
 
 class Leaks(unittest.TestCase):

@@ -35,17 +35,12 @@ SeriesEstimate measured_compressibility(const EnergyStatistics& energies,
   return e;
 }
 
-double within_materials(double compressibility) {
-  const double scale = default_compressibility();
-  return std::clamp(compressibility, least * scale, most * scale);
-}
-
 double next_compressibility(const EnergyStatistics& energies, const BarostatSettings& barostat,
                             double length, double kT) {
   const double scale = default_compressibility();
   if (const SeriesEstimate e = measured_compressibility(energies, barostat, length, kT);
       e.known == Known::yes)
-    return within_materials(e.value);
+    return std::clamp(e.value, least * scale, most * scale);
   const double present = barostat.compressibility;
   const double change = std::abs(energies.volume_drift().rate.value * length);
   const double fluctuation = std::sqrt(kT * present * energies.volume().value);

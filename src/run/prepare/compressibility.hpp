@@ -30,10 +30,6 @@ SeriesEstimate measured_compressibility(const EnergyStatistics& energies,
 double next_compressibility(const EnergyStatistics& energies, const BarostatSettings& barostat,
                             double length, double kT);
 
-/// The compressibility, or the nearest value that a liquid, a solid or a gas can have
-/// [nm³ mol/kJ].
-double within_materials(double compressibility);
-
 /// The compressibility as text, such as "310 ± 40 1e-6/bar, from the fluctuations of the volume",
 /// or a text which says that the compressibility is not known yet.
 /// @param in_use  compressibility that sets the size of the moves [nm³ mol/kJ]

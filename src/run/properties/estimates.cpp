@@ -88,13 +88,7 @@ class Dynamics {
     const double mPa_s = unit("mPa s", Dimension::viscosity);
     const auto value = [&](Means all) { return eta(all) / mPa_s; };
     m.value = pooled_estimate(runs_, value);
-    // With a fit of degree 2 up to half of its cutoff, the half must contain three modes.
-    constexpr double min_mode = 6;
-    if (m.value.known == Known::yes && spectrum_->max_mode() < min_mode)
-      m.obstacle = fmt::format(
-          "the pressure tensor relaxes too slowly for segments of {:.3g} ps, so its spectrum at "
-          "zero frequency is not resolved",
-          segment_length());
+    note_unresolved(m);
     m.step_bound = bound(value);
   }
 
@@ -108,6 +102,7 @@ class Dynamics {
     m.value = pooled_estimate(runs_, D0);
     m.finite_size = correction(overall(runs_)) / nm2_per_ns;
     m.value = scaled(m.value, 1 / nm2_per_ns);
+    if (m.obstacle.empty()) note_unresolved(m);
     m.step_bound = bound([&](Means all) { return D0(all) / nm2_per_ns; });
   }
 
@@ -136,6 +131,18 @@ class Dynamics {
   double eta(Means all) const {
     return spectrum_->value(which_.spectrum_in(all)) * edge_ * edge_ * edge_ /
            (2 * units::boltzmann * data_.at.temperature);
+  }
+  /// Notes that the viscosity is not known if its spectrum changes within the lowest modes. More
+  /// segments of the same length do not resolve it.
+  void note_unresolved(MeasuredProperty& m) const {
+    // With a fit of degree 2 up to half of its cutoff, the half must contain three modes.
+    constexpr double min_mode = 6;
+    if (m.value.known != Known::yes || spectrum_->max_mode() >= min_mode) return;
+    m.longer_helps = false;
+    m.obstacle = fmt::format(
+        "the pressure tensor relaxes too slowly for segments of {:.3g} ps, so its spectrum at zero "
+        "frequency, which gives the viscosity, is not resolved: the liquid is too viscous",
+        segment_length());
   }
   double D(Means all, const FitWindow& fit) const {
     return slope_between(part(all, which_.displacement.front()), interval_, fit) / 6;

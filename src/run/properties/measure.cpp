@@ -99,7 +99,7 @@ class PointMeasurement {
   double share() const { return std::sqrt(static_cast<double>(settings_.shard.count)); }
   /// Whether the replicas must become longer for a property.
   bool continues(const MeasuredProperty& m) const {
-    return m.request.property->measured_in != MeasuredIn::pair &&
+    return m.request.property->measured_in != MeasuredIn::pair && m.longer_helps &&
            !(m.value.known == Known::yes && m.obstacle.empty() &&
              m.value.error <= required_error(m));
   }

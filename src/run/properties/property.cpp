@@ -117,8 +117,7 @@ constexpr std::array all = {
     Property{"diffusion", "1e-9 m2/s", In::dynamics,
              "self-diffusion coefficient of an infinite system, from the slope of the mean-square "
              "displacement; the Yeh-Hummer correction uses the viscosity of the same runs; in a "
-             "mixture, "
-             "of the first kind of molecule",
+             "mixture, of the first kind of molecule",
              "yeh2004", false, false},
     Property{"viscosity", "mPa s", In::dynamics,
              "shear viscosity by the Green-Kubo relation, from the spectrum of five components of "

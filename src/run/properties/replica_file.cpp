@@ -152,7 +152,7 @@ Replica parse_replica(const std::string& bytes, const std::string& path, std::ui
   };
   if (bytes.starts_with(earlier_mark))
     throw Error(fmt::format(
-        "'{}' was written by a version of polhode that estimated the viscosity otherwise; give "
+        "'{}' was written by an earlier version of polhode, whose records are different; give "
         "another prefix of the output files, or remove the record",
         path));
   constexpr std::size_t head = mark.size() + 17;

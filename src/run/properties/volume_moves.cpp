@@ -5,12 +5,16 @@
 #include <bit>
 
 #include "polhode/base/units.hpp"
-#include "run/prepare/compressibility.hpp"
 
 namespace polhode {
+namespace {
+
+double relaxation_time(double step) { return std::max(2.0, 100 * step); }  // of the volume [ps]
+
+}  // namespace
 
 BarostatSettings barostat(const ReplicaSettings& settings, double compressibility, double step) {
-  BarostatSettings b{.type = CellRescaling{std::max(2.0, 100 * step)},
+  BarostatSettings b{.type = CellRescaling{relaxation_time(step)},
                      .pressure = settings.at.pressure};
   b.compressibility = compressibility;
   b.every = 25 * step;
@@ -18,9 +22,11 @@ BarostatSettings barostat(const ReplicaSettings& settings, double compressibilit
 }
 
 double compressibility_of_moves(const Replica& replica, const StatePoint& at) {
-  constexpr std::size_t first = 2;
+  constexpr double min_relaxations = 8, max_change = 16;
   const std::size_t end = std::bit_floor(replica.averages.size());
-  if (end < first) return replica.compressibility;
+  const double length = static_cast<double>((end - end / 2) * steps_of_averages) * replica.step;
+  if (end < 2 || length < min_relaxations * relaxation_time(replica.step))
+    return replica.compressibility;
   double weight = 0, V = 0, V2 = 0;
   for (std::size_t k = end / 2; k < end; ++k) {
     const BlockMeans::Block& sums = replica.averages[k].sums;
@@ -30,7 +36,8 @@ double compressibility_of_moves(const Replica& replica, const StatePoint& at) {
   }
   V /= weight;
   const double measured = (V2 / weight - V * V) / (units::boltzmann * at.temperature * V);
-  return within_materials(measured);
+  return std::clamp(measured, replica.compressibility / max_change,
+                    max_change * replica.compressibility);
 }
 
 }  // namespace polhode

@@ -12,10 +12,12 @@ namespace polhode {
 BarostatSettings barostat(const ReplicaSettings& settings, double compressibility, double step);
 
 /// The compressibility that sets the size of moves in the next segment of averages [nm³ mol/kJ].
-/// From the third segment on, it follows from the volume fluctuations of earlier segments. With a
-/// value far too small, the volume would relax so slowly that segments are correlated. The value
-/// changes only when the number of segments has doubled. It is a function of these segments alone,
-/// so a resumed replica has the same moves.
+/// It follows from the volume fluctuations of the later half of the segments, once this half lasts
+/// eight relaxation times of the barostat. With a value far too small, the volume would relax so
+/// slowly that segments are correlated; with a value far too large, moves would overshoot. The
+/// value is therefore at most 16 times larger or smaller than that of the preparation. It changes
+/// only when the number of segments has doubled. It is a function of these segments alone, so a
+/// resumed replica has the same moves.
 double compressibility_of_moves(const Replica& replica, const StatePoint& at);
 
 }  // namespace polhode

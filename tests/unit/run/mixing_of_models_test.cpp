@@ -33,6 +33,6 @@ TEST_CASE("the mixing rule of molecule files applies unless the run file gives a
   CHECK(rule_of(ch4 + ", " + argon, "mixing = \"geometric\"") == MixingRule::geometric);
   for (const std::string& both : {ch4 + ", " + argon, argon + ", " + ch4})
     check_error([&] { rule_of(both); },
-                {"the model 'ch4' has a mixing rule, which the model 'argon' does not have",
+                {"the files of the models 'ch4' and 'argon' do not state the same mixing rule",
                  "write mixing = \"geometric\"", "x.toml, forces.mixing"});
 }

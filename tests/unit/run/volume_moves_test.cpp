@@ -37,7 +37,8 @@ AveragesSegment segment(double compressibility, std::uint64_t number) {
 
 TEST_CASE("barostat moves follow the volume fluctuations of earlier segments") {
   const double first = default_compressibility(), exact = 7 * first;
-  Replica replica{.compressibility = first};
+  // Segments of 37.5 ps, 12 relaxation times of the volume.
+  Replica replica{.step = 0.03, .compressibility = first};
   CHECK(compressibility_of_moves(replica, at) == first);
   std::vector<double> sizes;
   for (std::uint64_t k = 0; k < 16; ++k) {
@@ -52,9 +53,17 @@ TEST_CASE("barostat moves follow the volume fluctuations of earlier segments") {
   for (const std::size_t k : {2u, 4u, 5u, 6u, 8u, 14u}) CHECK(sizes[k] == sizes[k - 1]);
   for (const std::size_t k : {3u, 7u, 15u}) CHECK(sizes[k] != sizes[k - 1]);
   // A resumed replica has the same moves: the value depends on the segments alone.
-  Replica resumed{.compressibility = first, .averages = replica.averages};
+  Replica resumed{.step = 0.03, .compressibility = first, .averages = replica.averages};
   CHECK(compressibility_of_moves(resumed, at) == sizes[15]);
-  // Volumes that do not fluctuate do not stop the barostat.
+  // Segments of 5 ps: four of them last eight relaxation times of 2 ps.
+  for (const std::size_t k : {4u, 7u, 8u, 15u}) {
+    Replica slow{.step = 0.004, .compressibility = first};
+    slow.averages.assign(replica.averages.begin(), replica.averages.begin() + static_cast<long>(k));
+    CHECK((compressibility_of_moves(slow, at) == first) == (k < 8));
+  }
+  // Volumes that do not fluctuate do not stop the barostat, and a drift does not make it overshoot.
   for (AveragesSegment& s : replica.averages) s = segment(0, 1);
-  CHECK(compressibility_of_moves(replica, at) / first == doctest::Approx(0.1));
+  CHECK(compressibility_of_moves(replica, at) / first == doctest::Approx(1.0 / 16));
+  for (AveragesSegment& s : replica.averages) s = segment(1000 * first, 1);
+  CHECK(compressibility_of_moves(replica, at) / first == doctest::Approx(16));
 }

@@ -82,8 +82,9 @@ struct MeasuredProperty {
   std::optional<double> finite_size;    ///< finite-size correction, already included in the value
   /// Values obtained from increasing parts of the data, for figures; the last entry uses all data.
   std::vector<SeriesEstimate> stages{};
-  std::string obstacle;  ///< reason why the value is not converged; empty if it is
-  std::string remark{};  ///< where or how the value was found; empty if there is nothing to add
+  std::string obstacle;      ///< reason why the value is not converged; empty if it is
+  bool longer_helps = true;  ///< whether longer runs may remove the obstacle
+  std::string remark{};      ///< where or how the value was found; empty if there is nothing to add
   /// The number of replicas that contribute, and why the others do not; empty if all contribute.
   std::string contributions{};
 

@@ -264,7 +264,9 @@ std::string run_identity(const Config& config, const System& system) {
                 config.output.trajectory_every, config.forces.skin});
   all += ' ' + text_of(config.integrator.scheme);
   all += motion_of_start(config, system) + outputs_of(config.output, system.topology);
-  return text_hash(all) + '\n' + settings_text(config);
+  Config used = config;  // with the mixing rule that molecule files may state
+  used.forces.mixing.rule = system.forces.mixing.rule;
+  return text_hash(all) + '\n' + settings_text(used);
 }
 
 void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,

@@ -158,7 +158,7 @@ Quantities of_ensemble(const EnsembleSummary& s) {
 struct BiasedAverage {
   std::string key, unit;
   SeriesEstimate bias, average;
-  std::string label, of = {};  ///< without a label, there is no row
+  std::string label, of = {};  ///< without a label, the molecules have no such average
 
   /// The bias, followed in the text by the average without it.
   Quantity bias_row() const {
@@ -222,7 +222,8 @@ Quantities of_step_bias(const RunSummary& s) {
   Quantities biases, corrected;
   for (const BiasedAverage& average : biased_averages(s)) {
     biases.push_back(average.bias_row());
-    corrected.push_back({average.key, average.unit, average.corrected()});
+    if (!average.label.empty())
+      corrected.push_back({average.key, average.unit, average.corrected()});
   }
   if (!barostat) biases.push_back({"density", "kg/m3", in_kg_per_m3(bias.density)});
   append(biases, {{"compressibility", "1/bar", in_per_bar(bias.compressibility)},
@@ -234,7 +235,7 @@ Quantities of_step_bias(const RunSummary& s) {
                      "time-step bias of each average; null if unknown", "time-step bias"},
                     {"corrected", "", std::move(corrected),
                      "averages without their time-step bias; their errors include the error of the "
-                     "bias; null if the bias is unknown"}};
+                     "bias, and are null if the bias is unknown"}};
   Quantities others;
   const auto add = [&](const char* unit, const SeriesEstimate& of, const SeriesEstimate& average,
                        const char* label) {

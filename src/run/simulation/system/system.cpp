@@ -52,10 +52,12 @@ MixingRule rule_of_models(const Config& config, const Topology& topology) {
     rule = *molecule.mixing;
     for (const auto& [other, number] : topology.parts)
       if (other.mixing != rule)
-        throw Error(fmt::format("the model '{}' has a mixing rule, which the model '{}' does not "
-                                "have; write mixing = \"geometric\" or \"lorentz-berthelot\"",
-                                molecule.name, other.name),
-                    config.source + ", forces.mixing");
+        throw Error(
+            fmt::format("the files of the models '{}' and '{}' do not state the same mixing "
+                        "rule; write mixing = \"geometric\" or \"lorentz-berthelot\" in "
+                        "[forces] of a run file",
+                        molecule.name, other.name),
+            config.source + ", forces.mixing");
   }
   return rule.value_or(config.forces.mixing.rule);
 }
