@@ -96,7 +96,7 @@ run {steps}
 
     def test_mixtures(self):
         for title, (molecules, density) in MIXTURES.items():
-            text = WATER.replace('[{ model = "tip4p", count = 64 }]', molecules)
+            text = WATER.replace('[{ model = "tip4p", count = 64 }]', molecules).replace("[forces]", '[forces]\nmixing = "lorentz-berthelot"')
             self.compare_with_polhode(text.replace('"1 g/cm3"', f'"{density}"'), title)
 
     def test_the_data_file_is_the_same_system(self):

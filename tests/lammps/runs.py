@@ -24,6 +24,7 @@ electrostatics = "%(electrostatics)s"
 cutoff = "0.58 nm"
 switch = "0.45 nm"
 precision = "%(precision)s"
+mixing = "lorentz-berthelot"
 [integrator]
 scheme = "%(scheme)s"
 step = "%(step)s fs"
