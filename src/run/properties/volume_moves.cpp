@@ -24,11 +24,12 @@ BarostatSettings barostat(const ReplicaSettings& settings, double compressibilit
 double compressibility_of_moves(const Replica& replica, const StatePoint& at) {
   constexpr double min_relaxations = 8, max_change = 16;
   const std::size_t end = std::bit_floor(replica.averages.size());
-  const double length = static_cast<double>((end - end / 2) * steps_of_averages) * replica.step;
+  const std::size_t later_half = end / 2;
+  const double length = static_cast<double>((end - later_half) * steps_of_averages) * replica.step;
   if (end < 2 || length < min_relaxations * relaxation_time(replica.step))
     return replica.compressibility;
   double weight = 0, V = 0, V2 = 0;
-  for (std::size_t k = end / 2; k < end; ++k) {
+  for (std::size_t k = later_half; k < end; ++k) {
     const BlockMeans::Block& sums = replica.averages[k].sums;
     weight += sums.weight;
     V += sums.sum[volume];
