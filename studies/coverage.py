@@ -57,6 +57,8 @@ def report(result):
 
 def main():
     o = study.options(__doc__, {"calls": 2}, calls=(100, "calls, each with another seed"), first=(1, "seed of the first call"), molecules=(64, "molecules"), system=("argon", "argon, argon-dynamics or water"))
+    if o.system not in SYSTEMS:
+        raise SystemExit(f"there is no system '{o.system}'; there are: {', '.join(SYSTEMS)}")
     study.perform(o, measured, report)
 
 
