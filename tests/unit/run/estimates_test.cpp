@@ -400,8 +400,10 @@ TEST_CASE("dynamics with too few segments, or with slopes that change, are not c
         return 1 / (1 + std::pow(frequency * length_of_segment / 2, 2));
       }));
   const std::vector<Replica> slow = four([&](std::uint64_t k) { return moving(k, bent); });
-  CHECK(measured("viscosity", slow).obstacle.find("relaxes too slowly for segments of 64 ps") !=
-        std::string::npos);
+  const MeasuredProperty eta = measured("viscosity", slow), D0 = measured("diffusion", slow);
+  CHECK(eta.obstacle.find("relaxes too slowly for segments of 64 ps") != std::string::npos);
+  CHECK(D0.obstacle == eta.obstacle);  // of its correction
+  CHECK_FALSE(eta.longer_helps);       // more segments of the same length do not resolve it
 }
 
 TEST_CASE("paired segments at half of the step bound the time-step bias of dynamics") {
