@@ -34,7 +34,7 @@ def _perform(system, words, texts, task):
 
 
 def measure(system: Path | Sequence[Path], properties: str | Sequence[str] | Mapping[str, Quantity | None], *,
-            at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None,
+            at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None, mixing: str | None = None,
             replicas: SupportsIndex | None = None, paired_runs: bool = True, time_limit: Quantity | None = None,
             shard: str | None = None, seed: SupportsIndex | None = None,
             output: Path | None = None, executor: Executor | None = None,
@@ -51,6 +51,8 @@ def measure(system: Path | Sequence[Path], properties: str | Sequence[str] | Map
         at (str or list of str): state points: "298.15 K, 1 bar", "298.15 K, 997 kg/m3" at constant volume, "250 K to 320 K,
             7 points".
         molecules (int): number of molecules of a pure substance; default: 256.
+        mixing (str): mixing rule of unlike sites for a system of models: "lorentz-berthelot" or "geometric"; default: the
+            rule of the models.
         replicas (int): number of independent simulations of each state point; default: 4.
         paired_runs (bool): repeat an eighth of the dynamics at half of the step to bound its time-step bias, for a quarter
             more time.
@@ -72,13 +74,13 @@ def measure(system: Path | Sequence[Path], properties: str | Sequence[str] | Map
 
 
 def merge(system: Path | Sequence[Path], properties: str | Sequence[str] | Mapping[str, Quantity | None], *,
-          at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None,
+          at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None, mixing: str | None = None,
           replicas: SupportsIndex | None = None, seed: SupportsIndex | None = None,
           output: Path | None = None) -> Report:
     """The properties from the records of all shards, without new computations, as ``polhode merge``.
 
     Args:
-        system, properties, at, molecules, replicas, seed, output: as in measure().
+        system, properties, at, molecules, mixing, replicas, seed, output: as in measure().
 
     Returns:
         Report: as from measure().

@@ -152,6 +152,17 @@ plot = "none"
         self.assertEqual(process.returncode, 0, process.err)
         self.assertIn("the time limit is reached", process.err)
 
+    def test_the_mixing_rule_of_a_mixture(self):
+        """Benzene is made for geometric mixing and water for Lorentz-Berthelot, so there is no default."""
+        mixture = ("measure", "tip4p 60, benzene 4", "density", "5 %", "--time-limit", "0.01 s", "--output", "out")
+        self.refused(mixture, ["do not state the same mixing rule", "--mixing"])
+        self.refused((*mixture, "--mixing", "arithmetic"), ["--mixing", "lorentz-berthelot", "geometric"])
+        for rule in ("geometric", "lorentz-berthelot"):
+            process = self.polhode(*mixture, "--mixing", rule)
+            self.assertEqual(process.returncode, 0, process.err)
+        self.write("run.toml", sandbox.SMALL)
+        self.refused(("measure", "run.toml", "density", "--mixing", "geometric"), ["--mixing", "run file"])
+
     def test_a_state_point_at_constant_volume(self):
         """The pressure at the density of 500 bar is 500 bar."""
         at_pressure = json.loads(self.measured("compressibility", "10 %", "--json").out)["points"][0]

@@ -255,6 +255,31 @@ TEST_CASE("samples of the shadow energy of a resumed run equal those of an unint
   }
 }
 
+TEST_CASE("samples through a postprocessor of a resumed run equal those of an uninterrupted one") {
+  const double step = 0.002;
+  for (const char* name : {"velocity-verlet", "takahashi-imada-fd", "gier4", "obabo"}) {
+    CAPTURE(name);
+    TrajectorySettings settings{scheme_of(name), step, 25 * step, 2 * step};
+    if (settings.scheme.has(Flow::bath)) settings.ensemble = {300, Langevin{5, 20}, {}, {}};
+    settings.processed = true;
+    std::vector<RunState> kept;
+    System whole = mixture(Electrostatics::pme, Precision::double_precision);
+    ForceField forces(whole.topology, whole.forces, whole.state.box);
+    Watch watch;
+    watch.due = [] { return true; };
+    watch.checkpoint = [&](RunState at) { kept.push_back(std::move(at)); };
+    const Bits expected = bits(whole.state, run_trajectory(whole, forces, settings, watch));
+    for (const std::size_t steps : {1u, 6u, 7u, 25u}) {
+      const RunState from = stored(kept.at(steps));
+      CAPTURE(steps);
+      System system = mixture(Electrostatics::pme, Precision::double_precision);
+      ForceField again(system.topology, system.forces, system.state.box);
+      const Trajectory rest = run_trajectory(system, again, settings, {}, Workers::serial(), &from);
+      CHECK((bits(system.state, rest) == expected));
+    }
+  }
+}
+
 TEST_CASE("a suspended equilibration is resumed bit for bit") {
   const auto prepared = [](System& system, const RunState* from, const Watch& watch) {
     ForceField forces(system.topology, system.forces, system.state.box);

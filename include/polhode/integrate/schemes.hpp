@@ -47,6 +47,9 @@ inline constexpr std::array schemes = {
     Scheme{"hoa2",            2, {B(eta),       A(0.5),   B(1 - 2 * eta)},                    "omelyan2003"},
     Scheme{"gier4",           4, {B(1.0 / 6),   A(0.5),   B(2.0 / 3, 1.0 / 48)},              "omelyan2007"},
     Scheme{"gier4-fd",        4, {B(1.0 / 6),   A(0.5),   B(2.0 / 3, 1.0 / 48, Gradient::finite_difference)}, "vanzon2008"},
+    // schemes of effective order 4: the O(h²) error vanishes in states that are read through a postprocessor
+    Scheme{"takahashi-imada", 2, {A(0.5), B(1, 1.0 / 24)},                                    "takahashi1984"},
+    Scheme{"takahashi-imada-fd", 2, {A(0.5), B(1, 1.0 / 24, Gradient::finite_difference)},    "takahashi1984"},
     // schemes of order 2, for large steps
     Scheme{"bcss2",           2, {B(oscillator_kick), A(0.5), B(rest)},                                 "blanes2014"},
     Scheme{"bcss3",           2, {B(0.11888010966548), A(0.29619504261126), B(rest), A(rest)}, "blanes2014"},

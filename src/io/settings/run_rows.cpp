@@ -205,6 +205,11 @@ SettingTable output_table() {
            row("pressure_tensor", output(&O::pressure_tensor),
                "whether the energies file contains the six components of the [molecular pressure "
                "tensor](../theory.md#pressure); external forces must then have a virial"),
+           row("processed", output(&O::processed),
+               "whether energies and frames are read through a "
+               "[postprocessor](../processed-states.md), which makes their time-step errors "
+               "smaller. Postprocessors are known for `velocity-verlet`, `takahashi-imada(-fd)` "
+               "and `gier4(-fd)`. Each sample costs 3 to 5 force evaluations"),
            row("plot", named(output(&O::plot), plot_formats),
                "format of the figure of the energies", More{.free = true}),
            row("checkpoint_every", output(&O::checkpoint_every),

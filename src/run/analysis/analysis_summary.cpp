@@ -35,19 +35,15 @@ void find_temperature(AnalysisSummary& s, const Analysis& a, const SummarySettin
 }  // namespace
 
 void SummarySettings::set_surroundings(const ForceSettings& forces) {
-  switch (forces.electrostatics) {
-    case Electrostatics::pme:
-      surroundings_permittivity = tin_foil;
-      break;
-    case Electrostatics::reaction_field:
-      surroundings_permittivity = forces.dielectric;
-      break;
-    case Electrostatics::coulomb:
-    case Electrostatics::damped_shifted_force:
-      surroundings_permittivity.reset();
-      no_surroundings =
-          "dipole fluctuations give no dielectric constant if electrostatics is truncated or "
-          "switched; pme or a reaction field is needed";
+  if (forces.electrostatics == Electrostatics::pme) {
+    surroundings_permittivity = tin_foil;
+  } else if (forces.electrostatics == Electrostatics::reaction_field) {
+    surroundings_permittivity = forces.dielectric;
+  } else {
+    surroundings_permittivity.reset();
+    no_surroundings =
+        "dipole fluctuations give no dielectric constant if electrostatics is truncated or "
+        "switched; pme or a reaction field is needed";
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "integrate/postprocessor.hpp"
 #include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/schemes.hpp"
@@ -44,6 +45,11 @@ std::string error_text(const Scheme& scheme) {
          (scheme.has(Flow::bath) ? ", for the scheme without its bath" : "");
 }
 
+std::string postprocessor_text(const Scheme& scheme) {
+  const Postprocessor* const known = postprocessor_of(scheme);
+  return known ? text_of(known->stages) : "";
+}
+
 /// A scheme as a list.
 /// @param alone  whether the scheme is listed separately, rather than as a row of a table
 Quantities of_scheme(const Scheme& scheme, bool alone) {
@@ -61,6 +67,9 @@ Quantities of_scheme(const Scheme& scheme, bool alone) {
       {"cost", "", scheme.cost(), "sum of force evaluations and derivatives per step", "cost"},
       {"palindrome", "", scheme.palindromic(), "whether the scheme is time-reversible",
        label("palindrome")},
+      {"postprocessor", "", postprocessor_text(scheme),
+       "stages of the postprocessor that `output.processed` applies; empty if none is known",
+       label("postprocessor")},
       {"source", "", std::string(scheme.source()), "key of the bibliography", "source"},
       alone ? row("error of order h²", error_text(scheme)) : row("flows", flows(scheme)),
       {"stages", "", stages, "stages of the scheme, in order", label("stages")},

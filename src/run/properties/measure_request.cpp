@@ -67,7 +67,7 @@ bool is_run_file(const std::string& path) {
 }
 
 /// The settings of a run with only these molecules.
-Config config_of(const std::string& system, const Given& molecules) {
+Config config_of(const std::string& system, const Given& molecules, const Given& mixing) {
   std::vector<Component> components = components_of(system);
   const std::uint64_t default_count =
       molecules ? given_whole_number(molecules, 8, max_molecules) : usual_molecules;
@@ -87,12 +87,14 @@ Config config_of(const std::string& system, const Given& molecules) {
   const Topology topology = build_topology(molecules_alone);
   const double edge = std::cbrt(topology.mass() / estimated_density(topology));
   const double cutoff = std::min(max_cutoff, std::floor(0.45 * edge * 100) / 100);
+  Overlay overlay;
+  if (mixing) overlay.settings = {{"forces.mixing", {mixing.text}, mixing.name}};
   Config config =
       parse_config(fmt::format("[system]\nmolecules = [{{ model = \"argon\", count = 1 }}]\n"
                                "density = \"1 g/cm3\"\n[forces]\ncutoff = \"{:g} nm\"\n"
                                "dispersion_correction = true\nprecision = \"mixed\"\n{}",
                                cutoff, any_charge ? "electrostatics = \"pme\"\n" : ""),
-                   "measure");
+                   "measure", overlay);
   config.system.molecules = molecules_alone.molecules;
   config.system.density.reset();
   return config;
@@ -174,6 +176,9 @@ std::vector<RequestOption<MeasureRequest>> MeasureRequest::options() {
            "the run file or .mdp file, or \"298.15 K, 1 bar\""},
           {"molecules", &R::molecules,
            fmt::format("number of molecules of a pure substance; default: {}", usual_molecules)},
+          {"mixing", &R::mixing,
+           "mixing rule of unlike sites for a system of models: lorentz-berthelot or geometric; "
+           "default: the rule of the models"},
           {"replicas", &R::replicas,
            fmt::format("number of independent simulations of each state point; default: {}",
                        defaults.replicas)},
@@ -194,12 +199,15 @@ MeasureSettings MeasureRequest::settings() const {
   const bool from_input = is_input_file(system), from_file = from_input || is_run_file(system);
   std::vector<std::string> words = properties, notes;
   MeasureSettings s{.config = from_input ? config_of_input(system, words, notes) : Config{}};
-  if (!from_input) s.config = from_file ? read_config(system) : config_of(system, molecules);
+  if (!from_input) s.config = from_file ? read_config(system) : config_of(system, molecules, mixing);
   s.notes = std::move(notes);
   if (from_file && molecules)
     refuse(
         molecules,
         "has no meaning with a run file or an input file, since it sets the number of molecules");
+  if (from_file && mixing)
+    refuse(mixing,
+           "has no meaning with a run file or an input file; write mixing in [forces] of a run file");
   const Config& config = s.config;
   StatePoint own{from_file ? config.system.temperature : 298.15,
                  config.ensemble.barostat

@@ -64,7 +64,8 @@ StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point
                       .lambda = config.integrator.lambda,
                       .inner = point.scheme.inner,
                       .configurational_sample = config.study.configurational_sample,
-                      .seed = start_seed(config, index)},
+                      .seed = start_seed(config, index),
+                      .processed = config.output.processed},
                      {nullptr, callbacks.stop});
   run.stable = t.failure.empty();
   if (!run.stable) return run;

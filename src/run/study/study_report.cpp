@@ -10,6 +10,7 @@
 #include "io/files/with_error.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/run/simulation/trajectory/trajectory_settings.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/near_forces.hpp"
 #include "run/study/study_record.hpp"
@@ -212,7 +213,17 @@ struct EnergyStudy {
                 config.study.length * units::fs_per_ps, point.step * units::fs_per_ps),
             config.source);
       check_near(system.forces, point.scheme, config.source);
+      check_postprocessor(point);
     }
+  }
+
+  void check_postprocessor(const StudyPoint& point) const try {
+    TrajectorySettings{.scheme = point.scheme.outer,
+                       .inner = point.scheme.inner,
+                       .processed = config.output.processed}
+        .check_processed();
+  } catch (const Error& e) {
+    throw e.at(config.source);
   }
 
   void note(const Callbacks& callbacks) const {

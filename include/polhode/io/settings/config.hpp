@@ -96,6 +96,7 @@ struct OutputSettings {
   bool velocities = true;         ///< whether to write velocities to trajectories, if the format
                                   ///< can store them
   bool pressure_tensor = false;   ///< whether the energies file has the pressure tensor
+  bool processed = false;         ///< whether samples are read through a postprocessor
   std::string plot = "svg";       ///< format of figures: "svg", "png" or "none"
   double checkpoint_every = 300;  ///< interval between checkpoints in wall-clock time [s]
 

@@ -37,6 +37,8 @@ Quantities of_settings(const RunReport& r) {
   return {{"molecules", "", s.molecules, "number of molecules"},
           {"scheme", "", name_of(scheme), "name of the scheme, or its stages"},
           {"text", "", text_of(scheme), "stages of the scheme as text"},
+          {"processed", "", r.settings.processed,
+           "whether energies and frames are read through a postprocessor"},
           {"step", "fs", r.settings.step * units::fs_per_ps, "time step"},
           {"steps", "", s.steps, "number of steps"},
           {"length", "ps", s.length, "simulated time"},
@@ -326,6 +328,7 @@ Quantities run_quantities(const RunReport& r) {
   append(all, of_settings(r));
   if (!s.ensemble.settings.constant_energy())
     all.push_back(row("ensemble", description(s.ensemble.settings)));
+  if (r.settings.processed) all.push_back(row("states read", "through the postprocessor"));
   append(all, of_averages(s));
   append(all, conservation_rows(s));
   append(all, of_conservation(s));

@@ -55,7 +55,7 @@ MixingRule rule_of_models(const Config& config, const Topology& topology) {
         throw Error(
             fmt::format("the files of the models '{}' and '{}' do not state the same mixing "
                         "rule; write mixing = \"geometric\" or \"lorentz-berthelot\" in "
-                        "[forces] of a run file",
+                        "[forces] of a run file, or give 'measure' the option --mixing",
                         molecule.name, other.name),
             config.source + ", forces.mixing");
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integrate/postprocessor.hpp"
 #include "polhode/integrate/flows.hpp"
 
 namespace polhode {
@@ -14,6 +15,12 @@ namespace {
 /// The allowed change of the total energy by mixed-precision round-off, as a fraction of the
 /// potential energy, for a run that begins with almost no kinetic energy.
 constexpr double rounding_share = 1e-5;
+
+/// The O(h²) error terms of the states that are read.
+ErrorTerms error_terms_of(const TrajectorySettings& settings) {
+  const ErrorTerms kernel = error_terms(settings.scheme);
+  return settings.processed ? postprocessor_of(settings.scheme)->error_terms(kernel) : kernel;
+}
 
 }  // namespace
 
@@ -24,7 +31,7 @@ Sampler::Sampler(const System& system, const TrajectorySettings& settings,
       integrator_(integrator),
       report_(report),
       workers_(workers),
-      terms_(error_terms(settings.scheme)),
+      terms_(error_terms_of(settings)),
       fixed_(settings.fixed_means()),
       ideal_(static_cast<double>(system.state.size()) * units::boltzmann *
              settings.ensemble.temperature) {}
@@ -37,13 +44,14 @@ void Sampler::resume_from(const TrajectoryStatistics& statistics) {
 
 void Sampler::sample(std::size_t step, double exchanged, Clocks& clocks, const Watch& watch) {
   clocks.add_motion();
-  Energies now = energies_now(step, exchanged, clocks);
-  sample_shadow(now, watch);
-  if (watch.load) watch.load(system_.state, integrator_.last_load());
-  if (watch.sample) watch.sample(step, system_.state, now);
+  Reading reading = read(step, exchanged, clocks);
+  sample_shadow(reading, watch);
+  const Energies& now = reading.energies;
+  if (watch.load) watch.load(reading.state, reading.load);
+  if (watch.sample) watch.sample(step, reading.state, now);
   const std::optional<StepError> error = error_of(now);
   if (error) statistics_.step_bias.add(*error, now);
-  sample_configurational(step, error);
+  sample_configurational(step, reading, error);
   statistics_.energies.add(now);
   sample_at_bath();
   if (settings_.stretch > 0)
@@ -53,12 +61,16 @@ void Sampler::sample(std::size_t step, double exchanged, Clocks& clocks, const W
   clocks.skip();
 }
 
-Energies Sampler::energies_now(std::size_t step, double exchanged, Clocks& clocks) try {
+Sampler::Reading Sampler::read(std::size_t step, double exchanged, Clocks& clocks) try {
   const double before = clocks.in_forces();
-  Energies now = energies_of(system_, system_.state, integrator_.load(system_.state), workers_);
-  now.exchanged = exchanged;
+  if (settings_.processed) processed_ = system_.state;
+  const State& state = settings_.processed ? processed_ : system_.state;
+  const Load& load =
+      settings_.processed ? integrator_.process(processed_) : integrator_.load(system_.state);
+  Reading now{state, load, energies_of(system_, state, load, workers_)};
+  now.energies.exchanged = exchanged;
   clocks.forces_of_sample(clocks.in_forces() - before);
-  if (!std::isfinite(now.total()))
+  if (!std::isfinite(now.energies.total()))
     report_.not_finite(step, "the total energy is no longer a finite number");
   return now;
 } catch (const BlowUp&) {
@@ -73,14 +85,14 @@ bool Sampler::due(double every) const {
   return every > 0 && statistics_.energies.samples % settings_.samples_per(every) == 0;
 }
 
-void Sampler::sample_shadow(Energies& now, const Watch& watch) {
+void Sampler::sample_shadow(Reading& now, const Watch& watch) {
   if (!due(settings_.shadow_sample)) return;
-  const BracketSample both{now, error_brackets(system_.state, system_.bodies,
-                                               integrator_.last_load(), integrator_.whole.forces)};
+  const BracketSample both{
+      now.energies, error_brackets(now.state, system_.bodies, now.load, integrator_.whole.forces)};
   const double shadow = shadow_energy(both, terms_, settings_.step);
-  now.step_error = shadow - now.total();
+  now.energies.step_error = shadow - now.energies.total();
   if (fixed_ != FixedMeans::energy) return;
-  statistics_.shadow.add(now.time, shadow);
+  statistics_.shadow.add(now.energies.time, shadow);
   if (watch.brackets) watch.brackets(both);
 }
 
@@ -91,12 +103,14 @@ std::optional<StepError> Sampler::error_of(const Energies& now) const {
   return std::isnan(error.error) ? std::nullopt : std::optional(error);
 }
 
-void Sampler::sample_configurational(std::size_t step, const std::optional<StepError>& error) {
+void Sampler::sample_configurational(std::size_t step, const Reading& now,
+                                     const std::optional<StepError>& error) {
   if (!due(settings_.configurational_sample)) return;
   constexpr std::uint64_t streams = std::uint64_t{1}
                                     << 32;  // initial configurations use smaller numbers
   statistics_.configurational.add(
-      configurational_sample(system_.state, system_.bodies, integrator_.all_forces(system_.state),
+      configurational_sample(now.state, system_.bodies,
+                             integrator_.near ? integrator_.all_forces(now.state) : now.load,
                              integrator_.whole.forces, Random(settings_.seed, streams + step)),
       error);
 }

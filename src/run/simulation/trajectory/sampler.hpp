@@ -30,11 +30,19 @@ class Sampler {
   void resume_from(const TrajectoryStatistics& statistics);
 
  private:
-  Energies energies_now(std::size_t step, double exchanged, Clocks& clocks);
+  /// A state as it is read, with its forces and energies: the present state, or a copy of it after
+  /// a postprocessor.
+  struct Reading {
+    const State& state;
+    const Load& load;
+    Energies energies;
+  };
+  Reading read(std::size_t step, double exchanged, Clocks& clocks);
   bool due(double every) const;
-  void sample_shadow(Energies& now, const Watch& watch);
+  void sample_shadow(Reading& now, const Watch& watch);
   std::optional<StepError> error_of(const Energies& now) const;
-  void sample_configurational(std::size_t step, const std::optional<StepError>& error);
+  void sample_configurational(std::size_t step, const Reading& now,
+                              const std::optional<StepError>& error);
   void sample_at_bath();
   void check_energy(std::size_t step, const Energies& now);
 
@@ -43,6 +51,7 @@ class Sampler {
   TimedIntegrator& integrator_;
   const BlowUpReport& report_;
   Workers& workers_;
+  State processed_;  ///< the copy that the postprocessor changes; not used without one
   ErrorTerms terms_;
   std::optional<FixedMeans> fixed_;
   double ideal_;  // ideal-gas term N kT [kJ/mol]

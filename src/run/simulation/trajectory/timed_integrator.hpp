@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "forces/timed_forces.hpp"
+#include "integrate/postprocessor.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
@@ -18,7 +19,11 @@ class TimedIntegrator {
  public:
   TimedIntegrator(System& system, ForceField& forces, const TrajectorySettings& settings,
                   EnsembleMoves::Bath bath, Workers& workers)
-      : whole{forces} {
+      : whole{forces}, step_(settings.step) {
+    settings.check_processed();
+    if (settings.processed)
+      reader_.emplace(postprocessor_of(settings.scheme)->stages, system.bodies, whole,
+                      settings.lambda, workers);
     if (!settings.inner) {
       single_.emplace(settings.scheme, system.bodies, whole, FreeDrift{system.bodies, workers},
                       bath, settings.lambda, workers);
@@ -43,15 +48,35 @@ class TimedIntegrator {
     apply([&](auto& integrator) { integrator.resume_from(state.integrator); });
     whole.forces.resume_from(state.list, state.state.box);
     if (near) near->forces.resume_from(state.near_list, state.state.box);
+    if (!reader_) return;
+    IntegratorMemory nothing = reader_->memory();  // the counts are in those of the integrator
+    nothing.evaluations = nothing.measurements = 0;
+    reader_->resume_from(nothing);
   }
 
   IntegratorMemory memory() {
-    return apply([](const auto& integrator) { return integrator.memory(); });
+    IntegratorMemory memory = apply([](const auto& integrator) { return integrator.memory(); });
+    memory.measurements += evaluations_of_reader();
+    return memory;
   }
 
   /// Forces and torques at the positions of a state, with energies.
   const Load& load(const State& state) {
     return apply([&](auto& integrator) -> const Load& { return integrator.load(state); });
+  }
+  /// Applies the postprocessor of the scheme to a copy of the state after the last step. Only for
+  /// settings with `processed`.
+  /// @param read  the copy
+  /// @return forces and torques at the positions after the postprocessor, with energies
+  const Load& process(State& read) {
+    if (single_->scheme().ends_with_kick())
+      reader_->replace_load(single_->forces(read));
+    else
+      reader_->forget();
+    const double time = read.time;
+    reader_->advance(read, step_);
+    read.time = time;
+    return reader_->load(read);
   }
   /// Forces and torques of the last kick.
   const Load& last_load() {
@@ -69,7 +94,7 @@ class TimedIntegrator {
     apply([&](const auto& integrator) {
       trajectory.force_evaluations = integrator.force_evaluations();
       trajectory.derivatives = integrator.derivatives();
-      trajectory.measurements = integrator.measurements();
+      trajectory.measurements = integrator.measurements() + evaluations_of_reader();
     });
     trajectory.list_rebuilds = whole.forces.list_rebuilds();
     if (!nested_) return;
@@ -81,6 +106,13 @@ class TimedIntegrator {
   std::optional<TimedForces> near;  // near forces of an inner scheme
 
  private:
+  std::uint64_t evaluations_of_reader() const {
+    return reader_ ? reader_->force_evaluations() + reader_->measurements() : 0;
+  }
+
+  double step_;
+  std::optional<Integrator<TimedForces>>
+      reader_;  // applies the postprocessor to copies of the state
   std::optional<Integrator<TimedForces, FreeDrift, EnsembleMoves::Bath>> single_;
   std::optional<ForceField> near_forces_;
   Load complete_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integrate/postprocessor.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/error_terms.hpp"
@@ -86,10 +87,13 @@ std::size_t TrajectorySettings::samples_per(double interval) const {
   return std::max<std::size_t>(1, static_cast<std::size_t>(std::min(samples, max_steps)));
 }
 
+// A thermostat fixes the mean kinetic energy of the state before the postprocessor, which the
+// formulas for thermostats do not cover.
 bool TrajectorySettings::has_shadow() const {
   constexpr double rounding = 1e-12;  // round-off of coefficients with 15 digits
   const ErrorTerms terms = error_terms(scheme);
-  return !inner && polhode::fixed_means(ensemble, scheme) && scheme.palindromic() &&
+  const auto fixed = polhode::fixed_means(ensemble, scheme);
+  return !inner && fixed && (!processed || fixed == FixedMeans::energy) && scheme.palindromic() &&
          std::hypot(terms.alpha, terms.beta) > rounding;
 }
 
@@ -122,6 +126,21 @@ void TrajectorySettings::check_shadow() const {
                   shadow_sample * units::fs_per_ps, name_of(NestedScheme(scheme)), reason));
 }
 
+void TrajectorySettings::check_processed() const {
+  if (!processed) return;
+  if (ensemble.hybrid_monte_carlo)
+    throw Error(
+        "output.processed is true, but the states of hybrid Monte Carlo have no time-step error; "
+        "leave output.processed out");
+  if (inner || !postprocessor_of(scheme))
+    throw Error(fmt::format(
+        "output.processed is true, but no postprocessor is known for the scheme {}; use "
+        "velocity-verlet, takahashi-imada, takahashi-imada-fd, gier4 or gier4-fd, with a bath at "
+        "most at the ends of a step, or leave "
+        "output.processed out",
+        name_of({scheme, inner})));
+}
+
 TrajectorySettings trajectory_settings(const Config& config, double stretch) try {
   NestedScheme scheme = config.integrator.scheme;
   if (config.ensemble.thermostat && !scheme.has(Flow::bath))
@@ -135,7 +154,8 @@ TrajectorySettings trajectory_settings(const Config& config, double stretch) try
                               .configurational_sample = config.run.configurational_sample,
                               .seed = config.system.seed,
                               .stretch = stretch,
-                              .ensemble = config.ensemble};
+                              .ensemble = config.ensemble,
+                              .processed = config.output.processed};
   settings.ensemble.temperature = config.system.temperature;
   check_ensemble(settings);
   check_external(config);
@@ -145,6 +165,7 @@ TrajectorySettings trajectory_settings(const Config& config, double stretch) try
         "length",
         settings.step * units::fs_per_ps, settings.length * units::fs_per_ps));
   settings.steps();
+  settings.check_processed();
   constexpr double steps_per_shadow = 100;  // interval that costs about 1 % of a run
   settings.shadow_sample = config.run.shadow_sample.value_or(
       settings.has_shadow() ? steps_per_shadow * settings.step : 0);

@@ -28,6 +28,7 @@ struct TrajectorySettings {
   double stretch = 0;           ///< length of the parts for which R is also computed [ps]; 0 for no
                                 ///< parts
   EnsembleSettings ensemble{};  ///< settings of the ensemble; the default is constant energy
+  bool processed = false;       ///< whether samples are read through a postprocessor
 
   std::size_t steps() const { return steps_in(length); }
   /// The number of steps in a time [ps], rounded to the nearest integer. With hybrid Monte Carlo,
@@ -52,6 +53,9 @@ struct TrajectorySettings {
   /// Checks the settings of the shadow energy.
   /// @throws Error  if a shadow energy is requested for a scheme or ensemble that has none
   void check_shadow() const;
+  /// Checks that the scheme has a postprocessor if samples are read through one.
+  /// @throws Error  if no postprocessor is known, or if the ensemble excludes one
+  void check_processed() const;
 };
 
 /// The trajectory of a run file.
