@@ -199,15 +199,17 @@ MeasureSettings MeasureRequest::settings() const {
   const bool from_input = is_input_file(system), from_file = from_input || is_run_file(system);
   std::vector<std::string> words = properties, notes;
   MeasureSettings s{.config = from_input ? config_of_input(system, words, notes) : Config{}};
-  if (!from_input) s.config = from_file ? read_config(system) : config_of(system, molecules, mixing);
+  if (!from_input)
+    s.config = from_file ? read_config(system) : config_of(system, molecules, mixing);
   s.notes = std::move(notes);
   if (from_file && molecules)
     refuse(
         molecules,
         "has no meaning with a run file or an input file, since it sets the number of molecules");
   if (from_file && mixing)
-    refuse(mixing,
-           "has no meaning with a run file or an input file; write mixing in [forces] of a run file");
+    refuse(
+        mixing,
+        "has no meaning with a run file or an input file; write mixing in [forces] of a run file");
   const Config& config = s.config;
   StatePoint own{from_file ? config.system.temperature : 298.15,
                  config.ensemble.barostat
