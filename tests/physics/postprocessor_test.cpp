@@ -15,6 +15,7 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/step.hpp"
 #include "polhode/measure/shadow.hpp"
+#include "polhode/run/simulation/trajectory/propagator.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "rms.hpp"
 #include "scenes.hpp"
@@ -217,6 +218,43 @@ TEST_CASE("a run reads its samples through the postprocessor and has the same tr
     for (std::size_t i = 0; i < last[0].size(); ++i)  // there is no list of neighbours to rebuild
       CHECK(norm(last[0].q[i] - last[1].q[i]) == 0);
   }
+}
+
+// The shadow energy of a run has the error terms of the states that are read. With the terms of the
+// scheme itself it would fluctuate more than the energy.
+TEST_CASE("the shadow energy of a run is that of the states that are read") {
+  TrajectorySettings settings{scheme_of("velocity-verlet"), 0.001, 0.04, 0.001};
+  settings.shadow_sample = 0.001;
+  settings.processed = true;
+  System system = cluster();
+  ForceField forces(system.topology, system.forces, system.state.box);
+  std::vector<double> totals, shadows;
+  Watch watch;
+  watch.sample = [&](std::size_t, const State&, const Energies& now) {
+    totals.push_back(now.total());
+    shadows.push_back(now.total() + now.step_error);
+  };
+  run_trajectory(system, forces, settings, watch);
+  CHECK(fluctuation(shadows) < 0.1 * fluctuation(totals));
+}
+
+TEST_CASE("a run that continues after its last sample has the counts of a longer run") {
+  TrajectorySettings settings{scheme_of("velocity-verlet"), 0.001, 0.025, 0.002};
+  settings.processed = true;
+  std::vector<std::uint64_t> measurements;
+  for (const bool ends : {true, false}) {  // with an additional sample after 25 steps
+    System system = cluster();
+    ForceField forces(system.topology, system.forces, system.state.box);
+    Propagator propagator(system, forces, settings);
+    if (ends)
+      propagator.run();
+    else
+      propagator.advance(25);
+    propagator.advance(5);
+    measurements.push_back(propagator.trajectory().measurements);
+  }
+  CHECK(measurements[0] == 16 * 3);
+  CHECK(measurements[1] == 16 * 3);
 }
 
 TEST_CASE("settings without a known postprocessor are refused") {
