@@ -2,7 +2,7 @@
 """The stages of the postprocessors of the program, from the free Lie algebra of the flows A and B up to degree 5.
 
 The error of a scheme K = exp(A + B + E3 + E5 + ...) has the terms E3 = a [A,[A,B]] + b [B,[A,B]] and E5. A postprocessor
-P = exp(c [A,B] + P4) gives P K P^-1 the prefactors a + c and b + c. The study chooses c = -(a + b)/2, and the P4 for which the sum
+P = exp(c [A,B] + P4) gives the map P K P^-1, which is the operator exp(-ln P) K exp(ln P), the prefactors a + c and b + c. The study chooses c = -(a + b)/2, and the P4 for which the sum
 of the squared coefficients of E5 is smallest. Then it solves the equations for the stages of P, from random starts, and keeps the solution with
 the smallest sum of absolute fractions. The postprocessor of GIER4 has two fractions more than equations; these two were chosen from the solutions of
 100 starts. All commutators that contain [B,[B,[A,B]]] are zero, because T is quadratic in the momenta."""

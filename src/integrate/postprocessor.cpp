@@ -2,8 +2,6 @@
 #include "integrate/postprocessor.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <vector>
 
 #include "polhode/integrate/scheme_text.hpp"
 
@@ -47,19 +45,13 @@ constexpr Known known[] = {{"velocity-verlet", of_velocity_verlet},
                            {"gier4", of_gier4},
                            {"gier4-fd", of_gier4}};
 
-std::vector<Stage> without_baths(const Scheme& scheme) {
-  std::vector<Stage> stages;
-  std::copy_if(scheme.stages().begin(), scheme.stages().end(), std::back_inserter(stages),
-               [](const Stage& stage) { return stage.flow != Flow::bath; });
-  return stages;
-}
-
 }  // namespace
 
 const Postprocessor* postprocessor_of(const Scheme& scheme) {
-  if (scheme.bath_within()) return nullptr;
-  for (const auto& [name, postprocessor] : known)
-    if (without_baths(scheme) == without_baths(scheme_of(name))) return &postprocessor;
+  for (const auto& [name, postprocessor] : known) {
+    const Scheme of = scheme_of(name);
+    if (std::ranges::equal(scheme.stages(), of.stages())) return &postprocessor;
+  }
   return nullptr;
 }
 

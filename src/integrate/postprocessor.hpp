@@ -22,7 +22,7 @@ struct Postprocessor {
   }
 };
 
-/// The postprocessor of a scheme; null if none is known. Baths at the ends of a step do not matter.
+/// The postprocessor of a scheme; null if none is known.
 const Postprocessor* postprocessor_of(const Scheme& scheme);
 
 }  // namespace polhode

@@ -87,9 +87,9 @@ TEST_CASE("the fractions of each flow in a postprocessor sum to zero") {
     for (const Flow flow : {Flow::drift, Flow::kick})
       CHECK(std::abs(known->stages.total(flow)) < 1e-14);
   }
-  for (const char* name : {"hoa2", "position-verlet", "bcss3", "baoab"})
+  for (const char* name : {"hoa2", "position-verlet", "bcss3", "obabo"})
     CHECK(!postprocessor_of(scheme_of(name)));
-  CHECK(postprocessor_of(scheme_of("obabo")) == postprocessor_of(scheme_of("velocity-verlet")));
+  CHECK(postprocessor_of(scheme_of("B(1/2) A(1) B(1/2)")));
 }
 
 // The coefficients of the remaining commutators are from a computation in the free Lie algebra:
@@ -265,9 +265,24 @@ TEST_CASE("settings without a known postprocessor are refused") {
     settings.check_processed();
   };
   CHECK_THROWS_WITH_AS(refusal("hoa2"), doctest::Contains("no postprocessor is known"), Error);
-  CHECK_THROWS_WITH_AS(refusal("baoab", {300, Langevin{}, {}, {}}),
-                       doctest::Contains("no postprocessor is known"), Error);
-  CHECK_THROWS_WITH_AS(refusal("velocity-verlet", {300, {}, {}, HybridMonteCarloSettings{}}),
-                       doctest::Contains("hybrid Monte Carlo"), Error);
-  CHECK_NOTHROW(refusal("obabo", {300, Langevin{}, {}, {}}));
+  for (const EnsembleSettings& ensemble :
+       {EnsembleSettings{300, Langevin{}, {}, {}},
+        EnsembleSettings{300, {}, BarostatSettings{}, {}},
+        EnsembleSettings{300, {}, {}, HybridMonteCarloSettings{}}})
+    CHECK_THROWS_WITH_AS(refusal("velocity-verlet", ensemble),
+                         doctest::Contains("not at constant energy"), Error);
+  CHECK_NOTHROW(refusal("velocity-verlet"));
+}
+
+// The states of the Takahashi-Imada scheme have an error of order h², and those that are read have
+// none, so they have no shadow energy of their own.
+TEST_CASE("the error terms of settings are those of the states that are read") {
+  TrajectorySettings settings{scheme_of("takahashi-imada"), 0.001, 0.04, 0.002};
+  CHECK(settings.has_shadow());
+  settings.processed = true;
+  CHECK(!settings.has_shadow());
+  settings.scheme = scheme_of("velocity-verlet");
+  CHECK(settings.has_shadow());
+  CHECK(settings.error_terms().alpha == doctest::Approx(1.0 / 48).epsilon(1e-14));
+  CHECK(settings.error_terms().beta == doctest::Approx(1.0 / 48).epsilon(1e-14));
 }

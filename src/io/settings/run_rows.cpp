@@ -209,7 +209,8 @@ SettingTable output_table() {
                "whether energies and frames are read through a "
                "[postprocessor](../processed-states.md), which makes their time-step errors "
                "smaller. Postprocessors are known for `velocity-verlet`, `takahashi-imada(-fd)` "
-               "and `gier4(-fd)`. Each sample costs 3 to 5 force evaluations"),
+               "and `gier4(-fd)`. Each sample costs 3 to 5 force evaluations. Only `run` and "
+               "`study` at constant energy use this setting"),
            row("plot", named(output(&O::plot), plot_formats),
                "format of the figure of the energies", More{.free = true}),
            row("checkpoint_every", output(&O::checkpoint_every),

@@ -35,16 +35,11 @@ void find_temperature(AnalysisSummary& s, const Analysis& a, const SummarySettin
 }  // namespace
 
 void SummarySettings::set_surroundings(const ForceSettings& forces) {
-  if (forces.electrostatics == Electrostatics::pme) {
-    surroundings_permittivity = tin_foil;
-  } else if (forces.electrostatics == Electrostatics::reaction_field) {
-    surroundings_permittivity = forces.dielectric;
-  } else {
-    surroundings_permittivity.reset();
+  surroundings_permittivity = permittivity_of_surroundings(forces);
+  if (!surroundings_permittivity)
     no_surroundings =
         "dipole fluctuations give no dielectric constant if electrostatics is truncated or "
         "switched; pme or a reaction field is needed";
-  }
 }
 
 void SummarySettings::set_run(const Config& config) {

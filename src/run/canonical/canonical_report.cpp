@@ -171,6 +171,11 @@ struct CanonicalStudy {
     if (config.ensemble.barostat)
       throw Error("a canonical study requires constant volume; leave the table [barostat] out",
                   config.source);
+    if (config.output.processed)
+      throw Error(
+          "output.processed is true, but a canonical study averages over the states of "
+          "trajectories; leave output.processed out",
+          config.source);
     for (const CanonicalMethod& method : methods)
       if (config.study.length < 100 * method.step)
         throw Error(

@@ -245,13 +245,16 @@ std::string conditions(const Config& config) {
   return fmt::format(
       "{}, switched from {:g} to {:g} nm (class C{}){}, initial configuration {}; at most {} runs "
       "of {:g} ps from initial configurations equilibrated for {:g} ps at {:g} K, the same for "
-      "every scheme; energies are sampled at least every 2.5 fs, or at every step; a curve ends at "
+      "every scheme; energies are sampled at least every 2.5 fs, or at every step{}; a curve ends "
+      "at "
       "the step beyond which the energy drifts at every step; a drift has a p-value below {:g} "
       "and, during a run, changes the energy by at least {:g} times its rms fluctuation",
       f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
       f.switch_from, f.cutoff, f.smoothness, mixing.empty() ? "" : ", " + mixing,
       config.system.initial_configuration.empty() ? "lattice" : config.system.initial_configuration,
       config.study.runs, config.study.length, config.study.decorrelate, config.system.temperature,
+      config.output.processed ? ", and read through postprocessors at a cost that is not counted"
+                              : "",
       significance, drift_bound);
 }
 

@@ -3,6 +3,7 @@
 // periodic box; the settings choose the cutoff treatment and the precision of the pairs.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -78,6 +79,21 @@ struct ForceSettings {
 /// The cutoff of the pair interaction of two charges [nm].
 inline double cutoff_of_charges(const ForceSettings& settings) {
   return settings.mesh ? settings.mesh->cutoff : settings.coulomb_cutoff.value_or(settings.cutoff);
+}
+
+/// The relative permittivity of the surroundings, on which the fluctuations of the total dipole
+/// depend: infinite for PME; empty if the electrostatics is truncated or switched.
+inline std::optional<double> permittivity_of_surroundings(const ForceSettings& settings) {
+  switch (settings.electrostatics) {
+    case Electrostatics::pme:
+      return std::numeric_limits<double>::infinity();
+    case Electrostatics::reaction_field:
+      return settings.dielectric;
+    case Electrostatics::coulomb:
+    case Electrostatics::damped_shifted_force:
+      return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 }  // namespace polhode

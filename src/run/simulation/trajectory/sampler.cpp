@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "integrate/postprocessor.hpp"
 #include "polhode/integrate/flows.hpp"
 
 namespace polhode {
@@ -15,12 +14,6 @@ namespace {
 /// The allowed change of the total energy by mixed-precision round-off, as a fraction of the
 /// potential energy, for a run that begins with almost no kinetic energy.
 constexpr double rounding_share = 1e-5;
-
-/// The O(h²) error terms of the states that are read.
-ErrorTerms error_terms_of(const TrajectorySettings& settings) {
-  const ErrorTerms kernel = error_terms(settings.scheme);
-  return settings.processed ? postprocessor_of(settings.scheme)->error_terms(kernel) : kernel;
-}
 
 }  // namespace
 
@@ -31,7 +24,7 @@ Sampler::Sampler(const System& system, const TrajectorySettings& settings,
       integrator_(integrator),
       report_(report),
       workers_(workers),
-      terms_(error_terms_of(settings)),
+      terms_(settings.error_terms()),
       fixed_(settings.fixed_means()),
       ideal_(static_cast<double>(system.state.size()) * units::boltzmann *
              settings.ensemble.temperature) {}

@@ -87,13 +87,16 @@ std::size_t TrajectorySettings::samples_per(double interval) const {
   return std::max<std::size_t>(1, static_cast<std::size_t>(std::min(samples, max_steps)));
 }
 
-// A thermostat fixes the mean kinetic energy of the state before the postprocessor, which the
-// formulas for thermostats do not cover.
+ErrorTerms TrajectorySettings::error_terms() const {
+  const ErrorTerms of_scheme = polhode::error_terms(scheme);
+  const Postprocessor* const known = processed ? postprocessor_of(scheme) : nullptr;
+  return known ? known->error_terms(of_scheme) : of_scheme;
+}
+
 bool TrajectorySettings::has_shadow() const {
   constexpr double rounding = 1e-12;  // round-off of coefficients with 15 digits
-  const ErrorTerms terms = error_terms(scheme);
-  const auto fixed = polhode::fixed_means(ensemble, scheme);
-  return !inner && fixed && (!processed || fixed == FixedMeans::energy) && scheme.palindromic() &&
+  const ErrorTerms terms = error_terms();
+  return !inner && polhode::fixed_means(ensemble, scheme) && scheme.palindromic() &&
          std::hypot(terms.alpha, terms.beta) > rounding;
 }
 
@@ -128,15 +131,16 @@ void TrajectorySettings::check_shadow() const {
 
 void TrajectorySettings::check_processed() const {
   if (!processed) return;
-  if (ensemble.hybrid_monte_carlo)
+  if (!ensemble.constant_energy())
     throw Error(
-        "output.processed is true, but the states of hybrid Monte Carlo have no time-step error; "
-        "leave output.processed out");
+        "output.processed is true, but the run is not at constant energy: a thermostat, a barostat "
+        "or hybrid Monte Carlo acts on the states of the trajectory, and the states that are read "
+        "would have another temperature and pressure; leave output.processed out, or the tables "
+        "[thermostat], [barostat] and [hybrid_monte_carlo]");
   if (inner || !postprocessor_of(scheme))
     throw Error(fmt::format(
         "output.processed is true, but no postprocessor is known for the scheme {}; use "
-        "velocity-verlet, takahashi-imada, takahashi-imada-fd, gier4 or gier4-fd, with a bath at "
-        "most at the ends of a step, or leave "
+        "velocity-verlet, takahashi-imada, takahashi-imada-fd, gier4 or gier4-fd, or leave "
         "output.processed out",
         name_of({scheme, inner})));
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/io/settings/config.hpp"
 #include "polhode/measure/step_bias.hpp"
@@ -47,6 +48,8 @@ struct TrajectorySettings {
   /// brackets of order h². The shadow energy is conserved at constant energy. In other ensembles,
   /// the shadow energy gives the time-step bias.
   bool has_shadow() const;
+  /// The prefactors of the O(h²) error in the states that are read.
+  ErrorTerms error_terms() const;
   /// The means that the ensemble fixes when the time-step bias is predicted; empty if the bias is
   /// not known.
   std::optional<FixedMeans> fixed_means() const;
