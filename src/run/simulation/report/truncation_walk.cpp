@@ -50,15 +50,10 @@ class SitePairs {
     const auto add = [&](const PairValue<double>& value, double factor) {
       sum.u += factor * value.u, sum.s += factor * value.s;
     };
-    if (charges_ && i < table_.charged_a && j < table_.charged_b)
-      add(laws_.reaction_field(inverse_r, r2),
-          table_.any_law<double>().charge[j * table_.charged_a + i]);
-    const std::size_t before_a = table_.sites_a - table_.dispersive_a;
-    const std::size_t before_b = table_.sites_b - table_.dispersive_b;
-    if (i >= before_a && j >= before_b)
-      add(table_.any_law<double>().law[(j - before_b) * table_.dispersive_a + i - before_a](
-              inverse_r, r2),
-          1);
+    const PairStrengths<ShortRange<double>>& strengths = table_.any_law<double>();
+    const std::size_t pair = j * table_.sites_a + i;
+    if (charges_) add(laws_.reaction_field(inverse_r, r2), strengths.charge[pair]);
+    add(strengths.law[pair](inverse_r, r2), 1);
     return sum;
   }
 
