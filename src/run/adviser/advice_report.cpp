@@ -301,6 +301,7 @@ AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,
       "polhode {}: advice for {} molecules, {}, about {:g} s, instruction set {}, threads {}",
       made.version, system.topology.size(), config.source, settings.seconds, made.instruction_set,
       workers.threads()));
+  check_not_processed(config, "the adviser");
   note_constant_energy(config, "the advice", callbacks);
   note_forces(system, callbacks);
   report.advice = advise(config, settings, callbacks, workers);

@@ -493,12 +493,6 @@ class Adviser {
 
 Advice advise(const Config& config, const AdviserSettings& settings, const Callbacks& callbacks,
               Workers& workers) {
-  if (config.output.processed)
-    throw Error(
-        "output.processed is true, but the adviser measures the states of trajectories, and would "
-        "choose a step that is shorter than necessary; leave output.processed out, or choose the "
-        "step by 'polhode study'",
-        config.source);
   return Adviser(config, settings, callbacks, workers).advice();
 }
 

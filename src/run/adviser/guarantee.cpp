@@ -39,6 +39,7 @@ std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks&
                            integrator.candidates};
   if (config.gives("integrator.scheme")) settings.schemes = {integrator.scheme};
   callbacks.note(fmt::format("choosing a step for {}", description(settings.criterion)));
+  check_not_processed(config, "the adviser");
   note_constant_energy(config, "the choice of the step", callbacks);
   Callbacks renamed = callbacks;
   if (callbacks.progress)

@@ -14,6 +14,7 @@
 #include "polhode/base/error.hpp"
 #include "run/canonical/canonical_record.hpp"
 #include "run/quantity_lists.hpp"
+#include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {
@@ -171,11 +172,7 @@ struct CanonicalStudy {
     if (config.ensemble.barostat)
       throw Error("a canonical study requires constant volume; leave the table [barostat] out",
                   config.source);
-    if (config.output.processed)
-      throw Error(
-          "output.processed is true, but a canonical study averages over the states of "
-          "trajectories; leave output.processed out",
-          config.source);
+    check_not_processed(config, "a canonical study");
     for (const CanonicalMethod& method : methods)
       if (config.study.length < 100 * method.step)
         throw Error(

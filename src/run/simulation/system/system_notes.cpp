@@ -9,6 +9,7 @@
 #include "base/printable.hpp"
 #include "io/settings/ensemble_text.hpp"
 #include "io/settings/output_units.hpp"
+#include "polhode/base/error.hpp"
 #include "polhode/ensemble/barostat.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "run/simulation/report/warning_rules.hpp"
@@ -106,6 +107,14 @@ void note_ensemble(const TrajectorySettings& settings, const Callbacks& callback
                     asked, settings.steps(), whole));
   note_moves(settings, callbacks);
   note_edges(settings, callbacks);
+}
+
+void check_not_processed(const Config& config, std::string_view what) {
+  if (config.output.processed)
+    throw Error(fmt::format("output.processed is true, but {} uses the states of trajectories as "
+                            "they are; leave output.processed out",
+                            what),
+                config.source);
 }
 
 void note_constant_energy(const Config& config, std::string_view what, const Callbacks& callbacks) {

@@ -30,6 +30,11 @@ void note_ensemble(const TrajectorySettings& settings, const Callbacks& callback
 /// @param what  job that performs the runs, such as "the study"
 void note_constant_energy(const Config& config, std::string_view what, const Callbacks& callbacks);
 
+/// Checks that states are not read through a postprocessor, for jobs that cannot do this.
+/// @param what  job, such as "the adviser"
+/// @throws Error  if output.processed is true
+void check_not_processed(const Config& config, std::string_view what);
+
 /// Gives notes on the forces: the mixing rule and explicit pairs, unless all pairs follow the
 /// default rule; grid, order and split of a mesh; a net charge.
 void note_forces(const System& system, const Callbacks& callbacks);
