@@ -29,7 +29,7 @@ array last[3]
 last[1] = 4
 last[2] = 9
 last[3] = 14
-caption = 'Points further left and lower are better; R = 0 is exact dynamics. 512 tip4p; 10 runs of 15 ps per point.'
+caption = 'Points further left and lower are better; R = 0 is exact dynamics. 512 tip4p; 10 runs of 15 ps per point, read through postprocessors.'
 highest = 3.500000000
 
 # The style of all figures. Above: image, format ("svg" or "png"), width and height [pixels].

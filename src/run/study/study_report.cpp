@@ -169,9 +169,9 @@ std::string caption(const Config& config) {
         fmt::format("{}{} {}", molecules.empty() ? "" : ", ", component.count, component.model);
   return fmt::format(
       "Points further left and lower are better; R = 0 is exact dynamics. {}; {} runs of {:g} ps "
-      "per "
-      "point.",
-      molecules.empty() ? config.source : molecules, config.study.runs, config.study.length);
+      "per point{}.",
+      molecules.empty() ? config.source : molecules, config.study.runs, config.study.length,
+      config.output.processed ? ", read through postprocessors" : "");
 }
 
 EfficiencyFigure figure(const StudyReport& report, const std::string& csv) {
