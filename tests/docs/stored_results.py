@@ -78,6 +78,27 @@ class PaperFigure(unittest.TestCase):
         self.assertEqual(said, [re.match("not reproduced|reproduced|not decided", c["verdict"])[0] for c in self.report["claims"]])
 
 
+class Processed(unittest.TestCase):
+    """The study of states that are read through postprocessors."""
+
+    def test_the_page_has_the_stored_values(self):
+        folder = ROOT / "docs/processed"
+        page = (ROOT / "docs/evidence/processed-states.md").read_text(encoding="utf-8")
+        with tempfile.TemporaryDirectory() as made:
+            (Path(made) / "processed.toml").write_text(re.search(r"```toml\n(.*?)```", page, re.S)[1], encoding="utf-8")
+            subprocess.run([built_program.PROGRAM, "study", "processed.toml", "--from-record", folder / "processed-runs.csv", "--output", "processed"],
+                           cwd=made, capture_output=True, check=True)
+            points = rows(Path(made) / "processed.csv")
+        self.assertEqual(len(points), 15)
+        for stored, p in zip(rows(folder / "processed.csv"), points):
+            self.assertAlmostEqual(float(stored["R [1]"]) / float(p["R [1]"]), 1, places=9)
+            found = re.search(rf"^\| {p['scheme']} \| {float(p['step [fs]']):g} \| {float(p['cost [1/ps]']):.0f} \| ([0-9.]+) ± ([0-9.]+) \|", page, re.M)
+            self.assertIsNotNone(found, p["scheme"] + p["step [fs]"])
+            for text, value in zip(found.groups(), (p["R [1]"], p["R_error [1]"])):
+                digit = 10.0 ** -len(text.partition(".")[2])
+                self.assertLess(abs(float(text) - 100 * float(value)), 0.51 * digit)
+
+
 class Figures(unittest.TestCase):
     """The stored scripts of gnuplot."""
 
@@ -99,7 +120,7 @@ class Figures(unittest.TestCase):
             if scheme in styles and " / " not in title and "rounding" not in title:
                 found[path] += 1
                 self.assertEqual(colour, styles[scheme]["colour"], f"{path}: {title}")
-        self.assertEqual(set(found), {"figure1.gp", "canonical.gp"})
+        self.assertEqual(set(found), {"figure1.gp", "canonical.gp", "processed.gp"})
 
     def test_no_two_canonical_methods_share_a_colour(self):
         methods = {title: colour for path, title, colour in self.curves() if path == "canonical.gp"}
