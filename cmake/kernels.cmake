@@ -65,8 +65,8 @@ foreach(name IN LISTS compiled_sets)
 endforeach()
 list(LENGTH compiled_sets number_of_sets)
 # Where better sets are there, too, the scalar one serves only processors without them: its loops are not unrolled for each
-# shape of molecules. For developers only those of their processor's best set are; the others are not optimized further, which
-# together saves a third of the compile time.
+# shape of molecules. For developers only those of their processor's best set are, which saves a fourth of the compile time; -O1 halves
+# the compile time of the others (pair loops of AVX2: 25 s, then 11 s).
 if(number_of_sets GREATER 1)
   list(APPEND POLHODE_FLAGS_scalar -DPOLHODE_FALLBACK $<$<NOT:$<CONFIG:Debug>>:-O1>)
 endif()

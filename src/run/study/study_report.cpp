@@ -246,8 +246,7 @@ std::string conditions(const Config& config) {
       "{}, switched from {:g} to {:g} nm (class C{}){}, initial configuration {}; at most {} runs "
       "of {:g} ps from initial configurations equilibrated for {:g} ps at {:g} K, the same for "
       "every scheme; energies are sampled at least every 2.5 fs, or at every step{}; a curve ends "
-      "at "
-      "the step beyond which the energy drifts at every step; a drift has a p-value below {:g} "
+      "at the step beyond which the energy drifts at every step; a drift has a p-value below {:g} "
       "and, during a run, changes the energy by at least {:g} times its rms fluctuation",
       f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
       f.switch_from, f.cutoff, f.smoothness, mixing.empty() ? "" : ", " + mixing,
