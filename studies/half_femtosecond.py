@@ -17,6 +17,7 @@ from lib import runs, study
 
 SMALL, LATE = "constant energy, 64 molecules", "constant energy, after 100 ps"
 HALF = "constant energy, half steps"  # baoab without friction is velocity Verlet, and reports half-step temperatures
+EXACT = "hybrid Monte Carlo at constant pressure"
 FOURTH_ORDER = ("gier4-fd", "4mn5fv")  # without a shadow energy to be sampled
 RESCALING = {"thermostat": {"type": "rescaling", "time_constant": "1 ps"}}
 BAROSTAT = {"type": "cell-rescaling", "pressure": "1 bar", "compressibility": "4.5e-5 1/bar", "time_constant": "1 ps"}
@@ -38,6 +39,7 @@ ENSEMBLES = {
     **{langevin(friction): {"thermostat": {"type": "langevin", "friction": f"{friction} 1/ps"}} for friction in FRICTIONS},
     "hybrid Monte Carlo": {"hybrid_monte_carlo": {"steps": 25}},
     "constant pressure": {**RESCALING, "barostat": BAROSTAT},
+    EXACT: {"hybrid_monte_carlo": {"steps": 25}, "barostat": BAROSTAT},
 }
 
 
@@ -77,17 +79,20 @@ POINTS = [Point(group, *WATER, ensemble, scheme, step, length) for group, of in 
 POINTS += [Point("compression", "spce", 298.15, density, "rescaling", scheme, step, 100) for density in (0.978, 0.998, 1.018) for scheme, step in PAIRS]
 POINTS += [Point("density", "tip4p-2005", T, density, "constant pressure", scheme, step, 500) for T, density in TIP4P_2005.items()
            for scheme, step in (*PAIRS[:3], ("gier4-fd", 4))]
+# The density of gier4-fd against a density without any time-step bias, at the temperature where the volume relaxes fastest.
+POINTS += [Point("decision", "tip4p-2005", 318, TIP4P_2005[318], ensemble, scheme, 4, 500) for ensemble, scheme in (
+    ("constant pressure", "gier4-fd"), (EXACT, "hoa2"), ("constant pressure", "velocity-verlet"))]
 # One short run for each kind of run.
 SMOKE = [Point(group, *WATER, ensemble, scheme, 4, 1) for group, ensemble, scheme in (
     ("energy", SMALL, "velocity-verlet"), ("energy", SMALL, "hoa2"), ("canonical", "rescaling", "velocity-verlet"),
     ("friction", langevin(20), "baoab"), ("properties", "constant energy", "velocity-verlet"), ("structure", "hybrid Monte Carlo", "hoa2"),
-    ("half-steps", HALF, "baoab"), ("conserved", "rescaling", "velocity-verlet"), ("density", "constant pressure", "velocity-verlet"))]
+    ("half-steps", HALF, "baoab"), ("conserved", "rescaling", "velocity-verlet"), ("density", "constant pressure", "velocity-verlet"), ("decision", EXACT, "hoa2"))]
 
 
 def run_tables(point, seed, equilibrate):
     """The seed of a run. At constant energy the n-th runs of all points have the same initial configuration, and are compared with each other.
     With a thermostat every run has a different seed, because a common seed would share the noise among points."""
-    small, pressure = point.ensemble == SMALL, point.ensemble == "constant pressure"
+    small, pressure = point.ensemble == SMALL, "barostat" in ENSEMBLES[point.ensemble]
     if not point.ensemble.startswith("constant energy"):
         seed = zlib.crc32(repr((*point, seed)).encode())
     brackets = point.ensemble in ("rescaling", "constant pressure") and point.scheme not in FOURTH_ORDER
@@ -105,7 +110,7 @@ def run_tables(point, seed, equilibrate):
 
 def equilibration(point):
     """[ps]"""
-    return 100 if point.ensemble == LATE else 30 if point.group in ("canonical", "density", "structure") else 10
+    return 100 if point.ensemble == LATE else 50 if point.group == "decision" else 30 if point.group in ("canonical", "density", "structure") else 10
 
 
 def line(o, point, seed):

@@ -4,7 +4,7 @@
 Criteria, stated before the data. All are in combined standard errors, and the bound is 3.
 1. Energies of the initial configuration agree within 1e-4 kJ/mol per molecule, after the constant of excluded pairs in GROMACS.
 2. At constant energy, programs with velocity Verlet agree with velocity-verlet of polhode at the same step: in U, in T_rot - T_trans, and in the
-   biases of both that `polhode bias` computes from the energies of each program.
+   biases of both that `polhode bias` computes from the energies of each program. So does gier4-fd of polhode in LAMMPS.
 3. At constant temperature U and T_rot - T_trans agree with the counterpart in polhode at the same step (COUNTERPARTS).
 All points of an ensemble have the same length. Programs that are not installed are skipped."""
 
@@ -40,6 +40,7 @@ class Case(NamedTuple):
 
 
 CONSTANT_ENERGY = (("polhode", "velocity-verlet"), ("GROMACS", "md-vv"), ("OpenMM", "Verlet"), ("LAMMPS", "rigid/nve/small"))
+PLUGIN = (Case("LAMMPS", "polhode velocity-verlet", "", 2), Case("LAMMPS", "polhode velocity-verlet", "", 4), Case("LAMMPS", "polhode gier4-fd", "", 4))
 CONSTANT_TEMPERATURE = (("polhode", "velocity-verlet", "rescaling"), ("polhode", "baoab", "langevin"), ("GROMACS", "md", "v-rescale"),
                         ("GROMACS", "md-vv", "v-rescale"), ("OpenMM", "LangevinMiddle", "langevin"), ("LAMMPS", "rigid/nvt/small", "nose-hoover"),
                         ("polhode", "velocity-verlet", "separate"), ("LAMMPS", "shake nvt", "nose-hoover"), ("GROMACS", "md-vv", "nose-hoover"))
@@ -50,7 +51,7 @@ COUNTERPARTS = {("GROMACS", "md", "v-rescale"): ("baoab", "langevin"), ("GROMACS
 REPARTITIONED = (Case("polhode", "velocity-verlet", "rescaling", 4, True), Case("GROMACS", "md-vv", "v-rescale", 4, True))
 # At constant temperature the errors exceed the bias of 0.5 and 1 fs. Cheap runs come first, and the longest ones last.
 CASES = sorted([*(Case(*of, "", step) for step in (4, 2, 1, 0.5) for of in CONSTANT_ENERGY), *(Case(*of, step) for step in (4, 2) for of in CONSTANT_TEMPERATURE),
-                Case("polhode", "gier4-fd", "", 4), Case("polhode", "gier4-fd", "rescaling", 4), *REPARTITIONED],
+                Case("polhode", "gier4-fd", "", 4), Case("polhode", "gier4-fd", "rescaling", 4), *REPARTITIONED, *PLUGIN],
                key=lambda case: {"polhode": 1, "GROMACS": 1, "OpenMM": 4, "LAMMPS": 8}[case.program] * (2 if case.thermostat else 1) / case.step)
 RUNNERS = {"polhode": inputs.polhode, "GROMACS": inputs.gromacs, "LAMMPS": inputs.lammps, "OpenMM": inputs.openmm}
 
@@ -130,11 +131,12 @@ def measured(o):
     o.gmx, o.lmp, o.openmm = (shutil.which(name) if name else None for name in (o.gmx, o.lmp, o.openmm))
     if o.openmm and subprocess.run([o.openmm, "-c", "import openmm"], capture_output=True, check=False).returncode:
         o.openmm = None
+    o.plugin = Path(o.plugin).resolve() if o.plugin else None
     available = {"polhode": True, "GROMACS": o.gmx, "LAMMPS": o.lmp, "OpenMM": o.openmm}
     with runs.scratch(o) as folder:
         o.folder = Path(folder).resolve()
         inputs.start(o, o.equilibrate)
-        cases = [case for case in CASES if available[case.program] and (case.step == 4 or not o.smoke)]
+        cases = [case for case in CASES if available[case.program] and (case.step == 4 or not o.smoke) and (o.plugin or case not in PLUGIN)]
         if o.finished:
             cases = [case for case in cases if (o.folder / f"{file_name(case)}-point.json").exists()]
         energies = runs.kept(o.folder, "energies", lambda: inputs.energies(o))
@@ -201,7 +203,7 @@ def comparisons(result):
         program, integrator, thermostat, step, heavy = key
         if program == "polhode":
             continue
-        own = COUNTERPARTS[program, integrator, thermostat] if thermostat else ("velocity-verlet", "")
+        own = COUNTERPARTS[program, integrator, thermostat] if thermostat else ("gier4-fd" if "gier4-fd" in integrator else "velocity-verlet", "")
         other = points.get(("polhode", *own, step, heavy))
         if not other:
             continue
@@ -244,7 +246,7 @@ def draw(result):
     colors = [figures.styles(["velocity-verlet"])["velocity-verlet"].color, *figures.PALETTE[1:4]]
     for k, (program, marker, color) in enumerate(zip(RUNNERS, "os^D", colors)):
         rows = [(p["step"], *(x / COUNT for x in of_bias(p, "potential"))) for p in result["points"]
-                if p["program"] == program and not p["thermostat"] and p["integrator"] != "gier4-fd"]
+                if p["program"] == program and not p["thermostat"] and (program, p["integrator"]) in CONSTANT_ENERGY]
         if rows:
             x, y, error = map(np.array, zip(*sorted(rows)))
             left.errorbar(x * 1.05 ** (k - 1.5), y, [np.minimum(error, 0.9 * abs(y)), error], label=f"{program} {dict(CONSTANT_ENERGY)[program]}",
@@ -273,7 +275,8 @@ def main():
     o = study.options(__doc__, {"length": 0.8, "canonical": 2.0, "discard": 0.2, "equilibrate": 0.2},
                       length=(40.0, "length at constant energy [ps]"), canonical=(80.0, "length at constant temperature [ps]"),
                       discard=(4.0, "length that is not used, of each run [ps]"), equilibrate=(20.0, "length of the equilibration [ps]"),
-                      finished=(False, "use only the finished runs in --folder"), gmx=("gmx", "GROMACS"), lmp=("lmp", "LAMMPS"), openmm=("python3", "a Python that has OpenMM"))
+                      finished=(False, "use only the finished runs in --folder"), gmx=("gmx", "GROMACS"), lmp=("lmp", "LAMMPS"), plugin=("", "polhodeplugin.so of this LAMMPS; empty: no runs of it"),
+                      openmm=("python3", "a Python that has OpenMM"))
     study.perform(o, measured, report, draw)
 
 

@@ -231,6 +231,7 @@ thermo {every}
 run {steps}
 """
 FIXES = {"rigid/nve/small": "fix 1 all rigid/nve/small molecule", "rigid/nvt/small": "fix 1 all rigid/nvt/small molecule temp {t} {t} {tau}",
+         **{f"polhode {scheme}": f"plugin load {{plugin}}\nfix 1 all polhode scheme {scheme}" for scheme in ("velocity-verlet", "gier4-fd")},
          "shake nvt": "fix 2 all shake 1e-8 200 0 b 1 a 1\nfix 1 all nvt temp {t} {t} {tau}"}
 
 
@@ -273,7 +274,8 @@ def lammps_table(text):
 def lammps_run(o, name, fix, step, steps, every, thermostat):
     if not (o.folder / "lammps-angles.data").exists():
         lammps_data(o)
-    text = LAMMPS.format(fix=fix, step=step, steps=steps, every=every, bond=1.0, angle=109.47, energy="econserve" if thermostat else "etotal")
+    evaluations = 3 if "gier4-fd" in fix else 1  # force evaluations per step, each a step of LAMMPS
+    text = LAMMPS.format(fix=fix, step=step / evaluations, steps=evaluations * steps, every=evaluations * every, bond=1.0, angle=109.47, energy="econserve" if thermostat else "etotal")
     (o.folder / f"{name}.in").write_text(text, encoding="utf-8")
     done = subprocess.run([o.lmp, "-in", f"{name}.in", "-log", f"{name}.log", "-screen", "none"], cwd=o.folder, text=True, capture_output=True, check=False)
     if done.returncode:
@@ -282,7 +284,7 @@ def lammps_run(o, name, fix, step, steps, every, thermostat):
 
 
 def lammps(o, case, name):
-    fix = FIXES[case.integrator].format(t=TEMPERATURE, tau=1000 * TIME_CONSTANT)
+    fix = FIXES[case.integrator].format(t=TEMPERATURE, tau=1000 * TIME_CONSTANT, plugin=o.plugin)
     of = lammps_run(o, name, fix, case.step, round(1000 * o.total(case) / case.step), round(o.sample(case) / case.step), case.thermostat)
     translation = CALORIE * of["v_translation"]
     return {"time": of["Time"] / 1000, "potential": CALORIE * of["PotEng"], "total": CALORIE * of["Econserve" if case.thermostat else "TotEng"],

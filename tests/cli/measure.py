@@ -28,6 +28,18 @@ class Text(html.parser.HTMLParser):
 
 
 class Measure(Sandbox):
+    base = None  # the finished process of LIQUID, its files and its time [s]
+
+    def measured_before(self):
+        """The same as measured(), which is performed once for all tests: the finished process, with its files in the folder."""
+        if not Measure.base:
+            start = time.monotonic()
+            process = self.measured()
+            Measure.base = process, self.contents(), time.monotonic() - start
+        for name, data in self.base[1].items():
+            self.write(name, data)
+        return self.base[0]
+
     def records(self):
         return {name: data for name, data in self.contents().items() if name.endswith(".replica")}
 
@@ -37,7 +49,7 @@ class Measure(Sandbox):
         return process
 
     def test_a_density_with_its_error(self):
-        process = self.measured()
+        process = self.measured_before()
         self.assertIn("plan at 160 K, 500 bar: 4 replicas of 64 molecules", process.err)
         self.assertRegex(process.err, r"plan at .*, about \d+ s; longer")
         self.assertIn("density", process.out)
@@ -61,7 +73,7 @@ scheme = "baoab"
 step = "10 fs"
 [run]
 equilibrate = "20 ps"
-length = "4 ns"
+length = "2 ns"
 sample = "100 fs"
 [thermostat]
 type = "langevin"
@@ -76,14 +88,14 @@ plot = "none"
         run = self.polhode("run", "run.toml", "--json")
         self.assertEqual(run.returncode, 0, run.err)
         density = json.loads(run.out)["ensemble"]["barostat"]["density_kg_per_m3"]
-        process = self.polhode("measure", "run.toml", "density", "0.3 %", "--at", "160 K, 500 bar", "--json", "--output", "out")
+        process = self.polhode("measure", "run.toml", "density", "0.5 %", "--at", "160 K, 500 bar", "--json", "--output", "out")
         self.assertEqual(process.returncode, 0, process.err)
         found = json.loads(process.out)["points"][0]["properties"][0]["value"]
         # Four standard errors of the difference: in 1 of 10,000 tests by chance, and the seeds are fixed.
         self.assertLess(abs(found["value"] - density["value"]), 4 * (found["error"]**2 + density["error"]**2)**0.5)
 
     def test_nothing_is_measured_twice(self):
-        self.measured()
+        self.measured_before()
         records = self.records()
         again = self.measured()
         self.assertEqual(self.records(), records)
@@ -96,13 +108,11 @@ plot = "none"
             self.assertGreaterEqual(len(data), len(records[name]))
 
     def test_killed_and_resumed_it_has_the_same_records(self):
-        start = time.monotonic()
-        self.measured()
-        took = time.monotonic() - start
+        self.measured_before()
         whole = self.records()
         for path in self.folder.glob("out*"):
             path.unlink()
-        self.kill_at_random_moments(3, took / 2, *LIQUID)
+        self.kill_at_random_moments(3, self.base[2] / 2, *LIQUID)
         self.measured()
         self.assertEqual(self.records(), whole)
 
@@ -133,7 +143,7 @@ plot = "none"
         self.assertIn("the time limit is reached; the same command resumes", process.err)
 
     def test_replicas_that_are_missing_do_not_withhold_values(self):
-        self.measured()
+        self.measured_before()
         for k in (0, 3):
             (self.folder / f"out-160K-500bar-r{k}.replica").unlink()
         process = self.measured("--time-limit", "0.01 s")
@@ -188,6 +198,7 @@ plot = "none"
         self.assertNotIn("a pilot chooses", again.err)
 
     def test_an_error_that_takes_too_long_is_said_first(self):
+        self.measured_before()  # so that the pilot is known
         long = [word if word != "1 %" else "0.0000002 %" for word in LIQUID]
         process = self.polhode(*long)
         self.assertEqual(process.returncode, 2, process.err)
@@ -232,7 +243,7 @@ epsilon = "1 kJ/mol"
 
     def test_a_curve_over_temperatures(self):
         """Argon has no maximum of the density; its slopes agree with its fluctuations."""
-        arguments = ("argon", "density", "0.5 %", "expansivity", "20 %", "heat-capacity", "20 %", "--molecules", "64",
+        arguments = ("argon", "density", "0.5 %", "expansivity", "25 %", "heat-capacity", "25 %", "--replicas", "2", "--molecules", "64",
                      "--at", "150 K to 170 K, 3 points, 500 bar", "--output", "out")
         process = self.polhode("measure", *arguments)
         self.assertEqual(process.returncode, 0, process.err)
@@ -250,7 +261,7 @@ epsilon = "1 kJ/mol"
         self.assertIn("Curves over state points", page)
 
     def test_paired_runs_bound_the_bias_of_dynamics(self):
-        arguments = ("argon", "viscosity", "20 %", "--molecules", "64", "--at", "160 K, 500 bar", "--output", "out")
+        arguments = ("argon", "viscosity", "30 %", "--molecules", "64", "--at", "160 K, 500 bar", "--output", "out")
         process = self.polhode("measure", *arguments)
         self.assertEqual(process.returncode, 0, process.err)
         self.assertIn("an eighth is repeated at half of the step", process.err)
@@ -260,13 +271,13 @@ epsilon = "1 kJ/mol"
         self.assertGreater(found["step_bias_bound"], 4 / 3 * abs(difference["value"]))
         # Statistical: the difference is within four of its errors, which have at least three degrees of freedom.
         self.assertLess(abs(difference["value"]), 6 * difference["error"])
-        process = self.polhode("measure", *arguments[:-1], "without", "--paired-runs", "no", "--json")
+        process = self.polhode("measure", *arguments[:-1], "without", "--paired-runs", "no", "--time-limit", "0.01 s")
         self.assertEqual(process.returncode, 0, process.err)
-        self.assertIsNone(json.loads(process.out)["points"][0]["properties"][0]["step_bias_bound"])
+        self.assertNotIn("is repeated at half of the step", process.err)
 
     def test_the_coordination_number_is_that_of_an_analysis(self):
         """Of a run of one trajectory with another scheme and thermostat, at the same density."""
-        arguments = ("argon", "coordination-number", "2 %", "density", "1 %", "--paired-runs", "no", "--molecules", "64", "--at", "160 K, 500 bar",
+        arguments = ("argon", "coordination-number", "3 %", "density", "1 %", "--paired-runs", "no", "--replicas", "2", "--molecules", "64", "--at", "160 K, 500 bar",
                      "--output", "out", "--json")
         process = self.polhode("measure", *arguments)
         self.assertEqual(process.returncode, 0, process.err)
@@ -287,7 +298,7 @@ scheme = "baoab"
 step = "10 fs"
 [run]
 equilibrate = "20 ps"
-length = "4 ns"
+length = "2 ns"
 sample = "1 ps"
 [thermostat]
 type = "langevin"
@@ -312,8 +323,8 @@ plot = "none"
 
     def test_a_long_box_needs_no_correction(self):
         """Diffusion in the long box of OrthoBoXY is that of a cubic box with its correction, and so is the viscosity."""
-        arguments = ("argon", "diffusion", "8 %", "viscosity", "30 %", "diffusion-orthoboxy", "8 %", "viscosity-orthoboxy", "50 %",
-                     "--molecules", "64", "--at", "160 K, 500 bar", "--paired-runs", "no", "--output", "out")
+        arguments = ("argon", "diffusion", "10 %", "viscosity", "40 %", "diffusion-orthoboxy", "10 %", "viscosity-orthoboxy", "70 %",
+                     "--replicas", "2", "--molecules", "64", "--at", "160 K, 500 bar", "--paired-runs", "no", "--output", "out")
         process = self.polhode("measure", *arguments, "--json")
         self.assertEqual(process.returncode, 0, process.err)
         found = {p["name"]: p for p in json.loads(process.out)["points"][0]["properties"]}

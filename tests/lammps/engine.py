@@ -108,7 +108,7 @@ class LammpsTest(unittest.TestCase):
             "4 ranks": (4, script),
             "divided along x": (2, script.replace("\natom_style", "\nprocessors 2 1 1\natom_style")),
             "newton off": (2, script.replace("\natom_style", "\nnewton off\natom_style")),
-            "balanced": (4, script.replace("run 60", "balance 1.0 shift xyz 10 1.05\nrun 60")),
+            "balanced": (2, script.replace("run 60", "balance 1.0 shift xyz 10 1.05\nrun 60")),
             "tiled": (4, script.replace("run 60", "comm_style tiled\nbalance 1.0 rcb\nrun 60")),
             **more,
         }

@@ -17,7 +17,7 @@ class Runs(unittest.TestCase):
     def test_short_runs_sample_their_ensembles(self):
         with tempfile.TemporaryDirectory() as folder:
             run = subprocess.run([sys.executable, "-B", study_path.ROOT / "studies/ensembles.py", "--program", built_program.PROGRAM, "--systems",
-                                  "CO2", "--length", "400", "--equilibrate", "4", "--jobs", "2"], cwd=folder, text=True, capture_output=True, check=False)
+                                  "CO2", "--length", "240", "--equilibrate", "4", "--jobs", "2"], cwd=folder, text=True, capture_output=True, check=False)
             self.assertEqual(run.returncode, 0, run.stderr)
             result = json.loads((Path(folder) / "ensembles.json").read_text(encoding="utf-8"))
         self.assertEqual(len(result["slopes"]), 10)

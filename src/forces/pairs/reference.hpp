@@ -59,7 +59,7 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) {
       const PairTable& table = tables(bodies.part[i], bodies.part[j]);
-      const AnyShape shape(table);
+      const AnyShape<4> shape(table);
       const double range = std::max(settings.cutoff, cutoff_of_charges(settings)) +
                            topology.parts[bodies.part[i]].molecule.extent() +
                            topology.parts[bodies.part[j]].molecule.extent();

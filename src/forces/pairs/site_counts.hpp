@@ -45,9 +45,10 @@ struct FixedShape {
 };
 
 /// Numbers of sites that are known only at run time.
+template <std::size_t at_once>
 struct AnyShape {
   static constexpr std::size_t max_b = max_sites;
-  static constexpr std::size_t a_at_once = 4;
+  static constexpr std::size_t a_at_once = at_once;
   template <class Real>
   static constexpr std::size_t b_at_once = 1;
   std::size_t sites_a, sites_b, charged_a, charged_b, first_dispersive_a, first_dispersive_b;

@@ -62,8 +62,9 @@ class PairLaw {
   template <CutoffTreatment treatment>
   TabulatedPair at(double r) const {
     const auto centre = [](std::size_t) { return Vec3<double>{}; };
-    const PairLoad<double> load = molecule_pair<treatment, true>(
-        AnyShape(table_), table_.any_law<double>(), laws_, Vec3<double>{r, 0, 0}, centre, centre);
+    const PairLoad<double> load =
+        molecule_pair<treatment, true>(AnyShape<4>(table_), table_.any_law<double>(), laws_,
+                                       Vec3<double>{r, 0, 0}, centre, centre);
     return {load.van_der_waals + load.coulomb, load.f.x};
   }
 

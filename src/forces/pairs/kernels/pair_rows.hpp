@@ -318,10 +318,10 @@ void run(const PairJob<T>& job, const PairStrengths<Law>& strengths) {
 template <class Number, class... Shapes, class T>
 void run_fitting(const PairJob<T>& job) {
   if (!job.table.has_lennard_jones_alone())
-    return run<Number, AnyShape>(job, job.table.template any_law<T>());
+    return run<Number, AnyShape<4>>(job, job.table.template any_law<T>());
   const PairStrengths<LennardJones<T>>& strengths = job.table.template lennard_jones<T>();
   if (!((Shapes::fits(job.table) && (run<Number, Shapes>(job, strengths), true)) || ...))
-    run<Number, AnyShape>(job, strengths);
+    run<Number, AnyShape<4>>(job, strengths);
 }
 
 using FourSiteWater = FixedShape<4, 3, 1>;  // numbers of sites, charged sites and sites with a
