@@ -111,7 +111,9 @@ class PointMeasurement {
   WorkDone work_of(const Target& target) const;
   void show_time(const std::vector<MeasuredProperty>& values, const Target& target);
   void extend(const Target& target);
-  void extend(Replica& replica, const Target& target);
+  void extend_in_turn(const Target& target);
+  std::optional<std::size_t> take_shortest(const Target& target);
+  void extend_taken(std::size_t k, const Target& target);
   void execute(const Target& target);
   void write(const Replica& replica) const {
     write_replica(file_of(replica.index), replica, system_.identity);
@@ -134,6 +136,8 @@ class PointMeasurement {
   const Stopwatch& since_;
   PointSystem system_;
   std::vector<Replica> replicas_;
+  std::vector<bool> is_taken_;  // whether a thread extends a replica
+  std::vector<Stopwatch> since_written_;
   std::mutex guard_;
   std::size_t done_ = 0, planned_ = 0;  // pieces of work in this round: done and planned
   double seconds_ = 0, steps_ = 0;      // of all rounds, as far as they were computed here
@@ -190,19 +194,46 @@ void PointMeasurement::keep(Replica& replica, Replica changed) {
                      at().text()});
 }
 
-void PointMeasurement::extend(Replica& replica, const Target& target) {
-  Stopwatch since_written;
-  bool written = true;
-  while (!has(replica, target) && !stopped()) {
-    Replica changed = replica;
-    if (!extend_by_one(changed, target, system_.common)) break;
-    keep(replica, std::move(changed));
-    written = since_written.seconds() > writing_interval;
-    if (!written) continue;
-    write(replica);
-    since_written.lap();
+/// Extends replicas piece by piece, always the one that lacks most. If there is not enough time,
+/// all replicas have then nearly the same length, without which no error is known.
+void PointMeasurement::extend_in_turn(const Target& target) {
+  is_taken_.assign(replicas_.size(), false);
+  since_written_.assign(replicas_.size(), {});
+  workers_.each(replicas_.size(), [&](std::size_t) {
+    while (const std::optional<std::size_t> k = take_shortest(target)) extend_taken(*k, target);
+  });
+  for (const Replica& replica : replicas_)
+    if (replica.prepared() && planned_ > 0) write(replica);
+}
+
+/// Takes the replica that lacks most, among replicas that no other thread extends.
+/// @return  empty if none lacks anything, or if the measurement is stopped
+std::optional<std::size_t> PointMeasurement::take_shortest(const Target& target) {
+  const std::lock_guard lock(guard_);
+  std::optional<std::size_t> shortest;
+  std::size_t most = 0;
+  for (std::size_t k = 0; k < replicas_.size(); ++k) {
+    if (is_taken_[k] || missing(replicas_[k], target) <= most) continue;
+    shortest = k;
+    most = missing(replicas_[k], target);
   }
-  if (!written) write(replica);
+  if (!shortest || stopped()) return std::nullopt;
+  is_taken_[*shortest] = true;
+  return shortest;
+}
+
+/// Extends a replica by one piece, and writes its record from time to time.
+void PointMeasurement::extend_taken(std::size_t k, const Target& target) {
+  Replica changed = replicas_[k];
+  if (extend_by_one(changed, target, system_.common)) {
+    keep(replicas_[k], std::move(changed));
+    if (since_written_[k].seconds() > writing_interval) {
+      write(replicas_[k]);
+      since_written_[k].lap();
+    }
+  }
+  const std::lock_guard lock(guard_);
+  is_taken_[k] = false;
 }
 
 /// Extends replicas by an executor, a few segments at a time, so that little is lost if the
@@ -247,7 +278,7 @@ void PointMeasurement::extend(const Target& target) {
   if (executor_)
     execute(target);
   else
-    workers_.each(replicas_.size(), [&](std::size_t k) { extend(replicas_[k], target); });
+    extend_in_turn(target);
   if (planned_ > 0) seconds_ += watch.seconds();
   for (const Replica& r : replicas_) steps_ += steps_of(r);
 }

@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -16,6 +18,7 @@
 #include "polhode/base/units.hpp"
 #include "polhode/forces/force_field.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
+#include "polhode/run/properties/measure.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 #include "run/properties/measure_request.hpp"
 #include "run/properties/point_system.hpp"
@@ -24,6 +27,7 @@
 #include "run/properties/replica_file.hpp"
 #include "run/properties/second_virial.hpp"
 #include "run/properties/state_point.hpp"
+#include "run/properties/target.hpp"
 
 using namespace polhode;
 
@@ -327,4 +331,25 @@ TEST_CASE("the manual has the properties as their rows state them") {
     std::ofstream(path) << page.substr(0, at) + properties_table() + page.substr(last);
   else
     CHECK(page.substr(at, last - at) == properties_table());
+}
+
+TEST_CASE("the replicas of a measurement that is stopped have the same length") {
+  const Folder folder;
+  MeasureRequest request = argon({"density", "diffusion"});
+  request.output = {folder / "out", "output"};
+  const MeasureSettings settings = request.settings();
+  constexpr int stop_after = 40;  // pieces; four replicas have 116 before the first decision
+  int reports = 0;
+  Callbacks callbacks;
+  callbacks.progress = [&](const Progress&) { ++reports; };
+  callbacks.stop = [&] { return reports >= stop_after; };
+  measure(settings, callbacks, Workers::serial(), {});
+  const PointSystem system(settings, settings.points.front());
+  std::vector<std::size_t> pieces;
+  for (std::uint64_t k = 0; k < settings.replicas; ++k)
+    pieces.push_back(pieces_of(read_replica(
+        fmt::format("{}-160K-500bar-r{}.replica", settings.prefix, k), k, system.identity)));
+  const auto [shortest, longest] = std::ranges::minmax(pieces);
+  CHECK(longest == stop_after / settings.replicas);
+  CHECK(shortest == longest);
 }
