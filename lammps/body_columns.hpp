@@ -80,10 +80,13 @@ struct BodyColumns {
     for (std::size_t i = 0; i < size(); ++i) pair_f.set(i, {}), pair_tau.set(i, {});
   }
   Vec3<double> velocity(std::size_t i) const { return bodies.inverse_m[i] * state.p[i]; }
-  /// The lab-frame angular velocity ω = Sᵀ J⁻¹ S ℓ.
   Vec3<double> angular_velocity(std::size_t i) const {
+    return angular_velocity_of(i, state.ell[i]);
+  }
+  /// The lab-frame angular velocity Sᵀ J⁻¹ S ℓ for an angular momentum ℓ.
+  Vec3<double> angular_velocity_of(std::size_t i, const Vec3<double>& ell) const {
     const Quaternion<double> a = state.orientation[i];
-    return to_lab(a, scaled(bodies.inverse_J[i], to_body(a, state.ell[i])));
+    return to_lab(a, scaled(bodies.inverse_J[i], to_body(a, ell)));
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "checks.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -21,11 +22,27 @@ namespace {
 using LAMMPS_NS::Fix;
 using LAMMPS_NS::LAMMPS;
 
+using namespace std::string_view_literals;
+
 // LAMMPS styles that change velocities or positions of atoms but not the bodies of fix polhode.
 constexpr std::array changers = {
-    "ehex",           "heat",        "momentum",  "move",         "recenter",
-    "temp/berendsen", "temp/csld",   "temp/csvr", "temp/rescale", "thermal/conductivity",
-    "viscosity",      "wall/reflect"};
+    "ehex"sv,      "filter/corotate"sv, "heat"sv,  "momentum"sv, "move"sv,
+    "rattle"sv,    "recenter"sv,        "shake"sv, "temp/"sv,    "thermal/conductivity"sv,
+    "viscosity"sv, "wall/reflect"sv};
+// Styles that create, delete, move or exchange atoms during a run.
+constexpr std::array exchangers = {
+    "atom/swap"sv, "bond/create"sv, "bond/react"sv, "charge/regulation"sv,
+    "evaporate"sv, "gcmc"sv,        "mol/swap"sv,   "neighbor/swap"sv,
+    "sgcmc"sv,     "widom"sv};
+// Styles whose forces depend on the velocities of atoms.
+constexpr std::array velocity_readers = {"langevin"sv, "viscous"sv};
+// Styles whose forces may depend on time, by a variable or by a motion of their own.
+constexpr std::array time_dependent = {"addforce"sv, "aveforce"sv, "drag"sv, "efield"sv, "indent"sv,
+                                       "oneway"sv,   "setforce"sv, "smd"sv,  "wall/"sv};
+
+std::string name_of(const Fix* fix) {
+  return std::string("fix ") + fix->id + " (" + fix->style + ")";
+}
 
 bool shares_atoms(LAMMPS* lammps, const Fix* a, const Fix* b) {
   int shared = 0;
@@ -36,26 +53,68 @@ bool shares_atoms(LAMMPS* lammps, const Fix* a, const Fix* b) {
   return shared != 0;
 }
 
-void check_fix(LAMMPS* lammps, const Fix* own, const Fix* other, std::size_t evaluations) {
-  const std::string name = std::string("fix ") + other->id + " (" + other->style + ")";
+void check_integrator(const Fix* other, bool shares, std::size_t evaluations) {
   if (LAMMPS_NS::utils::strmatch(other->style, "^polhode"))
-    throw Error(name +
+    throw Error(name_of(other) +
                 " is a second fix polhode, but one fix must advance all rigid molecules; put all "
                 "molecules into the group of one fix polhode");
-  if (other->time_integrate != 0 && shares_atoms(lammps, own, other))
-    throw Error(name +
+  if (other->time_integrate == 0) return;
+  if (shares)
+    throw Error(name_of(other) +
                 " integrates atoms that fix polhode integrates as well; give the other fix a group "
                 "without these atoms");
-  if (other->time_integrate != 0 && evaluations > 1)
-    throw Error(name + " integrates other atoms at each of the " + std::to_string(evaluations) +
+  if (evaluations > 1)
+    throw Error(name_of(other) + " integrates other atoms at each of the " +
+                std::to_string(evaluations) +
                 " force evaluations in a step of the scheme, but these evaluations are not equally "
                 "spaced in time; with a second integrator the scheme must be velocity-verlet");
-  for (const std::string_view changer : changers)
-    if (other->style == changer && shares_atoms(lammps, own, other))
-      throw Error(name +
-                  " changes velocities or positions of atoms in rigid molecules, but fix polhode "
-                  "would overwrite these changes; remove the other fix, and for a thermostat use "
-                  "the keyword langevin of fix polhode");
+}
+
+// Checks a fix that has atoms in common with fix polhode.
+void check_shared(const Fix* other, const CheckedScheme& scheme) {
+  if (is_variant_of(other->style, changers))
+    throw Error(name_of(other) +
+                " changes velocities or positions of atoms in rigid molecules, but fix polhode "
+                "would overwrite these changes; remove the other fix, and for a thermostat use "
+                "the keyword langevin of fix polhode");
+  if (is_variant_of(other->style, exchangers))
+    throw Error(name_of(other) +
+                " creates, deletes, moves or exchanges atoms of rigid molecules during a run, but "
+                "fix polhode finds molecules only at the start of a run; give the other fix a "
+                "group without these atoms");
+  if (is_variant_of(other->style, velocity_readers) && scheme.evaluations > 1)
+    throw Error(name_of(other) + " needs velocities at each of the " +
+                std::to_string(scheme.evaluations) +
+                " force evaluations in a step of the scheme, but velocities are known only at the "
+                "end of a step; use the keyword langevin of fix polhode, or the scheme "
+                "velocity-verlet");
+  if (scheme.amplifies && is_variant_of(other->style, time_dependent))
+    throw Error(name_of(other) +
+                " adds forces that may depend on time, but gradient kicks with a small lambda "
+                "amplify any change of forces between two evaluations; leave lambda out (default: "
+                "1), or use a scheme without gradients");
+}
+
+bool adds_forces(const LAMMPS* lammps, std::size_t fix) {
+  return (lammps->modify->fmask[fix] & LAMMPS_NS::FixConst::POST_FORCE) != 0;
+}
+
+void check_fixes(LAMMPS* lammps, const Fix* own, const CheckedScheme& scheme) {
+  const auto& fixes = lammps->modify->get_fix_list();
+  bool is_after = false;
+  for (std::size_t k = 0; k < fixes.size(); ++k) {
+    const Fix* const other = fixes[k];
+    is_after |= other == own;
+    if (other == own) continue;
+    const bool shares = shares_atoms(lammps, own, other);
+    check_integrator(other, shares, scheme.evaluations);
+    if (!shares) continue;
+    check_shared(other, scheme);
+    if (is_after && adds_forces(lammps, k))
+      throw Error(name_of(other) +
+                  " is defined after fix polhode, so its forces would be missing at the start of a "
+                  "run; define it before fix polhode");
+  }
 }
 
 void check_multiple(LAMMPS_NS::bigint value, std::size_t evaluations, const std::string& what) {
@@ -67,9 +126,40 @@ void check_multiple(LAMMPS_NS::bigint value, std::size_t evaluations, const std:
               "velocities refer to the same time only at the end of a step");
 }
 
+void refuse_variable(const std::string& what, std::size_t evaluations) {
+  throw Error("the interval of " + what +
+              " is a variable or a time; it must be a number of steps, " + "a multiple of " +
+              std::to_string(evaluations) +
+              ", the number of force evaluations in a step of the scheme");
+}
+
+// Checks the intervals of thermo and dumps.
+// @return  whether there is output at intervals
+bool check_output(const LAMMPS_NS::Output& output, std::size_t evaluations) {
+  if (output.var_thermo != nullptr) refuse_variable("thermo", evaluations);
+  if (output.thermo_every > 0)
+    check_multiple(output.thermo_every, evaluations, "the interval of thermo");
+  for (int n = 0; n < output.ndump; ++n) {
+    if (output.mode_dump[n] != 0 || output.every_dump[n] <= 0)
+      refuse_variable("a dump", evaluations);
+    check_multiple(output.every_dump[n], evaluations, "the interval of a dump");
+  }
+  return output.thermo_every > 0 || output.ndump > 0;
+}
+
+// Whether a fix acts at the end of steps.
+bool acts_at_end(const LAMMPS* lammps, std::size_t k) {
+  return lammps->modify->get_fix_list()[k]->nevery > 0 &&
+         (lammps->modify->fmask[k] & LAMMPS_NS::FixConst::END_OF_STEP) != 0;
+}
+
 }  // namespace
 
-void check_system(LAMMPS* lammps, const Fix* own, std::size_t evaluations) {
+bool is_variant_of(std::string_view style, std::span<const std::string_view> names) {
+  return std::ranges::any_of(names, [&](std::string_view name) { return style.starts_with(name); });
+}
+
+void check_system(LAMMPS* lammps, const Fix* own, const CheckedScheme& scheme) {
   if (lammps->update->whichflag == 2)
     throw Error(
         "fix polhode cannot minimise, because LAMMPS minimisers deform rigid molecules; minimise "
@@ -87,30 +177,37 @@ void check_system(LAMMPS* lammps, const Fix* own, std::size_t evaluations) {
     throw Error(
         "a fix or a shrink-wrapped boundary changes the box; fix polhode needs a constant "
         "box, so remove barostats, fix deform, and boundaries s and m");
-  for (const Fix* other : lammps->modify->get_fix_list())
-    if (other != own) check_fix(lammps, own, other, evaluations);
+  check_fixes(lammps, own, scheme);
 }
 
-void check_intervals(LAMMPS* lammps, std::size_t evaluations, std::size_t phase) {
+bool needs_half_step_velocities(LAMMPS* lammps, const Fix* own) {
+  const auto& fixes = lammps->modify->get_fix_list();
+  return std::ranges::any_of(fixes, [&](const Fix* fix) {
+    return is_variant_of(fix->style, velocity_readers) && shares_atoms(lammps, own, fix);
+  });
+}
+
+std::vector<int> intervals_of_fixes(const LAMMPS* lammps, const Fix* own) {
+  std::vector<int> intervals;
+  const auto& fixes = lammps->modify->get_fix_list();
+  for (std::size_t k = 0; k < fixes.size(); ++k)
+    if (fixes[k] != own && acts_at_end(lammps, k)) intervals.push_back(fixes[k]->nevery);
+  return intervals;
+}
+
+void check_intervals(LAMMPS* lammps, const Fix* own, std::size_t evaluations, std::size_t phase) {
   if (evaluations == 1) return;
   const LAMMPS_NS::Update* const update = lammps->update;
-  const LAMMPS_NS::Output* const output = lammps->output;
   const auto before = static_cast<LAMMPS_NS::bigint>(phase);
   check_multiple(update->laststep - update->firststep + before, evaluations,
                  phase == 0 ? "the length of the run"
                             : "the length of the run plus the " + std::to_string(phase) +
                                   " force evaluations of an unfinished earlier step");
-  if (output->thermo_every > 0)
-    check_multiple(output->thermo_every, evaluations, "the interval of thermo");
-  bool needs_start = output->thermo_every > 0;
-  for (int n = 0; n < output->ndump; ++n)
-    if (output->mode_dump[n] == 0 && output->every_dump[n] > 0) {
-      check_multiple(output->every_dump[n], evaluations, "the interval of a dump");
-      needs_start = true;
-    }
-  for (const Fix* fix : lammps->modify->get_fix_list())
-    if (LAMMPS_NS::utils::strmatch(fix->style, "^ave/"))
-      check_multiple(fix->nevery, evaluations, std::string("the interval of fix ") + fix->id);
+  const bool needs_start = check_output(*lammps->output, evaluations);
+  const auto& fixes = lammps->modify->get_fix_list();
+  for (std::size_t k = 0; k < fixes.size(); ++k)
+    if (fixes[k] != own && acts_at_end(lammps, k))
+      check_multiple(fixes[k]->nevery, evaluations, "the interval of " + name_of(fixes[k]));
   if (needs_start)
     check_multiple(update->firststep - before, evaluations, "the first step of the run");
 }

@@ -2,6 +2,7 @@
 #include "fix_polhode.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "assembly.hpp"
@@ -12,6 +13,7 @@
 #include "force.h"
 #include "guarded.hpp"
 #include "lammps_vectors.hpp"
+#include "output.h"
 #include "polhode/ensemble/langevin.hpp"
 #include "polhode/ensemble/random_streams.hpp"
 #include "polhode/integrate/flows.hpp"
@@ -23,6 +25,24 @@ namespace polhode::lammps {
 
 using LAMMPS_NS::Atom;
 
+namespace {
+
+// The numbers of all processes.
+std::vector<std::int64_t> gathered(const std::vector<std::int64_t>& own, MPI_Comm world) {
+  int processes = 0;
+  MPI_Comm_size(world, &processes);
+  const auto count = static_cast<int>(own.size());
+  std::vector<int> counts(static_cast<std::size_t>(processes)), first(counts.size() + 1);
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+  std::partial_sum(counts.begin(), counts.end(), first.begin() + 1);
+  std::vector<std::int64_t> all(static_cast<std::size_t>(first.back()));
+  MPI_Allgatherv(own.data(), count, MPI_INT64_T, all.data(), counts.data(), first.data(),
+                 MPI_INT64_T, world);
+  return all;
+}
+
+}  // namespace
+
 FixPolhode::FixPolhode(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments)
     : Fix(lammps, count, arguments), settings_(default_settings()) {
   guarded(error, "fix polhode", [&] {
@@ -32,7 +52,7 @@ FixPolhode::FixPolhode(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments)
   columns_ = std::make_unique<BodyColumns>(Topology{});
   restart_global = restart_peratom = 1;
   time_integrate = rigid_flag = dof_flag = create_attribute = stores_ids = 1;
-  virial_global_flag = thermo_virial = ecouple_flag = 1;
+  virial_global_flag = virial_peratom_flag = thermo_virial = ecouple_flag = 1;
   scalar_flag = vector_flag = global_freq = extscalar = extvector = nevery = 1;
   size_vector = 3;
   comm_forward = 8;
@@ -62,7 +82,16 @@ void FixPolhode::init() {
     error->all(FLERR,
                "fix polhode: the sites of particles are not atoms, so pair styles of LAMMPS do not "
                "compute their forces; use pair_style polhode");
-  guarded(error, "fix polhode", [&] { check_system(lmp, this, program_.size()); });
+  constexpr double smallest_lambda = 0.1;  // of differences that do not amplify other changes
+  const bool amplifies = lambda_of_kicks().value_or(smallest_lambda) < smallest_lambda;
+  guarded(error, "fix polhode", [&] { check_system(lmp, this, {program_.size(), amplifies}); });
+  half_step_velocities_ = needs_half_step_velocities(lmp, this);
+  other_intervals_ = intervals_of_fixes(lmp, this);
+}
+
+std::optional<double> FixPolhode::lambda_of_kicks() const {
+  if (std::ranges::all_of(program_, [](const ForceEvaluation& e) { return e.xi == 0; })) return {};
+  return settings_.lambda;
 }
 
 void FixPolhode::setup_pre_exchange() {
@@ -73,12 +102,20 @@ void FixPolhode::setup_pre_exchange() {
 
 void FixPolhode::setup(int vflag) {
   v_init(vflag);
+  is_run_ = false;
+  show_kinds();
   collect_forces(columns_->load);
   tally_virial();
+  if (sets_forces_) set_forces();
 }
 
-// The virial is out of date here only in a run without setup(), such as a rerun.
+// A rerun has this call after setup(), without initial_integrate(). The virial is out of date only
+// if there was no setup().
 void FixPolhode::end_of_step() {
+  if (!is_run_ && has_particles())
+    error->all(FLERR,
+               "fix polhode: rerun reads no orientations of particles, so energies would be wrong; "
+               "represent each site by an atom");
   if (!virial_is_old_) return;
   collect_forces(columns_->load);
   tally_virial();
@@ -112,12 +149,14 @@ void FixPolhode::play_stages(std::size_t first, std::size_t end) {
 void FixPolhode::initial_integrate(int vflag) {
   v_init(vflag);
   if (update->ntimestep == update->firststep + 1)
-    guarded(error, "fix polhode", [&] { check_intervals(lmp, program_.size(), phase_); });
+    guarded(error, "fix polhode", [&] { check_intervals(lmp, this, program_.size(), phase_); });
+  is_run_ = true;
   const ForceEvaluation& evaluation = program_[phase_];
   play_stages(evaluation.first, evaluation.use);
   if (evaluation.xi != 0) begin_displacement(evaluation.xi);
   forward(Message::poses, 7);
   place_atoms();
+  if (half_step_velocities_) set_velocities();
 }
 
 void FixPolhode::final_integrate() {
@@ -129,7 +168,18 @@ void FixPolhode::final_integrate() {
   phase_ = 0;
   ++cycles_;
   set_velocities();
-  if (vflag_global != 0) tally_virial();
+  if (vflag_either != 0) tally_virial();
+  if (sets_forces_ && output_is_due()) set_forces();
+}
+
+/// A run can end within a step of the scheme, for example at a time limit.
+void FixPolhode::post_run() {
+  if (phase_ == 0 || comm->me != 0) return;
+  error->warning(FLERR,
+                 "fix polhode: the run ended after {} of {} force evaluations of a step, so "
+                 "positions and velocities belong to different times now; continue with 'run' to "
+                 "the end of the step",
+                 phase_, program_.size());
 }
 
 /// Displaces the bodies [vanzon2008, Eq. 7].
@@ -210,7 +260,33 @@ FixPolhode::Motion FixPolhode::motion(int body) const {
   const int from = origin(body).body;
   if (is_ghost_body(from)) return ghost(from).motion;
   const auto i = static_cast<std::size_t>(from);
+  if (sends_accelerations_)
+    return {columns_->bodies.inverse_m[i] * columns_->load.f[i],
+            columns_->angular_velocity_of(i, columns_->load.tau[i])};
   return {columns_->velocity(i), columns_->angular_velocity(i)};
+}
+
+bool FixPolhode::output_is_due() const {
+  const LAMMPS_NS::bigint now = update->ntimestep;
+  return now == output->next ||
+         std::ranges::any_of(other_intervals_, [&](int interval) { return now % interval == 0; });
+}
+
+/// Sets the force on each atom to its mass times the acceleration of its site, without the
+/// centripetal part. These forces have the total force and the total torque of the molecule, but no
+/// other pair style would compute them.
+void FixPolhode::set_forces() {
+  sends_accelerations_ = true;
+  forward(Message::motions, 6);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (owner(i).body < 0) continue;
+    const Motion m = motion(owner(i).body);
+    const Vec3<double> s = vector(atom->x[i]) - pose(owner(i)).q;
+    const bool is_particle = kind(i).particle != 0;
+    const double mass = is_particle ? kind(i).molecule.mass : mass_in_body(i);
+    set(atom->f[i], (mass / force->ftm2v) * (m.velocity + cross(m.angular_velocity, s)));
+  }
+  sends_accelerations_ = false;
 }
 
 void FixPolhode::set_velocities() {
@@ -244,17 +320,48 @@ void FixPolhode::tally_virial() {
       return (s[a] * f[b] + s[b] * f[a]) / 2 + m * u[a] * u[b];
     };
     constexpr std::size_t index[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
-    for (std::size_t k = 0; k < 6; ++k) virial[k] -= term(index[k][0], index[k][1]);
+    for (std::size_t k = 0; k < 6; ++k) {
+      const double t = term(index[k][0], index[k][1]);
+      virial[k] -= t;
+      if (vflag_atom != 0) vatom[i][k] -= t;
+    }
   }
 }
 
+/// Bodies of which some atoms are in a group and others are not, as ids of their owner atoms.
+std::set<std::int64_t> FixPolhode::bodies_partly_in(int bit) const {
+  std::vector<std::int64_t> outside;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (info_[static_cast<std::size_t>(i)].kind >= 0 && (atom->mask[i] & bit) == 0)
+      outside.push_back(info_[static_cast<std::size_t>(i)].owner);
+  const std::vector<std::int64_t> all = gathered(outside, world);
+  const std::set<std::int64_t> left_out(all.begin(), all.end());
+  std::vector<std::int64_t> partly;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const AtomInfo& of = info_[static_cast<std::size_t>(i)];
+    if (of.kind >= 0 && (atom->mask[i] & bit) != 0 && left_out.contains(of.owner))
+      partly.push_back(of.owner);
+  }
+  const std::vector<std::int64_t> found = gathered(partly, world);
+  return {found.begin(), found.end()};
+}
+
+/// Degrees of freedom that rigidity removes from a group. As in LAMMPS, none are removed from a
+/// molecule that is only partly in the group.
 LAMMPS_NS::bigint FixPolhode::dof(int group) {
   if (!recognised_) recognise();
   const int bit = 1 << group;
+  const std::set<std::int64_t> partly = bodies_partly_in(bit);
+  if (!partly.empty() && comm->me == 0)
+    error->warning(FLERR,
+                   "fix polhode: a temperature is computed of parts of {} rigid molecules, whose "
+                   "atoms are not independent",
+                   partly.size());
   LAMMPS_NS::bigint removed = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (body_of(i) < 0 || (atom->mask[i] & bit) == 0) continue;
     if (kind(i).particle != 0) continue;  // to LAMMPS a particle is an atom, which does not rotate
+    if (partly.contains(info(i).owner)) continue;
     const Molecule& molecule = kind(i).molecule;
     const auto sites = static_cast<LAMMPS_NS::bigint>(molecule.sites.size());
     removed += 3 * sites - (molecule.top == Top::atom ? 3 : molecule.top == Top::linear ? 5 : 6);

@@ -11,6 +11,8 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include "body_columns.hpp"
@@ -40,6 +42,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   void pre_neighbor() override;
   void final_integrate() override;
   void end_of_step() override;
+  void post_run() override;
   void reset_dt() override {}
 
   void grow_arrays(int atoms) override;
@@ -90,6 +93,11 @@ class FixPolhode : public LAMMPS_NS::Fix {
   const std::vector<Kind>& kinds() const { return kinds_; }
   bool has_all_atoms() const { return has_all_atoms_; }  ///< whether all atoms are in bodies
   bool has_particles() const { return !settings_.particles.empty(); }
+  /// λ of the gradient kicks; empty if the scheme has none.
+  std::optional<double> lambda_of_kicks() const;
+  /// Called by a pair style that adds forces to bodies instead of atoms. Forces of atoms are then
+  /// set at output, to the mass of the atom times the acceleration of its site.
+  void set_forces_at_output() { sets_forces_ = true; }
   SitePlace site_of(int i) const {
     return {info_[static_cast<std::size_t>(i)].kind, info_[static_cast<std::size_t>(i)].site};
   }
@@ -104,7 +112,8 @@ class FixPolhode : public LAMMPS_NS::Fix {
  private:
   /// The link from an atom to its body.
   struct AtomInfo {
-    int kind = -1, site = 0;  ///< kind, which is −1 if the atom does not belong to a body, and site
+    int kind = -1;           ///< kind of the body; −1 if the atom does not belong to a body
+    int site = 0;            ///< site of the atom; −1 if the atom was created after recognise()
     std::int64_t owner = 0;  ///< id of the atom that owns the body
   };
   /// The body of an atom: a local body, or a ghost that receives messages about the body. An Owner
@@ -114,6 +123,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
     int body = -1;
     Vec3<double> shift{}, site{};
   };
+  /// Motions may be accelerations: see set_forces().
   enum class Message { owners, poses, motions, loads };
   struct Flows;
 
@@ -163,7 +173,12 @@ class FixPolhode : public LAMMPS_NS::Fix {
   void place_atoms();
   void collect_forces(Load& load);
   void set_velocities();
+  bool output_is_due() const;
+  void set_forces();
   void tally_virial();
+  std::set<std::int64_t> bodies_partly_in(int bit) const;
+  void check_number_of_atoms();
+  void show_kinds() const;
 
   FixSettings settings_;
   std::vector<ForceEvaluation> program_;
@@ -173,6 +188,12 @@ class FixPolhode : public LAMMPS_NS::Fix {
   bool recognised_ = false;
   bool has_all_atoms_ = false;  // whether all atoms are in bodies, so that the bath conserves their
                                 // momentum
+  bool half_step_velocities_ = false;        // whether another fix needs velocities of half steps
+  bool is_run_ = false;                      // whether a step began since setup()
+  bool sets_forces_ = false;                 // whether forces of atoms are set at output
+  bool sends_accelerations_ = false;         // what motion() gives
+  std::vector<int> other_intervals_;         // of fixes that act at the end of steps
+  LAMMPS_NS::bigint atoms_ = 0, sites_ = 0;  // numbers of all atoms, and of atoms in bodies
   bool virial_is_old_ = false;  // whether forces were computed without a call of setup()
   std::vector<AtomInfo> info_;  // links of local atoms to their bodies
   // For each atom, the index of the body that it owns, or −1 if it owns none. Indices beyond the

@@ -2,6 +2,7 @@
 // This part of fix polhode determines which atoms form bodies, and where the bodies are.
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "assembly.hpp"
 #include "atom.h"
@@ -11,6 +12,7 @@
 #include "fix_polhode.hpp"
 #include "guarded.hpp"
 #include "lammps_vectors.hpp"
+#include "utils.h"
 
 namespace polhode::lammps {
 namespace {
@@ -22,6 +24,19 @@ void to_minimum_image(const Domain& domain, Vec3<double>& r) {
     domain.minimum_image_big(FLERR, r.x, r.y, r.z);
   else
     domain.minimum_image_big(r.x, r.y, r.z);
+}
+
+// A kind with a number of molecules, such as "64 molecules of 3 atoms (types 1, 2, 2)".
+std::string described(const Kind& kind, std::int64_t count) {
+  const std::string number = std::to_string(count), sites = std::to_string(kind.types.size());
+  if (kind.particle != 0)
+    return number + " particles of type " + std::to_string(kind.particle) + " (" + sites +
+           " sites)";
+  if (kind.types.size() == 1)
+    return number + " single atoms of type " + std::to_string(kind.types.front());
+  std::string types;
+  for (const int type : kind.types) types += (types.empty() ? "" : ", ") + std::to_string(type);
+  return number + " rigid molecules of " + sites + " atoms (types " + types + ")";
 }
 
 }  // namespace
@@ -116,6 +131,8 @@ void FixPolhode::recognise() {
   LAMMPS_NS::bigint all = 0;
   MPI_Allreduce(&inside, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   has_all_atoms_ = all == atom->natoms;
+  atoms_ = atom->natoms;
+  sites_ = all;
   if (all == 0)
     error->all(FLERR,
                "fix polhode: the group has no atoms, but it must contain at least one molecule; "
@@ -146,7 +163,48 @@ void FixPolhode::check_communication() const {
              cutoff, span, 1.001 * span);
 }
 
+/// Checks that no atoms of the group were created, and no atoms of bodies deleted, since
+/// recognise().
+void FixPolhode::check_number_of_atoms() {
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (info(i).site < 0 && (atom->mask[i] & groupbit) != 0)
+      error->one(FLERR,
+                 "fix polhode: atom {} was created during a run, but the fix finds molecules only "
+                 "at the start of a run; create atoms between runs (without 'run pre no'), or give "
+                 "the fix a group without them",
+                 atom->tag[i]);
+  if (atom->natoms == atoms_) return;
+  atoms_ = atom->natoms;
+  LAMMPS_NS::bigint here = 0, all = 0;
+  for (int i = 0; i < atom->nlocal; ++i) here += info(i).kind >= 0 ? 1 : 0;
+  MPI_Allreduce(&here, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (all == sites_) return;
+  error->all(FLERR,
+             "fix polhode: {} atoms of rigid molecules were deleted during a run; delete atoms "
+             "between runs (without 'run pre no')",
+             sites_ - all);
+}
+
+/// Prints how many molecules of each kind were found.
+void FixPolhode::show_kinds() const {
+  std::vector<double> counts(kinds_.size());
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (body_of_[static_cast<std::size_t>(i)] >= 0)
+      ++counts[static_cast<std::size_t>(site_of(i).kind)];
+  MPI_Allreduce(MPI_IN_PLACE, counts.data(), static_cast<int>(counts.size()), MPI_DOUBLE, MPI_SUM,
+                world);
+  if (comm->me != 0) return;
+  std::string text;
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    if (counts[k] == 0) continue;
+    text += text.empty() ? "fix polhode: " : ", ";
+    text += described(kinds_[k], static_cast<std::int64_t>(counts[k]));
+  }
+  LAMMPS_NS::utils::logmesg(lmp, text + '\n');
+}
+
 void FixPolhode::pre_neighbor() {
+  check_number_of_atoms();
   rebuild_columns();
   find_owners();
   ++arrangement_;

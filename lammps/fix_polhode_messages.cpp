@@ -39,7 +39,7 @@ void FixPolhode::copy_arrays(int from, int to, int) {
 }
 
 void FixPolhode::set_arrays(int i) {
-  info(i) = {};
+  info(i) = {.site = -1};
   body_of(i) = -1;
 }
 

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The conditions under which pair_style polhode rejects a LAMMPS input.
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
 
 #include "atom.h"
+#include "checks.hpp"
+#include "compute.h"
 #include "error.h"
 #include "fix_polhode.hpp"
 #include "force.h"
+#include "modify.h"
 #include "neighbor.h"
 #include "pair_polhode.hpp"
+#include "polhode/io/settings/config.hpp"
 
 namespace polhode::lammps {
 namespace {
@@ -24,9 +31,53 @@ bool is_zero(const double* special) {
   return std::all_of(special + 1, special + 4, [](double x) { return x == 0; });
 }
 
+using namespace std::string_view_literals;
+
+// Styles that change charges or potentials during a run; pair style polhode reads them at the start
+// of a run.
+constexpr std::array parameter_changers = {"adapt"sv, "electrode"sv, "qeq"sv};
+// Styles that replace the forces on atoms, which are zero.
+constexpr std::array force_changers = {"aveforce"sv, "freeze"sv, "lineforce"sv, "planeforce"sv,
+                                       "setforce"sv};
+
 }  // namespace
 
+void PairPolhode::check_other_commands() const {
+  for (const LAMMPS_NS::Fix* fix : modify->get_fix_list()) {
+    if (is_variant_of(fix->style, parameter_changers))
+      error->all(
+          FLERR,
+          "pair_style polhode reads charges and parameters at the start of a run, but fix {} "
+          "({}) changes them during a run; change them between runs with 'set' or "
+          "'pair_coeff'",
+          fix->id, fix->style);
+    if (is_variant_of(fix->style, force_changers))
+      error->all(
+          FLERR,
+          "pair_style polhode computes forces on molecules, not on atoms, so fix {} ({}) has "
+          "no forces to replace; remove it, or use a pair style of LAMMPS",
+          fix->id, fix->style);
+  }
+  for (const LAMMPS_NS::Compute* compute : modify->get_compute_list())
+    if (std::string_view(compute->style).starts_with("fep"))
+      error->all(
+          FLERR,
+          "pair_style polhode reads charges and positions of molecules from fix polhode, but "
+          "compute {} ({}) changes the charges or positions of atoms for a moment; use a pair "
+          "style of LAMMPS",
+          compute->id, compute->style);
+  const std::optional<double> lambda = fix_->lambda_of_kicks();
+  if (settings_.precision == Precision::mixed && lambda.value_or(1) < min_lambda_in_mixed)
+    error->all(
+        FLERR,
+        "pair_style polhode: lambda = {:g} of fix polhode is below {:g}, the minimum in mixed "
+        "precision, since a small lambda amplifies the rounding error of the forces; leave "
+        "lambda out (default: 1), or use precision double",
+        *lambda, min_lambda_in_mixed);
+}
+
 void PairPolhode::check_inputs() const {
+  check_other_commands();
   if (force->pair != this)
     error->all(FLERR,
                "pair_style polhode computes all pairs of all molecules and cannot be part of a "

@@ -85,6 +85,7 @@ void PairPolhode::init_style() {
                "such fix; define 'fix ID all polhode' before the run");
   fix_ = dynamic_cast<FixPolhode*>(fixes.front());
   check_inputs();
+  fix_->set_forces_at_output();
   fix_->recognise();
   if (!fix_->has_all_atoms())
     error->all(FLERR,
@@ -231,11 +232,12 @@ void PairPolhode::place_bodies() {
   }
 }
 
-void PairPolhode::add_loads() {
+/// Sets the loads, as LAMMPS may compute the forces of a configuration again.
+void PairPolhode::set_loads() {
   BodyColumns& columns = fix_->columns();
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    columns.pair_f.add(i, force->ftm2v * units_.nm * load_.f[i]);
-    columns.pair_tau.add(i, force->ftm2v * load_.tau[i]);
+    columns.pair_f.set(i, force->ftm2v * units_.nm * load_.f[i]);
+    columns.pair_tau.set(i, force->ftm2v * load_.tau[i]);
   }
 }
 
@@ -250,7 +252,7 @@ void PairPolhode::compute(int eflag, int vflag) {
     place_bodies();
     (*forces_)(load_, evflag != 0);
   });
-  add_loads();
+  set_loads();
   eng_vdwl = load_.van_der_waals;
   eng_coul = load_.coulomb;
   constexpr std::size_t index[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};

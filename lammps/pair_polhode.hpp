@@ -34,12 +34,13 @@ class PairPolhode : public LAMMPS_NS::Pair {
  private:
   void allocate();
   void check_inputs() const;
+  void check_other_commands() const;
   void find_range();
   KindCharges charges_of_kinds() const;
   Vec3<double> period(const Topology& topology) const;
   void arrange();
   void place_bodies();
-  void add_loads();
+  void set_loads();
 
   ForceSettings settings_;
   PairUnits units_;
