@@ -127,7 +127,8 @@ void* PairPolhode::extract(const char* name, int& dimension) {
   return std::strcmp(name, "cut_coul") == 0 ? &cutoff_of_charges_ : nullptr;
 }
 
-/// The charges of each kind. All molecules of a kind must have the same charges.
+/// The charges of each kind. All molecules of a kind must have the same charges. A kind whose
+/// molecules were all deleted has no charges.
 KindCharges PairPolhode::charges_of_kinds() const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::vector<Kind>& kinds = fix_->kinds();
@@ -152,13 +153,14 @@ KindCharges PairPolhode::charges_of_kinds() const {
     if (kinds[k].particle != 0) continue;
     for (std::size_t s = 0; s < kinds[k].types.size(); ++s) {
       const std::size_t at = first[k] + s;
-      if (low[at] != high[at])
+      const bool has_molecules = low[at] <= high[at];
+      if (has_molecules && low[at] != high[at])
         throw Error("atom " + std::to_string(s + 1) + " of molecules like molecule " +
                     std::to_string(kinds[k].first) + " has charges from " +
                     std::to_string(low[at]) + " to " + std::to_string(high[at]) +
                     "; molecules of one kind must have the same charges, so use other atom types "
                     "for molecules with other charges");
-      of_kind.push_back(low[at]);
+      of_kind.push_back(has_molecules ? low[at] : 0);
     }
   }
   return charges;

@@ -170,6 +170,7 @@ def report(points):
                                 ("Compressibility from volumes", tables.from_volumes, of("density")),
                                 ("Constant pressure", compared.at_constant_pressure, of("density")),
                                 ("Density at 1 bar", compared.at_one_bar, of("density")),
+                                ("Density with and without a time-step bias", compared.decided, of("decision")),
                                 ("Density", tables.densities, of("density")), ("Temperature of maximum density", tables.maxima, several)):
         if chosen:
             parts += [f"### {title}\n", make(chosen)]

@@ -74,6 +74,18 @@ class Commands(RunTest):
         gone = self.script(every=20, after="neigh_modify every 5 delay 0 check no\n", steps="20\ngroup one id 5\ndelete_atoms group one compress no\nrun 40 pre no")
         self.refused(gone.replace("thermo_modify", "thermo_modify lost ignore"), ["1 atoms of rigid molecules were deleted"])
 
+    def test_kinds_whose_molecules_are_all_deleted(self):
+        """The forces on the rest are those of the rest alone, as another pair style computes them."""
+        salt = {**BASE, "molecules": '[{ model = "spce", count = 60 }, { model = "na-spce", count = 2 }, { model = "cl-spce", count = 2 }]'}
+        self.write("run.toml", RUN % salt)
+        for name, more in (("sites", ()), ("bodies", ("--pair-style", "polhode"))):
+            self.polhode("export", "lammps", "run.toml", "--force", "--output", name, *more)
+        energies = []
+        for name in ("sites", "bodies"):
+            head = (self.folder / f"{name}.in").read_text().partition("thermo_style")[0]
+            energies.append(self.lammps(f"{head}run 10\ngroup ions type 3 4\ndelete_atoms group ions\n" + SAMPLE.format(every=10, steps=10))[-1]["PotEng"])
+        self.assert_close(*energies, 1e-6)  # the tables of the first differ by 1e-8, and so do its trajectories
+
     def test_output_within_a_step_of_a_scheme(self):
         for words, every, after in ((["the interval of thermo is a variable"], "30\nvariable s equal stride(0,1000,5)\nthermo v_s", ""),
                                     (["the interval of fix p (print) is 4"], 30, "fix p all print 4 x\n"),
