@@ -39,11 +39,24 @@ constexpr std::array parameter_changers = {"adapt"sv, "electrode"sv, "qeq"sv};
 // Styles that replace the forces on atoms, which are zero.
 constexpr std::array force_changers = {"aveforce"sv, "freeze"sv, "lineforce"sv, "planeforce"sv,
                                        "setforce"sv};
+// Styles that change positions or charges of atoms for a moment and compute forces again.
+constexpr std::array perturbing = {"born/matrix"sv, "fep"sv, "numdiff"sv};
 
 }  // namespace
 
+void PairPolhode::check_not_perturbing(const char* command, const char* id,
+                                       const char* name) const {
+  if (is_variant_of(name, perturbing))
+    error->all(
+        FLERR,
+        "pair_style polhode reads charges and positions of molecules from fix polhode, but {} {} "
+        "({}) changes charges or positions of atoms for a moment; use a pair style of LAMMPS",
+        command, id, name);
+}
+
 void PairPolhode::check_other_commands() const {
   for (const LAMMPS_NS::Fix* fix : modify->get_fix_list()) {
+    check_not_perturbing("fix", fix->id, fix->style);
     if (is_variant_of(fix->style, parameter_changers))
       error->all(
           FLERR,
@@ -59,13 +72,7 @@ void PairPolhode::check_other_commands() const {
           fix->id, fix->style);
   }
   for (const LAMMPS_NS::Compute* compute : modify->get_compute_list())
-    if (std::string_view(compute->style).starts_with("fep"))
-      error->all(
-          FLERR,
-          "pair_style polhode reads charges and positions of molecules from fix polhode, but "
-          "compute {} ({}) changes the charges or positions of atoms for a moment; use a pair "
-          "style of LAMMPS",
-          compute->id, compute->style);
+    check_not_perturbing("compute", compute->id, compute->style);
   const std::optional<double> lambda = fix_->lambda_of_kicks();
   if (settings_.precision == Precision::mixed && lambda.value_or(1) < min_lambda_in_mixed)
     error->all(

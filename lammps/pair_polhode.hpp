@@ -35,6 +35,7 @@ class PairPolhode : public LAMMPS_NS::Pair {
   void allocate();
   void check_inputs() const;
   void check_other_commands() const;
+  void check_not_perturbing(const char* command, const char* id, const char* name) const;
   void find_range();
   KindCharges charges_of_kinds() const;
   Vec3<double> period(const Topology& topology) const;
