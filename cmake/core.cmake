@@ -12,7 +12,7 @@ foreach(folder IN ITEMS base math model forces integrate)
   list(APPEND core_sources ${files})
 endforeach()
 list(FILTER core_sources EXCLUDE REGEX "/math/(fit|prediction)\\.cpp$")  # by Boost, for statistics
-list(APPEND core_sources ${PROJECT_SOURCE_DIR}/src/ensemble/langevin.cpp
+list(APPEND core_sources ${PROJECT_SOURCE_DIR}/src/ensemble/langevin.cpp ${PROJECT_SOURCE_DIR}/src/ensemble/velocity_rescaling.cpp
      ${PROJECT_SOURCE_DIR}/src/ensemble/kernels/langevin.cpp)
 set(core_kernels ${core_sources})
 list(FILTER core_sources EXCLUDE REGEX "/kernels/")

@@ -76,7 +76,7 @@ void check_shared(const Fix* other, const CheckedScheme& scheme) {
     throw Error(name_of(other) +
                 " changes velocities or positions of atoms in rigid molecules, but fix polhode "
                 "would overwrite these changes; remove the other fix, and for a thermostat use "
-                "the keyword langevin of fix polhode");
+                "the keyword rescale or langevin of fix polhode");
   if (is_variant_of(other->style, exchangers))
     throw Error(name_of(other) +
                 " creates, deletes, moves or exchanges atoms of rigid molecules during a run, but "

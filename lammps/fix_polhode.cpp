@@ -14,11 +14,8 @@
 #include "guarded.hpp"
 #include "lammps_vectors.hpp"
 #include "output.h"
-#include "polhode/ensemble/langevin.hpp"
-#include "polhode/ensemble/random_streams.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/integrate/step.hpp"
-#include "polhode/model/centre_of_mass.hpp"
 #include "update.h"
 
 namespace polhode::lammps {
@@ -193,28 +190,6 @@ void FixPolhode::begin_displacement(double xi) {
 void FixPolhode::end_displacement() {
   columns_->state.q = columns_->kept_q;
   columns_->state.orientation = columns_->kept_orientation;
-}
-
-/// Applies the Ornstein-Uhlenbeck flow. The bath conserves the total momentum if all atoms are in
-/// bodies.
-void FixPolhode::bath(double t, StageNumber at) {
-  const LangevinArguments& langevin = *settings_.langevin;
-  const double friction = 1 / langevin.damping_time;
-  BodyColumns& c = *columns_;
-  LangevinSettings flow{force->boltz * langevin.temperature / force->mvv2e, friction, friction,
-                        langevin.seed, TotalMomentum::free};
-  flow.numbers = c.numbers.data();
-  double heat = ornstein_uhlenbeck(c.state, c.bodies, flow, t, stream_of(RandomUse::langevin, at));
-  const Vec3<double> P = total_momentum(c.state);
-  double sums[] = {heat, P.x, P.y, P.z, c.size() > 0 ? total_mass(c.bodies) : 0.0};
-  MPI_Allreduce(MPI_IN_PLACE, sums, 5, MPI_DOUBLE, MPI_SUM, world);
-  heat = sums[0];
-  if (has_all_atoms_ && sums[4] > 0) {
-    const Vec3<double> all{sums[1], sums[2], sums[3]};
-    subtract_velocity(c.state, c.bodies, all / sums[4]);
-    heat -= norm2(all) / (2 * sums[4]);
-  }
-  heat_ += force->mvv2e * heat;
 }
 
 void FixPolhode::place_atoms() {

@@ -167,7 +167,10 @@ class FixPolhode : public LAMMPS_NS::Fix {
   bool stays_here(int first) const;
 
   void play_stages(std::size_t first, std::size_t end);
+  double bath_kT() const;
   void bath(double t, StageNumber at);
+  double add_friction(double t, StageNumber at);
+  double rescale(double t, StageNumber at);
   void begin_displacement(double xi);
   void end_displacement();
   void place_atoms();
@@ -182,9 +185,10 @@ class FixPolhode : public LAMMPS_NS::Fix {
 
   FixSettings settings_;
   std::vector<ForceEvaluation> program_;
-  std::size_t phase_ = 0;     // index of the next evaluation of the program
-  std::uint64_t cycles_ = 0;  // number of steps of the scheme so far
-  double heat_ = 0;           // heat from the bath, for all processes [energy]
+  std::size_t phase_ = 0;          // index of the next evaluation of the program
+  std::uint64_t cycles_ = 0;       // number of steps of the scheme so far
+  double heat_ = 0;                // heat from the bath, for all processes [energy]
+  double degrees_of_freedom_ = 0;  // of the bodies of this process
   bool recognised_ = false;
   bool has_all_atoms_ = false;  // whether all atoms are in bodies, so that the bath conserves their
                                 // momentum

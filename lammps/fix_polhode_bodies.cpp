@@ -12,6 +12,7 @@
 #include "fix_polhode.hpp"
 #include "guarded.hpp"
 #include "lammps_vectors.hpp"
+#include "polhode/model/degrees_of_freedom.hpp"
 #include "utils.h"
 
 namespace polhode::lammps {
@@ -223,6 +224,7 @@ void FixPolhode::rebuild_columns() {
   for (const auto& [i, body] : owners)
     ++topology.parts[static_cast<std::size_t>(info(i).kind)].count;
   columns_ = std::make_unique<BodyColumns>(topology);
+  degrees_of_freedom_ = degrees_of_freedom(topology, TotalMomentum::free).all();
   arrivals_.clear();
   for (std::size_t k = 0; k < owners.size(); ++k) {
     const auto& [i, body] = owners[k];

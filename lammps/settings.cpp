@@ -49,14 +49,16 @@ class Reader {
 
  private:
   void massless();
-  void langevin();
+  void bath(BathType type);
   void particle();
+  double temperature(const std::string& meaning);
   int type_number(std::string_view meaning);
   void check(const Scheme& scheme) const;
 
   Arguments arguments_;
   LAMMPS_NS::LAMMPS* lammps_;
   std::string scheme_ = "velocity-verlet";
+  std::optional<double> last_temperature_;
   FixSettings settings_ = default_settings();
 };
 
@@ -70,18 +72,24 @@ void Reader::massless() {
     settings_.massless[static_cast<std::size_t>(type)] = true;
 }
 
-void Reader::langevin() {
-  LangevinArguments bath;
-  bath.temperature = arguments_.number("the temperature");
-  if (!(bath.temperature >= 0))
-    throw Error("the temperature of langevin is " + std::to_string(bath.temperature) +
-                "; it must be 0 or more");
-  bath.damping_time = arguments_.positive("the damping time of langevin");
+void Reader::bath(BathType type) {
+  const std::string name = type == BathType::langevin ? "langevin" : "rescale";
+  if (settings_.bath) throw Error("keyword " + name + ": only one bath can act; remove the other");
+  BathArguments bath{.type = type};
+  bath.temperature = temperature("the temperature of " + name);
+  bath.time_constant = arguments_.positive("the time constant of " + name);
   const double seed = arguments_.number("the seed");
   if (!(seed >= 0 && seed < 9e15) || seed != static_cast<double>(static_cast<std::int64_t>(seed)))
-    throw Error("the seed of langevin must be a whole number from 0 to 9e15");
+    throw Error("the seed of " + name + " must be a whole number from 0 to 9e15");
   bath.seed = static_cast<std::uint64_t>(seed);
-  settings_.langevin = bath;
+  settings_.bath = bath;
+}
+
+double Reader::temperature(const std::string& meaning) {
+  const double value = arguments_.number(meaning);
+  if (!(value >= 0))
+    throw Error(meaning + " is " + std::to_string(value) + "; it must be 0 or more");
+  return value;
 }
 
 int Reader::type_number(std::string_view meaning) {
@@ -114,7 +122,8 @@ void Reader::particle() {
 // LAMMPS computes forces at the end of its steps, so a step of the scheme must end with a kick.
 void Reader::check(const Scheme& scheme) const {
   if (scheme.has(Flow::bath))
-    throw Error("the scheme has a bath O; leave the stages O out and use the keyword langevin");
+    throw Error(
+        "the scheme has a bath O; leave the stages O out and use the keyword langevin or rescale");
   if (!scheme.starts_with_kick() || !scheme.ends_with_kick())
     throw Error("the scheme '" + scheme_ +
                 "' must begin and end with a kick, since LAMMPS computes forces at the end of each "
@@ -132,11 +141,16 @@ FixSettings Reader::settings() {
        {"tolerance", [&] { settings_.tolerance = arguments_.positive("tolerance"); }},
        {"massless", [&] { massless(); }},
        {"particle", [&] { particle(); }},
-       {"langevin", [&] { langevin(); }}});
+       {"langevin", [&] { bath(BathType::langevin); }},
+       {"rescale", [&] { bath(BathType::rescale); }},
+       {"ramp", [&] { last_temperature_ = temperature("the last temperature of ramp"); }}});
+  if (last_temperature_ && !settings_.bath)
+    throw Error(
+        "keyword ramp changes the temperature of a bath; add the keyword langevin or rescale");
+  if (settings_.bath) settings_.bath->last = last_temperature_;
   const Scheme scheme = scheme_of(scheme_);
   check(scheme);
-  settings_.scheme =
-      settings_.langevin ? with_bath(scheme, BathPlace::ends, scheme.name()) : scheme;
+  settings_.scheme = settings_.bath ? with_bath(scheme, BathPlace::ends, scheme.name()) : scheme;
   return std::move(settings_);
 }
 

@@ -16,11 +16,17 @@ class LAMMPS;
 
 namespace polhode::lammps {
 
-/// The arguments of the Langevin (Ornstein-Uhlenbeck) bath, in LAMMPS units.
-struct LangevinArguments {
+/// The types of baths: the Ornstein-Uhlenbeck flow, and stochastic velocity rescaling.
+enum class BathType { langevin, rescale };
+
+/// The arguments of the bath, in LAMMPS units.
+struct BathArguments {
+  BathType type = BathType::langevin;
   double temperature = 0;
-  double damping_time = 0;  ///< damping time 1/γ of translation and rotation
+  double time_constant = 0;  ///< 1/γ of translation and rotation, or the time constant τ
   std::uint64_t seed = 0;
+  std::optional<double> last{};  ///< temperature at the end of each run, which the temperature
+                                 ///< approaches linearly; empty if it is constant
 };
 
 /// The arguments for particles of a type. Each particle is a molecule with the sites of a molecule
@@ -37,7 +43,7 @@ struct FixSettings {
                       ///< other pair styles are not smooth
   double tolerance = default_tolerance;
   std::vector<bool> massless;  ///< for each atom type, whether its atoms are massless
-  std::optional<LangevinArguments> langevin;
+  std::optional<BathArguments> bath;
   std::vector<ParticleArguments> particles;
 };
 

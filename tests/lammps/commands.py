@@ -8,7 +8,7 @@ Systems are small: LAMMPS takes longer to start than to run them.
 import re
 
 import engine
-from runs import RUN, WATER, RunTest
+from runs import KCAL, RUN, WATER, RunTest
 
 BASE = {**WATER, "molecules": '[{ model = "spce", count = 64 }]', "truncation": "site-switch"}
 SAMPLE = "thermo_style custom step temp pe ke etotal press econserve\nthermo_modify format float %.16g\nthermo {every}\nrun {steps}\n"
@@ -58,6 +58,46 @@ class Commands(RunTest):
         self.assert_close(one, two, 1e-11)
         self.assertLess(one[-1], one[0] - 10)
         self.refuses(["fix bath (langevin) needs velocities at each of the 3 force evaluations"], scheme="gier4-fd", every=30, before=langevin)
+
+    def test_velocity_rescaling_has_the_trajectory_of_polhode(self):
+        bath = '[thermostat]\ntype = "rescaling"\ntime_constant = "50 fs"\n'
+        self.write("run.toml", RUN % {**BASE, "more": bath})
+        self.polhode("run", "run.toml", "--force")
+        ours = [float(row["potential [kJ/mol]"]) for row in self.energies_of_polhode()]
+        for form in ((), ("--pair-style", "polhode"), ("--pair-style", "polhode-particles")):
+            self.polhode("export", "lammps", "run.toml", "--force", *form)
+            for ranks in (1, 2):
+                theirs = self.lammps((self.folder / "run.in").read_text(), ranks)[0]["E_pair"]
+                # kT of LAMMPS has a Boltzmann constant of 8 digits; the trajectory amplifies that tenfold.
+                self.assert_close([KCAL * u for u in theirs], ours, 1e-6, f"{form}, {ranks} ranks")
+
+    def test_velocity_rescaling_samples_the_canonical_distribution(self):
+        """Blocks of 1.5 ps give a standard error of 0.7 K; the bias of the step adds less than 1 K. The variance of a kinetic energy of n degrees of
+        freedom is 2/n of its squared mean; that of 600 independent values is known to 6 %."""
+        table = self.lammps(self.script("polhode", h=2, every=5, steps=20000, fix="rescale 300 20 7"))[0]
+        kept = table["Temp"][1000:]
+        mean = sum(kept) / len(kept)
+        self.assertAlmostEqual(mean, 300, delta=4 * 0.7 + 1)
+        variance = sum((T - mean)**2 for T in kept) / len(kept) / mean**2
+        self.assertAlmostEqual(variance / (2 / 381), 1, delta=4 * 0.06)
+        # The heat is counted: what remains is the error of the step, less than the kinetic energy of a few molecules.
+        self.assertAlmostEqual(table["Econserve"][-1], table["Econserve"][200], delta=3)
+
+    def test_baths_and_their_ramps(self):
+        fix = "rescale 300 50 7 ramp 400"
+        whole = self.script("polhode", h=2, every=5, steps=5000, fix=fix)
+        last = self.lammps(whole)[0]["Temp"][-100:]  # 0.5 of 10 ps, in which the bath has 397.5 K; blocks of 0.5 ps scatter by 4 K
+        self.assertAlmostEqual(sum(last) / len(last), 397.5, delta=4 * 4)
+        for form in ("", "polhode"):
+            one, two = (self.lammps(self.script(form, fix=fix), ranks)[0] for ranks in (1, 2))
+            self.assert_close(one["TotEng"], two["TotEng"], 1e-9, form)
+        whole = self.script("", fix="rescale 300 50 7")
+        self.lammps(whole.replace("run 60", "run 20\nwrite_restart half.restart"))
+        read = re.sub(r"read_data .*", "read_restart half.restart", whole).replace("run 60", "run 40")
+        self.assert_close([self.last(whole, "TotEng")], [self.last(read, "TotEng", 2)], 1e-9)
+        self.refuses(["only one bath can act"], fix="rescale 300 50 7 langevin 300 50 7")
+        self.refuses(["add the keyword langevin or rescale"], fix="ramp 300")
+        self.refuses(["the temperature of rescale is -1"], fix="rescale -1 50 7")
 
     def test_small_differences_of_forces(self):
         field = "variable E equal 0.1*sin(step*0.3)\nfix field all efield v_E 0 0\n"

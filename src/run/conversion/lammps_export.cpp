@@ -36,10 +36,11 @@ void check(const Config& config) {
     refuse("hybrid Monte Carlo has no counterpart in LAMMPS; remove [hybrid_monte_carlo]");
   const auto& thermostat = config.ensemble.thermostat;
   const auto* const langevin = thermostat ? std::get_if<Langevin>(&*thermostat) : nullptr;
-  if (thermostat && !(langevin && langevin->friction == langevin->rotational_friction))
+  if (thermostat && !std::holds_alternative<Rescaling>(*thermostat) &&
+      !(langevin && langevin->friction == langevin->rotational_friction))
     refuse(
-        "the only thermostat of fix polhode is langevin, with the same friction for translation "
-        "and rotation; choose this thermostat, or remove [thermostat]");
+        "the thermostats of fix polhode are rescaling, and langevin with the same friction for "
+        "translation and rotation; choose one of these, or remove [thermostat]");
   if (config.output.prefix.find_first_of("\"\n") != std::string::npos)
     refuse(
         "the prefix of the output has a quotation mark or a line break, which LAMMPS does not "
@@ -189,10 +190,13 @@ class Script {
       for (std::size_t part = 0; part < system_.topology.parts.size(); ++part)
         fmt::print(out_, " particle {} \"{}\"", types_.types().size() + part + 1,
                    molecule_file(config_.output.prefix, part));
-    if (config_.ensemble.thermostat)
-      fmt::print(out_, " langevin {:.17g} {:.17g} {}", config_.ensemble.temperature,
-                 1 / (std::get<Langevin>(*config_.ensemble.thermostat).friction * fs),
-                 config_.system.seed);
+    if (config_.ensemble.thermostat) {
+      const auto* const rescaling = std::get_if<Rescaling>(&*config_.ensemble.thermostat);
+      const double time = rescaling ? rescaling->time_constant
+                                    : 1 / std::get<Langevin>(*config_.ensemble.thermostat).friction;
+      fmt::print(out_, " {} {:.17g} {:.17g} {}", rescaling ? "rescale" : "langevin",
+                 config_.ensemble.temperature, time / fs, config_.system.seed);
+    }
     const double samples = std::max(1.0, std::round(config_.run.sample / h));
     fmt::print(out_,
                "\ntimestep {:.17g} # one force evaluation; a step of the scheme has {}\n"
