@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "gathered.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode::lammps {
@@ -154,15 +155,7 @@ bool same_atoms(const Kind& a, const Kind& b) {
 // atoms, only the kind of the lowest-numbered molecule is added. New kinds are in the order of
 // their lowest-numbered molecules.
 void join_kinds(const std::vector<double>& own, std::vector<Kind>& kinds, MPI_Comm world) {
-  int processes = 0;
-  MPI_Comm_size(world, &processes);
-  const auto count = static_cast<int>(own.size());
-  std::vector<int> counts(static_cast<std::size_t>(processes)), first(counts.size() + 1);
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-  std::partial_sum(counts.begin(), counts.end(), first.begin() + 1);
-  std::vector<double> all(static_cast<std::size_t>(first.back()));
-  MPI_Allgatherv(own.data(), count, MPI_DOUBLE, all.data(), counts.data(), first.data(), MPI_DOUBLE,
-                 world);
+  const std::vector<double> all = gathered(own, world);
   std::vector<Kind> candidates;
   for (const double* at = all.data(); at != all.data() + all.size();)
     candidates.push_back(read_kind(at));

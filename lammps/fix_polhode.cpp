@@ -2,7 +2,6 @@
 #include "fix_polhode.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "assembly.hpp"
@@ -11,6 +10,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "force.h"
+#include "gathered.hpp"
 #include "guarded.hpp"
 #include "lammps_vectors.hpp"
 #include "output.h"
@@ -21,24 +21,6 @@
 namespace polhode::lammps {
 
 using LAMMPS_NS::Atom;
-
-namespace {
-
-// The numbers of all processes.
-std::vector<std::int64_t> gathered(const std::vector<std::int64_t>& own, MPI_Comm world) {
-  int processes = 0;
-  MPI_Comm_size(world, &processes);
-  const auto count = static_cast<int>(own.size());
-  std::vector<int> counts(static_cast<std::size_t>(processes)), first(counts.size() + 1);
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-  std::partial_sum(counts.begin(), counts.end(), first.begin() + 1);
-  std::vector<std::int64_t> all(static_cast<std::size_t>(first.back()));
-  MPI_Allgatherv(own.data(), count, MPI_INT64_T, all.data(), counts.data(), first.data(),
-                 MPI_INT64_T, world);
-  return all;
-}
-
-}  // namespace
 
 FixPolhode::FixPolhode(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments)
     : Fix(lammps, count, arguments), settings_(default_settings()) {
