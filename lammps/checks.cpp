@@ -163,7 +163,7 @@ void check_system(LAMMPS* lammps, const Fix* own, const CheckedScheme& scheme) {
   if (lammps->update->whichflag == 2)
     throw Error(
         "fix polhode cannot minimise, because LAMMPS minimisers deform rigid molecules; minimise "
-        "before the fix is defined, or with 'polhode minimise'");
+        "with 'polhode minimise' and export the result");
   if (!LAMMPS_NS::utils::strmatch(lammps->update->integrate_style, "^verlet"))
     throw Error(std::string("the run style is ") + lammps->update->integrate_style +
                 "; fix polhode needs run_style verlet: use a nested scheme of fix polhode instead "
