@@ -212,11 +212,9 @@ std::optional<std::size_t> PointMeasurement::take_shortest(const Target& target)
   const std::lock_guard lock(guard_);
   std::optional<std::size_t> shortest;
   std::size_t most = 0;
-  for (std::size_t k = 0; k < replicas_.size(); ++k) {
-    if (is_taken_[k] || missing(replicas_[k], target) <= most) continue;
-    shortest = k;
-    most = missing(replicas_[k], target);
-  }
+  for (std::size_t k = 0; k < replicas_.size(); ++k)
+    if (const std::size_t n = missing(replicas_[k], target); n > most && !is_taken_[k])
+      shortest = k, most = n;
   if (!shortest || stopped()) return std::nullopt;
   is_taken_[*shortest] = true;
   return shortest;
@@ -326,12 +324,14 @@ bool PointMeasurement::next(Target& target, const std::vector<MeasuredProperty>&
 
 void PointMeasurement::show(const std::vector<MeasuredProperty>& values, bool equilibrium) const {
   for (const MeasuredProperty& m : values)
-    callbacks_.note(fmt::format(
-        "  {} {}{}", m.request.property->name,
-        m.value.known == Known::yes ? fmt::format("{} {}", with_error(m.value.value, m.value.error),
+    callbacks_.note(fmt::format("  {} {}{}", m.request.property->name,
+                                m.value.known == Known::yes
+                                    ? fmt::format("{} {}", with_error(m.value.value, m.value.error),
                                                   m.request.property->unit)
                                     : "not known yet",
-        continues(m) ? fmt::format(", continues to ± {:.2g}", required_error(m)) : ""));
+                                continues(m) && m.value.known == Known::yes
+                                    ? fmt::format(", continues to ± {:.2g}", required_error(m))
+                                    : ""));
   if (!equilibrium) callbacks_.note("  a replica is not in equilibrium yet and continues");
 }
 
