@@ -14,7 +14,7 @@ from pathlib import Path
 import study_path
 import built_program
 
-RECORD = study_path.ROOT / "studies/records/2026-11-26-properties.json"
+RECORD = study_path.ROOT / "studies/records/2026-11-27-properties.json"
 TABLE = Path(os.environ.get("POLHODE_PUBLISHED", study_path.ROOT.parent / "shared/data/published")) / "nist_sat_tmmc.csv"
 MODELS = {"SPC/E": "spce", "TIP3P": "tip3p"}
 # The Monte Carlo liquids are at their vapour pressure, up to 3 bar from the 1 bar of the record; the compressibility of water,

@@ -97,7 +97,7 @@ class HalfFemtosecond(unittest.TestCase):
 
 class Properties(unittest.TestCase):
     def test_the_pages_have_the_tables_of_the_record(self):
-        result = json.loads((RECORDS / "2026-11-26-properties.json").read_text(encoding="utf-8"))
+        result = json.loads((RECORDS / "2026-11-27-properties.json").read_text(encoding="utf-8"))
         for page, made in (("docs/properties.md", properties.summary), ("docs/evidence/properties.md", properties.tables)):
             text = (ROOT / page).read_text(encoding="utf-8")
             for line in made(result).splitlines():
@@ -105,7 +105,7 @@ class Properties(unittest.TestCase):
 
     def test_each_deviation_above_3_is_discussed(self):
         """The page names model and property of each deviation above 3."""
-        result = json.loads((RECORDS / "2026-11-26-properties.json").read_text(encoding="utf-8"))
+        result = json.loads((RECORDS / "2026-11-27-properties.json").read_text(encoding="utf-8"))
         discussed = (ROOT / "docs/evidence/properties.md").read_text(encoding="utf-8").split("## Deviations above 3")[1]
         for model, name in properties.large_deviations(result):
             self.assertIn(f"**{model}, {properties.NAMES.get(name, name)}**", discussed)
