@@ -64,6 +64,7 @@ void FixPolhode::init() {
   constexpr double smallest_lambda = 0.1;  // of differences that do not amplify other changes
   const bool amplifies = lambda_of_kicks().value_or(smallest_lambda) < smallest_lambda;
   guarded(error, "fix polhode", [&] { check_system(lmp, this, {program_.size(), amplifies}); });
+  sets_forces_ = force->pair_match("^polhode$", 0) != nullptr;
   half_step_velocities_ = needs_half_step_velocities(lmp, this);
   other_intervals_ = intervals_of_fixes(lmp, this);
 }
@@ -229,9 +230,9 @@ bool FixPolhode::output_is_due() const {
          std::ranges::any_of(other_intervals_, [&](int interval) { return now % interval == 0; });
 }
 
-/// Sets the force on each atom to its mass times the acceleration of its site, without the
-/// centripetal part. These forces have the total force and the total torque of the molecule, but no
-/// other pair style would compute them.
+/// With pair_style polhode, whose forces act on molecules: sets the force on each atom to its mass
+/// times the acceleration of its site, without the centripetal part. These forces have the total
+/// force and the total torque of the molecule, but no other pair style would compute them.
 void FixPolhode::set_forces() {
   sends_accelerations_ = true;
   forward(Message::motions, 6);

@@ -95,9 +95,6 @@ class FixPolhode : public LAMMPS_NS::Fix {
   bool has_particles() const { return !settings_.particles.empty(); }
   /// λ of the gradient kicks; empty if the scheme has none.
   std::optional<double> lambda_of_kicks() const;
-  /// Called by a pair style that adds forces to bodies instead of atoms. Forces of atoms are then
-  /// set at output, to the mass of the atom times the acceleration of its site.
-  void set_forces_at_output() { sets_forces_ = true; }
   SitePlace site_of(int i) const {
     return {info_[static_cast<std::size_t>(i)].kind, info_[static_cast<std::size_t>(i)].site};
   }
@@ -194,7 +191,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
                                 // momentum
   bool half_step_velocities_ = false;        // whether another fix needs velocities of half steps
   bool is_run_ = false;                      // whether a step began since setup()
-  bool sets_forces_ = false;                 // whether forces of atoms are set at output
+  bool sets_forces_ = false;                 // whether set_forces() is called at output
   bool sends_accelerations_ = false;         // what motion() gives
   std::vector<int> other_intervals_;         // of fixes that act at the end of steps
   LAMMPS_NS::bigint atoms_ = 0, sites_ = 0;  // numbers of all atoms, and of atoms in bodies

@@ -85,7 +85,6 @@ void PairPolhode::init_style() {
                "such fix; define 'fix ID all polhode' before the run");
   fix_ = dynamic_cast<FixPolhode*>(fixes.front());
   check_inputs();
-  fix_->set_forces_at_output();
   fix_->recognise();
   if (!fix_->has_all_atoms())
     error->all(FLERR,
