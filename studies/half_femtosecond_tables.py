@@ -338,7 +338,7 @@ KNOWN_STARTS = 4  # the first initial configurations, of the group "energy"
 
 
 def new_starts(points):
-    """The temperature difference of runs of 100 ps from initial configurations that no other run has, equilibrated for 10 ps as those of the group
+    """The temperature difference of runs of 100 ps from initial configurations that no other run has, equilibrated for 10 ps as in the group
     "energy". The question, put before the runs: is the difference of -0.54 K in that group caused by the short equilibration? Then new runs have
     it, too. It was chance if their mean is within 2.6 standard errors of zero, and more than 2.6 from -0.54 K."""
     head = ["runs", "equilibration [ps]", "length [ps]", "T_rot − T_trans minus predicted [K]", "standard errors from 0", "standard errors from −0.54"]

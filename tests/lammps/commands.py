@@ -73,7 +73,7 @@ class Commands(RunTest):
 
     def test_velocity_rescaling_samples_the_canonical_distribution(self):
         """Blocks of 1.5 ps give a standard error of 0.7 K; the bias of the step adds less than 1 K. The variance of a kinetic energy of n degrees of
-        freedom is 2/n of its squared mean; that of 600 independent values is known to 6 %."""
+        freedom is 2/n of its squared mean; 600 independent values determine it to 6 %."""
         table = self.lammps(self.script("polhode", h=2, every=5, steps=20000, fix="rescale 300 20 7"))[0]
         kept = table["Temp"][1000:]
         mean = sum(kept) / len(kept)
@@ -116,7 +116,7 @@ class Commands(RunTest):
         self.refused(gone.replace("thermo_modify", "thermo_modify lost ignore"), ["1 atoms of rigid molecules were deleted"])
 
     def test_kinds_whose_molecules_are_all_deleted(self):
-        """The forces on the rest are those of the rest alone, as another pair style computes them."""
+        """The remaining molecules have the forces that another pair style computes for them alone."""
         salt = {**BASE, "molecules": '[{ model = "spce", count = 60 }, { model = "na-spce", count = 2 }, { model = "cl-spce", count = 2 }]'}
         self.write("run.toml", RUN % salt)
         for name, more in (("sites", ()), ("bodies", ("--pair-style", "polhode"))):
@@ -141,7 +141,7 @@ class Commands(RunTest):
         self.assertEqual("the run ended after" in done.stdout, int(steps) % 3 != 0)
 
     def test_forces_of_atoms_are_those_of_their_molecules(self):
-        """Total forces and torques of a molecule, by the forces of its atoms, are those of a pair style of LAMMPS."""
+        """Total forces and torques of a molecule, by the forces of its atoms, equal the result of a pair style of LAMMPS."""
         more = "group one molecule 7\ncompute x all property/atom xu yu zu\n" + "".join(
             f"variable t{k} atom {a}\n" for k, a in enumerate(("c_x[2]*fz-c_x[3]*fy", "c_x[3]*fx-c_x[1]*fz", "c_x[1]*fy-c_x[2]*fx")))
         more += "compute F one reduce sum fx fy fz v_t0 v_t1 v_t2\n"
