@@ -159,6 +159,23 @@ bool is_variant_of(std::string_view style, std::span<const std::string_view> nam
   return std::ranges::any_of(names, [&](std::string_view name) { return style.starts_with(name); });
 }
 
+/// Only fix polhode itself may change the box.
+void check_box(const LAMMPS& lammps, const Fix* own) {
+  for (const Fix* const other : lammps.modify->get_fix_list())
+    if (other != own && (other->box_change & (Fix::BOX_CHANGE_SIZE | Fix::BOX_CHANGE_SHAPE)) != 0)
+      throw Error(name_of(other) +
+                  " changes the box and would deform rigid molecules; remove it, and for a "
+                  "barostat use the keyword pressure of fix polhode");
+  if (lammps.domain->nonperiodic == 2)
+    throw Error(
+        "a shrink-wrapped boundary changes the box and would deform rigid molecules; replace the "
+        "boundaries s and m");
+  if ((own->box_change & Fix::BOX_CHANGE_SIZE) != 0 && lammps.domain->nonperiodic != 0)
+    throw Error(
+        "the keyword pressure scales the whole box, so all boundaries must be periodic; set "
+        "'boundary p p p'");
+}
+
 void check_system(LAMMPS* lammps, const Fix* own, const CheckedScheme& scheme) {
   if (lammps->update->whichflag == 2)
     throw Error(
@@ -172,11 +189,7 @@ void check_system(LAMMPS* lammps, const Fix* own, const CheckedScheme& scheme) {
     throw Error(
         "the system is two-dimensional; fix polhode rotates molecules in three dimensions, "
         "so set dimension 3");
-  const LAMMPS_NS::Domain* const domain = lammps->domain;
-  if (domain->box_change_size != 0 || domain->box_change_shape != 0 || domain->nonperiodic == 2)
-    throw Error(
-        "a fix or a shrink-wrapped boundary changes the box; fix polhode needs a constant "
-        "box, so remove barostats, fix deform, and boundaries s and m");
+  check_box(*lammps, own);
   check_fixes(lammps, own, scheme);
 }
 

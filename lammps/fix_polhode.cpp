@@ -37,12 +37,14 @@ FixPolhode::FixPolhode(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments)
   comm_forward = 8;
   comm_reverse = 6;
   maxexchange = 5 + static_cast<int>(record_size);
+  if (settings_.barostat) create_pressure();
   grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
 }
 
 FixPolhode::~FixPolhode() {
+  if (pressure_ != nullptr) delete_pressure();
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
 }
@@ -64,6 +66,7 @@ void FixPolhode::init() {
   constexpr double smallest_lambda = 0.1;  // of differences that do not amplify other changes
   const bool amplifies = lambda_of_kicks().value_or(smallest_lambda) < smallest_lambda;
   guarded(error, "fix polhode", [&] { check_system(lmp, this, {program_.size(), amplifies}); });
+  if (settings_.barostat) request_pressure();
   sets_forces_ = force->pair_match("^polhode$", 0) != nullptr;
   half_step_velocities_ = needs_half_step_velocities(lmp, this);
   other_intervals_ = intervals_of_fixes(lmp, this);
@@ -76,6 +79,11 @@ std::optional<double> FixPolhode::lambda_of_kicks() const {
 
 void FixPolhode::setup_pre_exchange() {
   recognise();
+  if (settings_.barostat && !has_all_atoms_)
+    error->all(FLERR,
+               "fix polhode: {} atoms are in no body and would not follow the box; put all atoms "
+               "into the group of the fix, or remove the keyword pressure",
+               atom->natoms - sites_);
   check_communication();
   virial_is_old_ = true;
 }
@@ -86,6 +94,7 @@ void FixPolhode::setup(int vflag) {
   show_kinds();
   collect_forces(columns_->load);
   tally_virial();
+  if (box_move_is_due()) measure_pressure();
   if (sets_forces_) set_forces();
 }
 
@@ -119,6 +128,16 @@ struct FixPolhode::Flows {
   void bath(double t, StageNumber at) { fix.bath(t, at); }
 };
 
+namespace {
+
+std::size_t first_kick(const Scheme& scheme) {
+  const auto stages = scheme.stages();
+  const auto is_kick = [](const Stage& stage) { return stage.flow == Flow::kick; };
+  return static_cast<std::size_t>(std::ranges::find_if(stages, is_kick) - stages.begin());
+}
+
+}  // namespace
+
 double FixPolhode::step() const { return static_cast<double>(program_.size()) * update->dt; }
 
 void FixPolhode::play_stages(std::size_t first, std::size_t end) {
@@ -132,7 +151,14 @@ void FixPolhode::initial_integrate(int vflag) {
     guarded(error, "fix polhode", [&] { check_intervals(lmp, this, program_.size(), phase_); });
   is_run_ = true;
   const ForceEvaluation& evaluation = program_[phase_];
-  play_stages(evaluation.first, evaluation.use);
+  if (box_move_is_due()) {
+    const std::size_t kick = first_kick(settings_.scheme);
+    play_stages(0, kick + 1);
+    move_box();
+    play_stages(kick + 1, evaluation.use);
+  } else {
+    play_stages(evaluation.first, evaluation.use);
+  }
   if (evaluation.xi != 0) begin_displacement(evaluation.xi);
   forward(Message::poses, 7);
   place_atoms();
@@ -149,6 +175,7 @@ void FixPolhode::final_integrate() {
   ++cycles_;
   set_velocities();
   if (vflag_either != 0) tally_virial();
+  if (box_move_is_due()) measure_pressure();
   if (sets_forces_ && output_is_due()) set_forces();
 }
 

@@ -22,6 +22,10 @@
 #include "polhode/integrate/step.hpp"
 #include "settings.hpp"
 
+namespace LAMMPS_NS {
+class Compute;
+}
+
 namespace polhode::lammps {
 
 struct SiteMessage;
@@ -118,6 +122,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   /// position in the body.
   struct Owner {
     int body = -1;
+    std::array<int, 3> image{};  ///< the shift as numbers of edges
     Vec3<double> shift{}, site{};
   };
   /// Motions may be accelerations: see set_forces().
@@ -168,6 +173,13 @@ class FixPolhode : public LAMMPS_NS::Fix {
   void bath(double t, StageNumber at);
   double add_friction(double t, StageNumber at);
   double rescale(double t, StageNumber at);
+  void create_pressure();
+  void delete_pressure();
+  void request_pressure();
+  bool box_move_is_due() const;
+  void measure_pressure();
+  void move_box();
+  void scale_box(double factor);
   void begin_displacement(double xi);
   void end_displacement();
   void place_atoms();
@@ -182,10 +194,12 @@ class FixPolhode : public LAMMPS_NS::Fix {
 
   FixSettings settings_;
   std::vector<ForceEvaluation> program_;
-  std::size_t phase_ = 0;          // index of the next evaluation of the program
-  std::uint64_t cycles_ = 0;       // number of steps of the scheme so far
-  double heat_ = 0;                // heat from the bath, for all processes [energy]
-  double degrees_of_freedom_ = 0;  // of the bodies of this process
+  std::size_t phase_ = 0;                   // index of the next evaluation of the program
+  std::uint64_t cycles_ = 0;                // number of steps of the scheme so far
+  double heat_ = 0;                         // heat from the bath, for all processes [energy]
+  double degrees_of_freedom_ = 0;           // of the bodies of this process
+  LAMMPS_NS::Compute* pressure_ = nullptr;  // of LAMMPS, if there is a barostat
+  double measured_pressure_ = 0;            // at the end of the last step before a move of the box
   bool recognised_ = false;
   bool has_all_atoms_ = false;  // whether all atoms are in bodies, so that the bath conserves their
                                 // momentum

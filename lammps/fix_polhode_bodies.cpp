@@ -66,10 +66,12 @@ BodyRecord FixPolhode::record(int body) const {
 FixPolhode::Owner FixPolhode::origin(int body) const {
   if (!is_ghost_body(body)) return {body};
   const GhostBody& image = ghost(body);
-  if (image.process == comm->me) return {image.body, image.shift};
+  if (image.process == comm->me) return {image.body, image.image, image.shift};
   if (image.base < 0) return {body};
   const auto base = static_cast<std::size_t>(image.base);
-  return {static_cast<int>(columns_->size() + base), image.shift - ghosts_[base].shift};
+  std::array<int, 3> between = image.image;
+  for (std::size_t d = 0; d < 3; ++d) between[d] -= ghosts_[base].image[d];
+  return {static_cast<int>(columns_->size() + base), between, image.shift - ghosts_[base].shift};
 }
 
 Pose FixPolhode::pose(int body) const { return pose(origin(body)); }

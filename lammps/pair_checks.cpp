@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "atom.h"
@@ -15,6 +16,7 @@
 #include "neighbor.h"
 #include "pair_polhode.hpp"
 #include "polhode/io/settings/config.hpp"
+#include "utils.h"
 
 namespace polhode::lammps {
 namespace {
@@ -83,12 +85,52 @@ void PairPolhode::check_other_commands() const {
         *lambda, min_lambda_in_mixed);
 }
 
+bool PairPolhode::is_part() const { return force->pair != this; }
+
+void PairPolhode::check_hybrid_style() const {
+  if (LAMMPS_NS::utils::strmatch(force->pair_style, "^hybrid/scaled"))
+    error->all(FLERR,
+               "pair_style polhode computes forces on molecules, which hybrid/scaled does not "
+               "scale; use hybrid/overlay");
+  if (force->pair_match("^polhode$", 0) != this)
+    error->all(FLERR,
+               "pair_style polhode is used twice in a hybrid style, but one style computes all "
+               "pairs of rigid molecules; use it once");
+  if (fix_->has_particles())
+    error->all(FLERR,
+               "pair_style polhode is part of a hybrid style, but the sites of particles are not "
+               "atoms, so other pair styles do not see them; represent each site by an atom");
+}
+
+/// In a hybrid style, the interactions of all types of rigid molecules must belong to this style,
+/// and no other style may compute their charges.
+void PairPolhode::check_pairs_of_types() const {
+  std::set<int> types;
+  for (const Kind& kind : fix_->kinds()) types.insert(kind.types.begin(), kind.types.end());
+  for (const int i : types)
+    for (const int j : types)
+      if (i <= j && !is_mapped(i, j))
+        error->all(FLERR,
+                   "pair_style polhode computes all pairs of rigid molecules, but the hybrid style "
+                   "leaves out atom types {} and {}; add 'pair_coeff {} {} polhode EPSILON SIGMA'",
+                   i, j, i, j);
+  std::set<const Pair*> with_charges;  // LAMMPS gives a single style for every number
+  for (int k = 1; with_charges.insert(force->pair_match("coul", 0, k)).second;) ++k;
+  with_charges.erase(nullptr);
+  for (const Pair* const other : with_charges)
+    for (const int i : types)
+      for (const int j : types)
+        if (other->setflag[i][j] != 0)
+          error->all(FLERR,
+                     "the hybrid style has the charges of atom types {} and {} of rigid molecules "
+                     "twice, in pair_style polhode and in a style with 'coul'; give that style "
+                     "only pairs with other atoms",
+                     i, j);
+}
+
 void PairPolhode::check_inputs() const {
   check_other_commands();
-  if (force->pair != this)
-    error->all(FLERR,
-               "pair_style polhode computes all pairs of all molecules and cannot be part of a "
-               "hybrid style; use it as the only pair style");
+  if (is_part()) check_hybrid_style();
   if (atom->tag_enable == 0)
     error->all(FLERR,
                "pair_style polhode finds molecules by the ids of their atoms; remove "
@@ -97,7 +139,7 @@ void PairPolhode::check_inputs() const {
     error->all(FLERR,
                "pair_style polhode does not support 'pair_modify shift' or 'tail'; energies are "
                "already smooth at the cutoff, so remove these options");
-  if (!is_zero(force->special_lj) || !is_zero(force->special_coul))
+  if (!is_part() && (!is_zero(force->special_lj) || !is_zero(force->special_coul)))
     error->all(FLERR,
                "pair_style polhode leaves out all pairs within a rigid molecule, but some "
                "special_bonds are not 0; set 'special_bonds lj/coul 0 0 0'");

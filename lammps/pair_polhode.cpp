@@ -24,6 +24,14 @@ namespace polhode::lammps {
 
 constexpr const char* style = "pair_style polhode";
 
+namespace {
+
+std::array<bool, 3> periodic(const Vec3<double>& edges) {
+  return {edges.x > 0, edges.y > 0, edges.z > 0};
+}
+
+}  // namespace
+
 PairPolhode::PairPolhode(LAMMPS_NS::LAMMPS* lammps) : Pair(lammps) {
   single_enable = restartinfo = respa_enable = writedata = 0;
   no_virial_fdotr_compute = 1;
@@ -39,7 +47,10 @@ void PairPolhode::allocate() {
   const int types = atom->ntypes;
   memory->create(setflag, types + 1, types + 1, "pair:setflag");
   memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
-  for (int i = 1; i <= types; ++i) std::fill_n(setflag[i], types + 1, 0);
+  for (int i = 1; i <= types; ++i) {
+    std::fill_n(setflag[i], types + 1, 0);
+    std::fill_n(cutsq[i], types + 1, 0.0);
+  }
   coefficients_ = PairCoefficients(types);
   allocated = 1;
 }
@@ -49,7 +60,7 @@ void PairPolhode::settings(int count, char** arguments) {
     settings_ = pair_settings(count, arguments, lmp);
     units_.nm = length_unit(lmp);
   });
-  cutoff_of_charges_ = settings_.cutoff / units_.nm;
+  cutoff_of_charges_ = LAMMPS_NS::utils::numeric(FLERR, arguments[0], false, lmp);
   ewaldflag = pppmflag = settings_.electrostatics == Electrostatics::pme ? 1 : 0;
 }
 
@@ -86,10 +97,11 @@ void PairPolhode::init_style() {
   fix_ = dynamic_cast<FixPolhode*>(fixes.front());
   check_inputs();
   fix_->recognise();
-  if (!fix_->has_all_atoms())
+  if (!is_part() && !fix_->has_all_atoms())
     error->all(FLERR,
                "pair_style polhode computes forces on the bodies of fix polhode, but some atoms "
-               "are in no body; put all atoms into the group of the fix");
+               "are in no body; put all atoms into the group of the fix, or use "
+               "'pair_style hybrid/overlay' with another style for their pairs");
   guarded(error, style, [&] { charges_ = charges_of_kinds(); });
   find_range();
   units_.coulomb = force->qqrd2e;
@@ -137,6 +149,7 @@ KindCharges PairPolhode::charges_of_kinds() const {
   std::vector<double> low(sites, infinity), high(sites, -infinity);
   for (int i = 0; i < atom->nlocal; ++i) {
     const auto place = fix_->site_of(i);
+    if (place.kind < 0) continue;  // of another pair style
     if (kinds[static_cast<std::size_t>(place.kind)].particle != 0) continue;
     const std::size_t k =
         first[static_cast<std::size_t>(place.kind)] + static_cast<std::size_t>(place.site);
@@ -212,8 +225,14 @@ void PairPolhode::arrange() {
   std::vector<std::size_t> counts;
   for (const Topology* const each : {&own, &ghosts})
     for (const auto& part : each->parts) counts.push_back(part.count);
-  if (forces_ && counts == counts_) return;  // the neighbour list detects moved bodies
+  const bool same_directions = periodic(edges) == periodic(edges_);
+  if (forces_ && counts == counts_ && same_directions) {  // the neighbour list detects moved bodies
+    if (edges != edges_) forces_->set_period(edges);
+    edges_ = edges;
+    return;
+  }
   counts_ = std::move(counts);
+  edges_ = edges;
   settings_.mixing = explicit_pairs(kinds, coefficients_, units_);
   forces_.emplace(own, ghosts, settings_, edges);
 }
@@ -249,6 +268,7 @@ void PairPolhode::compute(int eflag, int vflag) {
                "pair_style polhode computes forces on molecules, so it has no per-atom energies "
                "and virials; remove computes such as pe/atom and stress/atom");
   guarded(error, style, [&] {
+    if (!forces_ && is_part()) check_pairs_of_types();
     if (!forces_ || arrangement_ != fix_->arrangement()) arrange();
     place_bodies();
     (*forces_)(load_, evflag != 0);

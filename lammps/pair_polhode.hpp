@@ -33,7 +33,11 @@ class PairPolhode : public LAMMPS_NS::Pair {
 
  private:
   void allocate();
+  bool is_part() const;  // of a hybrid style
+  bool is_mapped(int i, int j) const { return cutsq[i][j] > 0; }
   void check_inputs() const;
+  void check_hybrid_style() const;
+  void check_pairs_of_types() const;
   void check_other_commands() const;
   void check_not_perturbing(const char* command, const char* id, const char* name) const;
   void find_range();
@@ -54,6 +58,7 @@ class PairPolhode : public LAMMPS_NS::Pair {
   std::optional<DomainForces> forces_;  // forces for the present arrangement of bodies
   std::uint64_t arrangement_ = 0;
   std::vector<std::size_t> counts_;  // numbers of local bodies and ghosts of each kind in forces_
+  Vec3<double> edges_{};             // box edges of forces_ in periodic directions [nm]
   std::vector<std::size_t> ghost_order_;  // indices of the ghosts of the fix, sorted by kind
   Load load_;
 };

@@ -50,6 +50,9 @@ class Reader {
  private:
   void massless();
   void bath(BathType type);
+  void barostat();
+  std::uint64_t whole_number(const std::string& meaning, double min);
+  void check_together();
   void particle();
   double temperature(const std::string& meaning);
   int type_number(std::string_view meaning);
@@ -59,6 +62,7 @@ class Reader {
   LAMMPS_NS::LAMMPS* lammps_;
   std::string scheme_ = "velocity-verlet";
   std::optional<double> last_temperature_;
+  std::optional<std::uint64_t> every_;
   FixSettings settings_ = default_settings();
 };
 
@@ -78,11 +82,23 @@ void Reader::bath(BathType type) {
   BathArguments bath{.type = type};
   bath.temperature = temperature("the temperature of " + name);
   bath.time_constant = arguments_.positive("the time constant of " + name);
-  const double seed = arguments_.number("the seed");
-  if (!(seed >= 0 && seed < 9e15) || seed != static_cast<double>(static_cast<std::int64_t>(seed)))
-    throw Error("the seed of " + name + " must be a whole number from 0 to 9e15");
-  bath.seed = static_cast<std::uint64_t>(seed);
+  bath.seed = whole_number("the seed of " + name, 0);
   settings_.bath = bath;
+}
+
+void Reader::barostat() {
+  BarostatArguments barostat{.pressure = arguments_.number("the pressure")};
+  barostat.time_constant = arguments_.positive("the time constant of pressure");
+  barostat.compressibility = arguments_.positive("the compressibility of pressure");
+  settings_.barostat = barostat;
+}
+
+std::uint64_t Reader::whole_number(const std::string& meaning, double min) {
+  const double value = arguments_.number(meaning);
+  if (!(value >= min && value < 9e15) || value != std::floor(value))
+    throw Error(meaning + " must be a whole number from " + std::to_string(std::lround(min)) +
+                " to 9e15");
+  return static_cast<std::uint64_t>(value);
 }
 
 double Reader::temperature(const std::string& meaning) {
@@ -134,6 +150,21 @@ void Reader::check(const Scheme& scheme) const {
                 "positions; choose a scheme that begins and ends with a plain kick");
 }
 
+/// Checks the keywords that change other keywords.
+void Reader::check_together() {
+  if (last_temperature_ && !settings_.bath)
+    throw Error(
+        "keyword ramp changes the temperature of a bath; add the keyword langevin or rescale");
+  if (settings_.bath) settings_.bath->last = last_temperature_;
+  if (settings_.barostat && !settings_.bath)
+    throw Error(
+        "keyword pressure samples the volume at a temperature; add the keyword langevin or "
+        "rescale");
+  if (every_ && !settings_.barostat)
+    throw Error("keyword every is the interval of the moves of the box; add the keyword pressure");
+  if (every_) settings_.barostat->every = *every_;
+}
+
 FixSettings Reader::settings() {
   arguments_.each_keyword(
       {{"scheme", [&] { scheme_ = arguments_.word("the name or the text of a scheme"); }},
@@ -143,11 +174,10 @@ FixSettings Reader::settings() {
        {"particle", [&] { particle(); }},
        {"langevin", [&] { bath(BathType::langevin); }},
        {"rescale", [&] { bath(BathType::rescale); }},
-       {"ramp", [&] { last_temperature_ = temperature("the last temperature of ramp"); }}});
-  if (last_temperature_ && !settings_.bath)
-    throw Error(
-        "keyword ramp changes the temperature of a bath; add the keyword langevin or rescale");
-  if (settings_.bath) settings_.bath->last = last_temperature_;
+       {"ramp", [&] { last_temperature_ = temperature("the last temperature of ramp"); }},
+       {"pressure", [&] { barostat(); }},
+       {"every", [&] { every_ = whole_number("the number of steps of every", 1); }}});
+  check_together();
   const Scheme scheme = scheme_of(scheme_);
   check(scheme);
   settings_.scheme = settings_.bath ? with_bath(scheme, BathPlace::ends, scheme.name()) : scheme;

@@ -29,6 +29,14 @@ struct BathArguments {
                                  ///< approaches linearly; empty if it is constant
 };
 
+/// The arguments of the barostat, stochastic cell rescaling, in LAMMPS units.
+struct BarostatArguments {
+  double pressure = 0;
+  double time_constant = 0;
+  double compressibility = 0;  ///< estimated isothermal compressibility
+  std::uint64_t every = 10;    ///< steps of the scheme between two moves of the box
+};
+
 /// The arguments for particles of a type. Each particle is a molecule with the sites of a molecule
 /// file.
 struct ParticleArguments {
@@ -44,6 +52,7 @@ struct FixSettings {
   double tolerance = default_tolerance;
   std::vector<bool> massless;  ///< for each atom type, whether its atoms are massless
   std::optional<BathArguments> bath;
+  std::optional<BarostatArguments> barostat;
   std::vector<ParticleArguments> particles;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ensemble/cell_rescaling.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/ensemble/random_streams.hpp"
 #include "polhode/math/random.hpp"
@@ -67,22 +68,16 @@ bool Barostat::move(State& state, Load& load, const Evaluate& evaluate, std::uin
   return accepted;
 }
 
-/// The drift dλ/dt of the stochastic equation, without noise.
-double Barostat::drift(const CellRescaling& type, const State& state, const Load& load,
-                       const CoupledEdges& edges) const {
-  const double V = state.box.volume();
-  return -settings_.compressibility * std::sqrt(V) / (2 * type.time_constant) *
-         (settings_.pressure - pressure_along(edges, state, bodies_, load) - kT_ / (2 * V));
-}
-
 bool Barostat::try_move(const CellRescaling& type, State& state, Load& load,
                         const Evaluate& evaluate, const CoupledEdges& edges, std::uint64_t step) {
   Random random(seed_, stream_of(RandomUse::cell_rescaling, {step, 0}));
-  const double t = settings_.every;
-  const double variance = kT_ * settings_.compressibility * t / (2 * type.time_constant);
+  const CellEquation equation{settings_.pressure, settings_.compressibility, type.time_constant,
+                              kT_};
+  const double t = settings_.every, variance = equation.variance(t);
   const double V = state.box.volume(), lambda = std::sqrt(V);
   const double noise = std::sqrt(variance) * random.normal();
-  const double moved = lambda + drift(type, state, load, edges) * t + noise;
+  const double moved =
+      lambda + equation.drift(V, pressure_along(edges, state, bodies_, load)) * t + noise;
   if (!(moved > 0)) return false;
   const double factor = factor_of(edges, moved * moved / V);
   if (!keeps_shape(state, edges, factor)) return false;
@@ -90,7 +85,9 @@ bool Barostat::try_move(const CellRescaling& type, State& state, Load& load,
   scale_box(state, edges, factor, true);
   evaluate_moved(state, evaluate);
   const double work = energies(state, bodies_, load_).total() - before;
-  const double back = lambda - moved - drift(type, state, load_, edges) * t;
+  const double back =
+      lambda - moved -
+      equation.drift(state.box.volume(), pressure_along(edges, state, bodies_, load_)) * t;
   const double violation = work + settings_.pressure * (moved * moved - V) -
                            kT_ * std::log(moved / lambda) +
                            kT_ * (back * back - noise * noise) / (2 * variance);

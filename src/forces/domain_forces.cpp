@@ -66,6 +66,19 @@ DomainForces::DomainForces(DomainForces&&) noexcept = default;
 DomainForces& DomainForces::operator=(DomainForces&&) noexcept = default;
 DomainForces::~DomainForces() = default;
 
+void DomainForces::set_period(const Vec3<double>& period) {
+  period_ = period;
+  Box box = state_.box;
+  for (std::size_t d = 0; d < 3; ++d)
+    if (period[d] > 0) box.edge[d] = period[d];
+  set_box(box);
+}
+
+void DomainForces::set_box(const Box& box) {
+  state_.box = box;
+  engine_->call([&](auto& engine) { engine.set_box(topology_, settings_, box); });
+}
+
 /// Sets a larger box if bodies could interact with images of other bodies in the present box.
 void DomainForces::enclose() {
   Vec3<double> extent;
@@ -79,8 +92,7 @@ void DomainForces::enclose() {
     fits = fits && extent[d] + reach_ <= state_.box.edge[d];
   }
   if (fits) return;
-  state_.box = box_around(extent, reach_, period_);
-  engine_->call([&](auto& engine) { engine.set_box(topology_, settings_, state_.box); });
+  set_box(box_around(extent, reach_, period_));
 }
 
 void DomainForces::operator()(Load& load, bool energies) {

@@ -260,10 +260,6 @@ run {evaluations * round(values["length"] / values["step"])}
             (base.replace("switch 0.45", "switch 0.45 smoothness 2.5"), ["smoothness is 2.5"]),
             (base.replace("pair_coeff 1 1", "pair_coeff 1 1 0.5"), ["two atom types"]),
             (base.replace("units lj", "units si"), ["use units real"]),
-            (base.replace("pair_style polhode", "pair_style hybrid/overlay zero 0.5 polhode").replace(
-                "pair_coeff 1 1", "pair_coeff * * zero\npair_coeff 1 1 polhode").replace(
-                "pair_coeff 2 2", "pair_coeff 2 2 polhode").replace("pair_coeff 3 3", "pair_coeff 3 3 polhode"),
-             ["cannot be part of a hybrid style"]),
         ]
         for text, words in cases:
             with self.subTest(words=words):

@@ -78,8 +78,6 @@ class Barostat {
   bool keeps_shape(const State& state, const CoupledEdges& edges, double factor);
   void evaluate_moved(const State& state, const Evaluate& evaluate);
   bool decide(State& state, Load& load, double violation, double work, double uniform, bool always);
-  double drift(const CellRescaling& type, const State& state, const Load& load,
-               const CoupledEdges& edges) const;
 
   BarostatSettings settings_;
   double kT_;

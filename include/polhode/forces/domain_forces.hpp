@@ -49,6 +49,9 @@ class DomainForces {
   /// caller sets q and orientation before each evaluation; the other members are not used.
   State& state() { return state_; }
   std::size_t own_bodies() const { return own_bodies_; }
+  /// Sets other box edges in the periodic directions, for example after a move of a barostat.
+  /// @pre  the same directions are periodic as before
+  void set_period(const Vec3<double>& period);
 
   /// Computes forces and torques of the local bodies, which are the first elements of the Load. If
   /// `energies` is true, energies and virial are computed as well; otherwise they are 0. Does not
@@ -56,6 +59,7 @@ class DomainForces {
   void operator()(Load& load, bool energies);
 
  private:
+  void set_box(const Box& box);
   void enclose();
 
   std::size_t own_bodies_;

@@ -30,11 +30,15 @@ constexpr double kspace_accuracy = 1e-6;
 
 void check(const Config& config) {
   const auto refuse = [&](const std::string& what) { throw Error(what, config.source); };
-  if (config.ensemble.barostat)
-    refuse("the run has a barostat; fix polhode needs a constant box, so remove [barostat]");
   if (config.ensemble.hybrid_monte_carlo)
     refuse("hybrid Monte Carlo has no counterpart in LAMMPS; remove [hybrid_monte_carlo]");
   const auto& thermostat = config.ensemble.thermostat;
+  const auto& barostat = config.ensemble.barostat;
+  if (barostat && !(std::holds_alternative<CellRescaling>(barostat->type) &&
+                    barostat->edges.size() == 1 && thermostat))
+    refuse(
+        "the barostat of fix polhode is cell rescaling of all edges together, with a thermostat; "
+        "choose these, or remove [barostat]");
   const auto* const langevin = thermostat ? std::get_if<Langevin>(&*thermostat) : nullptr;
   if (thermostat && !std::holds_alternative<Rescaling>(*thermostat) &&
       !(langevin && langevin->friction == langevin->rotational_friction))
@@ -45,6 +49,13 @@ void check(const Config& config) {
     refuse(
         "the prefix of the output has a quotation mark or a line break, which LAMMPS does not "
         "allow in file names; choose another prefix");
+}
+
+void note_moves(const Config& config, const Callbacks& callbacks) {
+  const auto& barostat = config.ensemble.barostat;
+  if (barostat && std::get<CellRescaling>(barostat->type).metropolis)
+    callbacks.note(
+        "note: fix polhode accepts every move of the box, as polhode does with metropolis = false");
 }
 
 // The scheme of a run for LAMMPS, with finite differences in place of exact gradients.
@@ -197,6 +208,7 @@ class Script {
       fmt::print(out_, " {} {:.17g} {:.17g} {}", rescaling ? "rescale" : "langevin",
                  config_.ensemble.temperature, time / fs, config_.system.seed);
     }
+    barostat();
     const double samples = std::max(1.0, std::round(config_.run.sample / h));
     fmt::print(out_,
                "\ntimestep {:.17g} # one force evaluation; a step of the scheme has {}\n"
@@ -209,10 +221,20 @@ class Script {
                std::round(config_.run.length / h) * static_cast<double>(evaluations));
   }
 
+  void barostat() const {
+    if (!config_.ensemble.barostat) return;
+    const BarostatSettings& b = *config_.ensemble.barostat;
+    const double fs = unit("fs", Dimension::time), atm = unit("atm", Dimension::pressure);
+    fmt::print(out_, " pressure {:.17g} {:.17g} {:.17g} every {:.0f}", b.pressure / atm,
+               std::get<CellRescaling>(b.type).time_constant / fs, b.compressibility * atm,
+               std::max(1.0, std::round(b.every / config_.integrator.step)));
+  }
+
   // LAMMPS does not count the rotational energy of particles.
   std::string thermo() const {
     const std::string columns =
-        "thermo_style custom step time temp epair ke etotal econserve press";
+        std::string("thermo_style custom step time temp epair ke etotal econserve press") +
+        (config_.ensemble.barostat ? " vol" : "");
     return particles_
                ? "variable total equal etotal+f_rigid[2]\n" + columns + " f_rigid[2] v_total\n"
                : columns + '\n';
@@ -236,6 +258,7 @@ std::vector<std::string> export_to_lammps(const Config& config, LammpsPairStyle 
   const Scheme scheme = lammps_scheme(config, callbacks);
   const System system = build_system(config);
   note_molecules(system, callbacks);
+  note_moves(config, callbacks);
   const LammpsTypes types(system.topology, system.forces.mixing.pairs.empty());
   std::vector<TextFile>
       texts;  // these texts are made before any file, because a potential may be rejected

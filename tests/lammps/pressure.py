@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: MIT
+"""The barostat of fix polhode: its moves, its distribution, and what moves with the box."""
+
+import math
+import re
+
+import engine
+from runs import LAMMPS_PRESSURE, RUN, WATER, RunTest
+
+SPCE = {**WATER, "molecules": '[{ model = "spce", count = 64 }]', "truncation": "site-switch"}
+PME = {**SPCE, "electrostatics": "pme"}
+FORMS = (("", SPCE), ("polhode", SPCE), ("polhode-particles", SPCE), ("", PME), ("polhode", PME))
+SAMPLE = "thermo_style custom step temp pe ke etotal press vol\nthermo_modify format float %.16g\nthermo {every}\nrun {steps}\n"
+COLD = "rescale 0 1e15 7"  # a bath without noise and without effect
+BOLTZMANN = 0.0019872067  # of LAMMPS in units real
+
+
+class Pressure(RunTest):
+    def setUp(self):
+        super().setUp()
+        self.heads = {}
+
+    def script(self, fix, form="polhode", values=SPCE, scheme="velocity-verlet", every=1, steps=30, h=1.0):
+        key = form, *values.values()
+        if key not in self.heads:
+            self.write("run.toml", RUN % values)
+            name = f"system{len(self.heads)}"
+            self.polhode("export", "lammps", "run.toml", "--force", "--output", name, *(["--pair-style", form] if form else []))
+            head, _, rest = (self.folder / f"{name}.in").read_text().partition("fix rigid all polhode")
+            head = head.replace("kspace_style pppm 1e-06", "kspace_style pppm 1e-06\nkspace_modify gewald 0.5 mesh 24 24 24 order 7")  # for each box
+            self.heads[key] = head, re.match(r' scheme (?:".*?"|\S+)(.*)', rest)[1]  # the keywords behind the scheme
+        head, more = self.heads[key]
+        return f"{head}fix rigid all polhode scheme {scheme}{more} {fix}\ntimestep {h}\n" + SAMPLE.format(every=every, steps=steps)
+
+    def test_a_move_is_that_of_the_stochastic_equation(self):
+        """Without noise, the change of the volume follows from the pressure at the end of the step before."""
+        P0, tau, kappa, every = 500.0, 200.0, 4.5e-5, 3
+        for scheme, evaluations in (("velocity-verlet", 1), ("gier4-fd", 3)):
+            script = self.script(f"{COLD} pressure {P0} {tau} {kappa} every {every}", scheme=scheme, every=evaluations, steps=30)
+            table = self.lammps(script)[0]
+            V, P = table["Volume"], table["Press"]
+            self.assertEqual(len(V), 30 // evaluations + 1)
+            for k in range(len(V) - 1):
+                root = math.sqrt(V[k])
+                if k % every == 0:
+                    root -= kappa * root / (2 * tau) * (P0 - P[k]) * every * evaluations
+                self.assert_close([V[k + 1]], [root**2], 1e-13, f"{scheme}, step {k}")
+            self.assertNotEqual(V[0], V[-1])
+
+    def test_all_parts_of_a_system_follow_the_box(self):
+        """A second setup, which finds everything anew from the positions of atoms, has the energy and the pressure of the last step. The
+        box shrinks by 3 % in a run, so that the nearest images change their roles."""
+        for form, values in FORMS:
+            with self.subTest(form=form, electrostatics=values["electrostatics"]):
+                script = self.script(f"{COLD} pressure 9000 30 4.5e-5 every 2", form, values, steps=40, every=10) + "run 0\n"
+                tables = [self.lammps(script, ranks) for ranks in (1, 2)]
+                for table in tables:
+                    self.assertLess(table[0]["Volume"][-1], 0.98 * table[0]["Volume"][0])
+                    for name in ("PotEng", "Volume"):
+                        self.assert_close(table[0][name][-1:], table[1][name], 1e-11, name)
+                    self.assertAlmostEqual(table[0]["Press"][-1], table[1]["Press"][0], delta=1e-5)
+                for name in ("PotEng", "KinEng", "Volume"):
+                    self.assert_close(tables[0][0][name], tables[1][0][name], 1e-9, f"{name} on 1 and 2 ranks")
+
+    def test_a_tilted_box_keeps_its_shape(self):
+        """Its tilt is a whole edge, so it is the same system; images of the second are in other places."""
+        fix = f"{COLD} pressure 9000 30 4.5e-5 every 2"
+        plain = self.script(fix, every=10, steps=40)
+        tilted = plain.replace("fix rigid all", "change_box all triclinic\nchange_box all xy final $(lx) units box\nfix rigid all", 1)
+        self.assertNotEqual(plain, tilted)
+        one, two = self.lammps(plain)[0], self.lammps(tilted)[0]
+        for name in ("PotEng", "Volume"):
+            self.assert_close(one[name], two[name], 1e-9, name)
+
+    def test_the_volume_of_an_ideal_gas_has_its_distribution(self):
+        """It is Gamma(N, kT/P), with the mean N kT/P and the variance N (kT/P)². Volumes lose their memory in about τ = 50 moves, so 60,000
+        moves are 600 independent values; the mean is known to 1/√(600 N), and the variance to √(2/600) = 6 %. A move of 1/50 of τ
+        adds 1 % to the variance."""
+        N, T, P, tau = 64, 300.0, 1000.0, 200.0
+        gas = {**SPCE, "density": "0.7 g/cm3"}
+        script = self.script(f"langevin {T} 100 7 pressure {P} {tau} {1 / P} every 1", values=gas, every=10, steps=60000, h=4.0)
+        script = re.sub(r"(pair_coeff \d+ \d+) .*", r"\1 0 0", script)
+        script = script.replace("fix rigid all", "set group all charge 0\nfix rigid all", 1)
+        table = self.lammps(script)[0]
+        V = table["Volume"][500:]
+        expected = N * BOLTZMANN * T / P * LAMMPS_PRESSURE
+        mean = sum(V) / len(V)
+        self.assertAlmostEqual(mean / expected, 1, delta=4 / math.sqrt(600 * N))
+        variance = sum((v - mean)**2 for v in V) / len(V) / (expected**2 / N)
+        self.assertAlmostEqual(variance, 1.01, delta=4 * 0.06)
+
+    def test_restart_files(self):
+        fix = "rescale 300 50 7 pressure 1 200 4.5e-5 every 4"
+        whole = self.script(fix, steps=60)
+        self.lammps(whole.replace("run 60", "run 22\nwrite_restart half.restart"))
+        style, = re.findall(r"^pair_style .*\n", whole, re.M)
+        read = re.sub(r"read_data .*\n", "read_restart half.restart\n" + style, whole.replace(style, "")).replace("run 60", "run 38")
+        one = self.lammps(whole)[0]
+        for ranks in (1, 2):
+            other = self.lammps(read, ranks)[0]
+            for name in ("PotEng", "Volume"):
+                self.assert_close(one[name][-1:], other[name][-1:], 1e-9, name)
+        parts = self.lammps(whole.replace("run 60", "run 22\nrun 38"))[1]
+        self.assert_close(one["Volume"][-1:], parts["Volume"][-1:], 1e-9)
+
+    def test_export_writes_the_barostat(self):
+        ensemble = '[thermostat]\ntype = "rescaling"\n[barostat]\npressure = "100 bar"\nevery = "5 fs"\ncompressibility = "4.5e-5 1/bar"\n'
+        self.write("npt.toml", RUN % {**SPCE, "more": ensemble})
+        self.polhode("export", "lammps", "npt.toml", "--pair-style", "polhode", "--force")
+        script = (self.folder / "run.in").read_text()
+        P, tau, kappa, every = map(float, re.search(r" pressure (\S+) (\S+) (\S+) every (\S+)", script).groups())
+        self.assert_close([P, tau, kappa, every], [100 / 1.01325, 2000, 4.5e-5 * 1.01325, 5], 1e-12)
+        self.assertEqual(len(self.lammps(script)[0]["Volume"]), 2)
+
+    def test_what_is_refused(self):
+        bath, pressure = "rescale 300 50 7", "pressure 1 500 4.5e-5"
+        for words, script in ((["add the keyword langevin or rescale"], self.script(pressure)),
+                              (["add the keyword pressure"], self.script(f"{bath} every 3")),
+                              (["the number of steps of every must be a whole number from 1"], self.script(f"{bath} {pressure} every 0.5")),
+                              (["the compressibility of pressure"], self.script(f"{bath} pressure 1 500 0")),
+                              (["set 'boundary p p p'"], self.script(f"{bath} {pressure}").replace("units real", "units real\nboundary p p f")),
+                              (["fix box (press/berendsen) changes the box"],
+                               self.script(bath).replace("fix rigid all", "fix box all press/berendsen iso 1 1 1000\nfix rigid all", 1)),
+                              (["in one move", "larger time constant"], self.script(f"{bath} pressure 1e6 10 4.5e-5"))):
+            with self.subTest(words=words):
+                self.refused(script, words)
+
+
+if __name__ == "__main__":
+    engine.main(__doc__)
