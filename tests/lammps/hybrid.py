@@ -74,8 +74,8 @@ class Hybrid(RunTest):
         cutoff, = re.findall(r"^pair_style polhode (\S+)", bodies, re.M)
         tables = re.sub(r"coul/long \d\S+", f"coul/long {cutoff}", re.sub(r"^pair_coeff \d+ [34] table .*\n", "", sites, flags=re.M))
         run = "kspace_modify gewald 0.55 mesh 27 27 27 order 7\n" + ions.replace("run 60", "run 0")
-        one = self.lammps(styles.replace("kspace_style", water + "kspace_style") + run)[0]["PotEng"]
-        two = self.lammps(tables + run)[0]["PotEng"]
+        one = self.lammps(styles.replace("kspace_style", water + "kspace_style") + run)[0]["PotEng"][0]
+        two = self.lammps(tables + run)[0]["PotEng"][0]
         self.assertLess(abs(one - two), 0.04)
 
     def test_what_is_refused(self):
