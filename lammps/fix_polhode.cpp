@@ -79,11 +79,6 @@ std::optional<double> FixPolhode::lambda_of_kicks() const {
 
 void FixPolhode::setup_pre_exchange() {
   recognise();
-  if (settings_.barostat && !has_all_atoms_)
-    error->all(FLERR,
-               "fix polhode: {} atoms are in no body and would not follow the box; put all atoms "
-               "into the group of the fix, or remove the keyword pressure",
-               atom->natoms - sites_);
   check_communication();
   virial_is_old_ = true;
 }

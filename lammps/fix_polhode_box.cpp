@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "atom.h"
 #include "comm.h"
 #include "compute.h"
 #include "domain.h"
@@ -77,18 +78,24 @@ void FixPolhode::move_box() {
   scale_box(factor);
 }
 
-/// Scales the box and the centres of mass about the centre of the box, and momenta by the inverse
-/// factor. Atoms follow when they are placed.
+/// Scales the box about its centre, with the centres of mass and the atoms that are in no body, and
+/// momenta by the inverse factor. Atoms of bodies follow when they are placed.
 void FixPolhode::scale_box(double factor) {
   const Vec3<double> low = vector(domain->boxlo), high = vector(domain->boxhi);
   const Vec3<double> centre = 0.5 * (low + high);
+  const auto scaled = [&](const Vec3<double>& x) { return centre + factor * (x - centre); };
   State& state = columns_->state;
   for (std::size_t i = 0; i < columns_->size(); ++i) {
-    state.q.set(i, centre + factor * (state.q[i] - centre));
+    state.q.set(i, scaled(state.q[i]));
     state.p.set(i, (1 / factor) * state.p[i]);
   }
-  set(domain->boxlo, centre + factor * (low - centre));
-  set(domain->boxhi, centre + factor * (high - centre));
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (info(i).kind >= 0) continue;
+    set(atom->x[i], scaled(vector(atom->x[i])));
+    set(atom->v[i], (1 / factor) * vector(atom->v[i]));
+  }
+  set(domain->boxlo, scaled(low));
+  set(domain->boxhi, scaled(high));
   for (double* const tilt : {&domain->xy, &domain->xz, &domain->yz}) *tilt *= factor;
   domain->set_global_box();
   domain->set_local_box();

@@ -72,22 +72,30 @@ class Pressure(RunTest):
         for name in ("PotEng", "Volume"):
             self.assert_close(one[name], two[name], 1e-9, name)
 
-    def test_the_volume_of_an_ideal_gas_has_its_distribution(self):
-        """It is Gamma(N, kT/P), with the mean N kT/P and the variance N (kT/P)². Volumes lose their memory in about τ = 50 moves, so 60,000
-        moves are 600 independent values; the mean is known to 1/√(600 N), and the variance to √(2/600) = 6 %. A move of 1/50 of τ
-        adds 1 % to the variance."""
+    def check_ideal_gas(self, molecules, fix="", group="all"):
+        """The distribution of the volume is Gamma(N, kT/P), with the mean N kT/P and the variance N (kT/P)². Volumes lose their memory in
+        about τ = 50 moves, so 60,000 moves are 600 independent values; the mean is known to 1/√(600 N), and the variance to √(2/600) = 6 %.
+        A move of 1/50 of τ adds 1 % to the variance."""
         N, T, P, tau = 64, 300.0, 1000.0, 200.0
-        gas = {**SPCE, "density": "0.7 g/cm3"}
-        script = self.script(f"langevin {T} 100 7 pressure {P} {tau} {1 / P} every 1", values=gas, every=10, steps=60000, h=4.0)
-        script = re.sub(r"(pair_coeff \d+ \d+) .*", r"\1 0 0", script)
-        script = script.replace("fix rigid all", "set group all charge 0\nfix rigid all", 1)
-        table = self.lammps(script)[0]
-        V = table["Volume"][500:]
+        gas = {**SPCE, "density": "0.7 g/cm3", "molecules": molecules}
+        form = "polhode" if group == "all" else ""
+        script = self.script(f"langevin {T} 100 7 pressure {P} {tau} {1 / P} every 1", form, gas, every=10, steps=60000, h=4.0)
+        script = re.sub(r"(pair_coeff \d+ \d+) \d.*", r"\1 0 0", script)
+        script = re.sub(r"^pair_style hybrid.*((?:\n.*)*?)(?:\npair_coeff .*)+", r"pair_style zero 5\1\npair_coeff * *", script, flags=re.M)
+        script = script.replace("fix rigid all", f"set group all charge 0\n{fix}fix rigid {group}", 1)
+        V = self.lammps(script)[0]["Volume"][500:]
         expected = N * BOLTZMANN * T / P * LAMMPS_PRESSURE
         mean = sum(V) / len(V)
         self.assertAlmostEqual(mean / expected, 1, delta=4 / math.sqrt(600 * N))
         variance = sum((v - mean)**2 for v in V) / len(V) / (expected**2 / N)
         self.assertAlmostEqual(variance, 1.01, delta=4 * 0.06)
+
+    def test_the_volume_of_an_ideal_gas(self):
+        self.check_ideal_gas(SPCE["molecules"])
+
+    def test_the_volume_of_an_ideal_gas_with_atoms_of_another_fix(self):
+        self.check_ideal_gas('[{ model = "spce", count = 40 }, { model = "argon", count = 24 }]',
+                             "group argon type 3\ngroup water subtract all argon\nfix bath argon langevin 300 300 100 9\nfix free argon nve\n", "water")
 
     def test_restart_files(self):
         fix = "rescale 300 50 7 pressure 1 200 4.5e-5 every 4"
