@@ -72,18 +72,21 @@ class Pressure(RunTest):
         for name in ("PotEng", "Volume"):
             self.assert_close(one[name], two[name], 1e-9, name)
 
-    def check_ideal_gas(self, molecules, fix="", group="all"):
+    def ideal_gas(self, fix, steps, argon="", every=10):
+        """64 molecules without interactions: water, or water and argon, which then has a fix of its own."""
+        models = '[{ model = "spce", count = 40 }, { model = "argon", count = 24 }]' if argon else SPCE["molecules"]
+        script = self.script(fix, "" if argon else "polhode", {**SPCE, "density": "0.7 g/cm3", "molecules": models}, every=every, steps=steps, h=4.0)
+        script = re.sub(r"(pair_coeff \d+ \d+) \d.*", r"\1 0 0", script)
+        script = re.sub(r"^pair_style hybrid.*((?:\n.*)*?)(?:\npair_coeff .*)+", r"pair_style zero 5\1\npair_coeff * *", script, flags=re.M)
+        groups = f"group argon type 3\ngroup water subtract all argon\nfix free argon nve\n{argon}fix rigid water" if argon else "fix rigid all"
+        return script.replace("fix rigid all", "set group all charge 0\n" + groups, 1)
+
+    def check_ideal_gas(self, argon=""):
         """The distribution of the volume is Gamma(N, kT/P), with the mean N kT/P and the variance N (kT/P)². Volumes lose their memory in
         about τ = 50 moves, so 60,000 moves are 600 independent values; the mean is known to 1/√(600 N), and the variance to √(2/600) = 6 %.
         A move of 1/50 of τ adds 1 % to the variance."""
         N, T, P, tau = 64, 300.0, 1000.0, 200.0
-        gas = {**SPCE, "density": "0.7 g/cm3", "molecules": molecules}
-        form = "polhode" if group == "all" else ""
-        script = self.script(f"langevin {T} 100 7 pressure {P} {tau} {1 / P} every 1", form, gas, every=10, steps=60000, h=4.0)
-        script = re.sub(r"(pair_coeff \d+ \d+) \d.*", r"\1 0 0", script)
-        script = re.sub(r"^pair_style hybrid.*((?:\n.*)*?)(?:\npair_coeff .*)+", r"pair_style zero 5\1\npair_coeff * *", script, flags=re.M)
-        script = script.replace("fix rigid all", f"set group all charge 0\n{fix}fix rigid {group}", 1)
-        V = self.lammps(script)[0]["Volume"][500:]
+        V = self.lammps(self.ideal_gas(f"langevin {T} 100 7 pressure {P} {tau} {1 / P} every 1", 60000, argon))[0]["Volume"][500:]
         expected = N * BOLTZMANN * T / P * LAMMPS_PRESSURE
         mean = sum(V) / len(V)
         self.assertAlmostEqual(mean / expected, 1, delta=4 / math.sqrt(600 * N))
@@ -91,11 +94,20 @@ class Pressure(RunTest):
         self.assertAlmostEqual(variance, 1.01, delta=4 * 0.06)
 
     def test_the_volume_of_an_ideal_gas(self):
-        self.check_ideal_gas(SPCE["molecules"])
+        self.check_ideal_gas()
 
     def test_the_volume_of_an_ideal_gas_with_atoms_of_another_fix(self):
-        self.check_ideal_gas('[{ model = "spce", count = 40 }, { model = "argon", count = 24 }]',
-                             "group argon type 3\ngroup water subtract all argon\nfix bath argon langevin 300 300 100 9\nfix free argon nve\n", "water")
+        self.check_ideal_gas("fix bath argon langevin 300 300 100 9\n")
+
+    def test_momenta_are_scaled_by_the_inverse_factor(self):
+        """Without forces, nothing else changes kinetic energies of translation."""
+        script = self.ideal_gas(f"{COLD} pressure 5000 30 4.5e-5 every 2", 20, "compute atoms argon ke\n", every=1)
+        table = self.lammps(script.replace(" press vol", " press vol f_rigid[1] c_atoms"))[0]
+        squares = [V ** (2 / 3) for V in table["Volume"]]
+        self.assertGreater(squares[0] / squares[-1], 1.001)
+        for name in ("f_rigid[1]", "c_atoms"):
+            values = [E * square for E, square in zip(table[name], squares)]
+            self.assert_close(values, [values[0]] * len(values), 1e-12, name)
 
     def test_restart_files(self):
         fix = "rescale 300 50 7 pressure 1 200 4.5e-5 every 4"
