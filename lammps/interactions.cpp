@@ -13,6 +13,14 @@ namespace {
 std::string name_of(std::size_t kind) { return "kind" + std::to_string(kind); }
 std::string name_of_type(int type) { return "type" + std::to_string(type); }
 
+ShortRangeLaw with_lengths_in_nm(ShortRangeLaw law, double nm) {
+  if (auto* const exp6 = std::get_if<BuckinghamLaw>(&law)) {
+    exp6->B /= nm;
+    exp6->C *= std::pow(nm, 6);
+  }
+  return law;
+}
+
 }  // namespace
 
 double PairUnits::charge() const { return std::sqrt(coulomb * nm / units::coulomb); }
@@ -54,7 +62,8 @@ Mixing explicit_pairs(const std::vector<Kind>& kinds, const PairCoefficients& co
       const PairCoefficients::Values values = coefficients(all[a].type, all[b].type);
       mixing.pairs.push_back({name_of(all[a].kind) + '.' + name_of_type(all[a].type),
                               name_of(all[b].kind) + '.' + name_of_type(all[b].type),
-                              units.nm * values.sigma, values.epsilon});
+                              units.nm * values.sigma, values.epsilon,
+                              with_lengths_in_nm(values.law, units.nm)});
     }
   return mixing;
 }

@@ -26,6 +26,10 @@ constexpr const char* style = "pair_style polhode";
 
 namespace {
 
+bool is_lennard_jones(const PairCoefficients::Values& values) {
+  return std::holds_alternative<LennardJonesLaw>(values.law);
+}
+
 std::array<bool, 3> periodic(const Vec3<double>& edges) {
   return {edges.x > 0, edges.y > 0, edges.z > 0};
 }
@@ -66,24 +70,17 @@ void PairPolhode::settings(int count, char** arguments) {
 
 void PairPolhode::coeff(int count, char** arguments) {
   if (allocated == 0) allocate();
-  if (count != 4)
+  if (count < 2)
     error->all(FLERR,
-               "pair_style polhode: pair_coeff has {} values; it needs four: two atom types (or "
-               "ranges of types), epsilon and sigma",
-               count);
+               "pair_style polhode: pair_coeff begins with two atom types or ranges of types");
   int i_low = 0, i_high = 0, j_low = 0, j_high = 0;
   LAMMPS_NS::utils::bounds(FLERR, arguments[0], 1, atom->ntypes, i_low, i_high, error);
   LAMMPS_NS::utils::bounds(FLERR, arguments[1], 1, atom->ntypes, j_low, j_high, error);
-  const double epsilon = LAMMPS_NS::utils::numeric(FLERR, arguments[2], false, lmp);
-  const double sigma = LAMMPS_NS::utils::numeric(FLERR, arguments[3], false, lmp);
-  if (!(epsilon >= 0 && sigma >= 0) || (epsilon > 0 && sigma == 0))
-    error->all(FLERR,
-               "pair_style polhode: pair_coeff {} {} has epsilon = {} and sigma = {}; both must be "
-               "above 0, or epsilon must be 0 (no interaction)",
-               arguments[0], arguments[1], epsilon, sigma);
+  PairCoefficients::Values values;
+  guarded(error, style, [&] { values = pair_values(count - 2, arguments + 2, lmp); });
   for (int i = i_low; i <= i_high; ++i)
     for (int j = std::max(i, j_low); j <= j_high; ++j) {
-      coefficients_(i, j) = coefficients_(j, i) = {epsilon, sigma};
+      coefficients_(i, j) = coefficients_(j, i) = values;
       setflag[i][j] = 1;
     }
 }
@@ -126,6 +123,11 @@ double PairPolhode::init_one(int i, int j) {
   if (setflag[i][j] == 0) {
     const auto a = coefficients_(i, i), b = coefficients_(j, j);
     PairCoefficients::Values mixed;
+    if (!a.is_zero() && !b.is_zero() && !(is_lennard_jones(a) && is_lennard_jones(b)))
+      error->all(FLERR,
+                 "pair_style polhode mixes only Lennard-Jones potentials; add 'pair_coeff {} {}' "
+                 "with the potential of both types",
+                 i, j);
     if (a.epsilon > 0 && b.epsilon > 0)
       mixed = {mix_energy(a.epsilon, b.epsilon, a.sigma, b.sigma), mix_distance(a.sigma, b.sigma)};
     coefficients_(i, j) = coefficients_(j, i) = mixed;

@@ -16,6 +16,7 @@
 #include "lammps.h"
 #include "polhode/base/error.hpp"
 #include "update.h"
+#include "utils.h"
 
 namespace polhode::lammps {
 namespace {
@@ -46,6 +47,32 @@ int smoothness(Arguments& arguments) {
 }
 
 }  // namespace
+
+PairCoefficients::Values pair_values(int count, char** words, LAMMPS_NS::LAMMPS* lammps) {
+  const std::string_view law = count > 0 ? words[0] : "";
+  const bool is_mie = law == "mie", is_buckingham = law == "buckingham";
+  const int numbers = is_mie ? 4 : is_buckingham ? 3 : 2;
+  if (count != numbers + (is_mie || is_buckingham ? 1 : 0))
+    throw Error(
+        "pair_coeff has " + std::to_string(count) +
+        " values after the atom types; it needs 'EPSILON SIGMA', 'mie EPSILON SIGMA N M' or "
+        "'buckingham A RHO C'");
+  double x[4] = {};
+  for (int k = 0; k < numbers; ++k)
+    x[k] = LAMMPS_NS::utils::numeric(FLERR, words[count - numbers + k], false, lammps);
+  PairCoefficients::Values values;
+  if (is_buckingham)
+    values.law = BuckinghamLaw{x[0], 1 / x[1], x[2]};
+  else
+    values = {.epsilon = x[0], .sigma = x[1]};
+  if (is_mie) values.law = MieLaw{x[2], x[3]};
+  try {
+    check(values.sigma, values.epsilon, values.law);
+  } catch (const Error& e) {
+    throw Error(std::string(e.what()) + " (here, nm and kJ/mol stand for the units of the input)");
+  }
+  return values;
+}
 
 double length_unit(LAMMPS_NS::LAMMPS* lammps) {
   struct Unit {

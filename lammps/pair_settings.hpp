@@ -2,6 +2,7 @@
 // The arguments of pair_style polhode.
 #pragma once
 
+#include "interactions.hpp"
 #include "polhode/forces/laws/settings.hpp"
 
 namespace LAMMPS_NS {
@@ -18,5 +19,11 @@ double length_unit(LAMMPS_NS::LAMMPS* lammps);
 /// @param arguments  the `count` arguments that follow the style
 /// @throws Error     with the invalid argument
 ForceSettings pair_settings(int count, char** arguments, LAMMPS_NS::LAMMPS* lammps);
+
+/// Reads the potential of a pair_coeff command, in LAMMPS units: EPSILON SIGMA, mie EPSILON SIGMA N
+/// M, or buckingham A RHO C.
+/// @param words  the `count` words that follow the atom types
+/// @throws Error  with the invalid value
+PairCoefficients::Values pair_values(int count, char** words, LAMMPS_NS::LAMMPS* lammps);
 
 }  // namespace polhode::lammps

@@ -132,6 +132,7 @@ class Commands(RunTest):
                                     (["the interval of fix p (print) is 4"], 30, "fix p all print 4 x\n"),
                                     (["the interval of fix v (vector) is 5"], 30, "variable u equal pe\nfix v all vector 5 v_u\n"),
                                     (["the interval of fix h (halt) is 10"], 30, "variable u equal step\nfix h all halt 10 v_u > 1e9\n"),
+                                    (["the interval of fix d (dt/reset) is 4"], 30, "fix d all dt/reset 4 0.1 1 0.01 units box\n"),
                                     (["the interval of a dump is a variable"], 30, "variable s equal stride(0,1000,5)\ndump d all atom 3 d.dump\ndump_modify d every v_s\n")):
             self.refuses(words, scheme="gier4-fd", every=every, after=after)
         self.write("test.in", self.script("polhode", "gier4-fd", every=30, steps=30000000, after="timer timeout 0:00:01 every 1\n"))

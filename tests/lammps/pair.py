@@ -258,7 +258,10 @@ run {evaluations * round(values["length"] / values["step"])}
             (base.replace("switch 0.45", "switch 0.45 dielectric 80x"), ["dielectric is '80x'"]),
             (base.replace("switch 0.45", "switch 0.45 dielectric nan"), ["dielectric"]),
             (base.replace("switch 0.45", "switch 0.45 smoothness 2.5"), ["smoothness is 2.5"]),
-            (base.replace("pair_coeff 1 1", "pair_coeff 1 1 0.5"), ["two atom types"]),
+            (base.replace("pair_coeff 1 1", "pair_coeff 1 1 0.5"), ["pair_coeff has 3 values", "mie EPSILON"]),
+            (base.replace("pair_coeff 1 1", "pair_coeff 1 1 mie 0.6 0.3 6 12 #"), ["the exponents are 6 and 12"]),
+            (base.replace("pair_coeff 1 1", "pair_coeff 1 1 buckingham 1e6 0 0 #"), ["Buckingham potential"]),
+            (base.replace("pair_coeff 1 1", "pair_coeff 1 1 buckingham 1e6 0.03 1e-3 #").replace("pair_coeff 2 2", "pair_coeff 2 2 0.5 0.3 #"), ["mixes only Lennard-Jones", "pair_coeff 1 2"]),
             (base.replace("units lj", "units si"), ["use units real"]),
         ]
         for text, words in cases:

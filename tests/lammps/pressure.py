@@ -48,7 +48,7 @@ class Pressure(RunTest):
             self.assertNotEqual(V[0], V[-1])
 
     def test_all_parts_of_a_system_follow_the_box(self):
-        """A second setup, which finds everything anew from the positions of atoms, has the energy and the pressure of the last step. The
+        """A second setup, which finds everything again from the positions of atoms, has the energy and the pressure of the last step. The
         box shrinks by 3 % in a run, so that the nearest images change their roles."""
         for form, values in FORMS:
             with self.subTest(form=form, electrostatics=values["electrostatics"]):

@@ -51,6 +51,16 @@ MIXTURES = {
 }
 
 
+# Potentials other than Lennard-Jones, alone and with water.
+OTHER_LAWS = {
+    "Buckingham argon": {"molecules": '[{ model = "argon-buckingham", count = 64 }]', "density": "1.2 g/cm3"},
+    "Mie CF4": {"molecules": '[{ model = "cf4-mie", count = 64 }]', "density": "1.4 g/cm3"},
+    "Mie argon in water": {"molecules": '[{ model = "spce", count = 58 }, { model = "argon-mie", count = 6 }]',
+                           "more": '[[pair]]\nsites = ["spce.OW", "argon-mie.Ar"]\nlaw = "mie"\nsigma = "0.33 nm"\nepsilon = "0.8 kJ/mol"\n'
+                                   'repulsive_exponent = 14\nattractive_exponent = 6'},
+}
+
+
 class RunTest(LammpsTest):
     def energies_of_polhode(self):
         lines = [line for line in (self.folder / "run-energies.csv").read_text().splitlines() if line[:1] != "#"]
@@ -59,7 +69,7 @@ class RunTest(LammpsTest):
     def check_export(self, style):
         """The script that export writes performs the run of polhode, in units real: velocities have the constant of LAMMPS, of 11
         digits, and so has the kinetic energy."""
-        for title, changes in {"water": {}, "gier4-fd": {"scheme": "gier4-fd"}, **MIXTURES}.items():
+        for title, changes in {"water": {}, "gier4-fd": {"scheme": "gier4-fd"}, **MIXTURES, **OTHER_LAWS}.items():
             values = {**WATER, **changes}
             self.write("run.toml", RUN % values)
             self.polhode("run", "run.toml", "--force")

@@ -25,6 +25,7 @@ class ShortRange {
   explicit ShortRange(Chosen law) : law_(std::move(law)) {}
 
   bool is_lennard_jones() const { return std::holds_alternative<LennardJones<T>>(law_); }
+  const Law& law() const { return law_; }
   bool is_zero() const { return is_lennard_jones() && lennard_jones().c12 == 0; }
   ShortRange<float> rounded() const {
     return std::visit([](const auto& law) { return ShortRange<float>(law.rounded()); }, law_);

@@ -15,6 +15,36 @@
 #include "polhode/base/units.hpp"
 
 namespace polhode {
+namespace {
+
+// The values of pair_coeff for each potential; empty if there are none.
+std::string depth_and_diameter(double epsilon, double sigma) {
+  return fmt::format("{:.17g} {:.17g}", epsilon / unit("kcal/mol", Dimension::energy),
+                     sigma / unit("A", Dimension::length));
+}
+
+std::string coefficients(const LennardJones<double>& law) {
+  if (law.c12 == 0) return depth_and_diameter(0, 0);
+  return depth_and_diameter(law.c6 * law.c6 / (4 * law.c12), std::pow(law.c12 / law.c6, 1.0 / 6));
+}
+
+std::string coefficients(const Mie<double>& law) {
+  const double strength_of_one = Mie<double>::of(1, 1, {law.n, law.m}).strength;
+  return fmt::format("mie {} {:.17g} {:.17g}",
+                     depth_and_diameter(law.strength / strength_of_one, std::sqrt(law.sigma2)),
+                     law.n, law.m);
+}
+
+std::string coefficients(const Buckingham<double>& law) {
+  const double angstrom = unit("A", Dimension::length), kcal = unit("kcal/mol", Dimension::energy);
+  return fmt::format("buckingham {:.17g} {:.17g} {:.17g}", law.A / kcal, 1 / law.B / angstrom,
+                     law.c6 / kcal / std::pow(angstrom, 6));
+}
+
+std::string coefficients(const Tabulated<double>&) { return {}; }
+
+}  // namespace
+
 std::string lammps_pair_style(const ForceSettings& s) {
   const double angstrom = unit("A", Dimension::length);
   std::string text = fmt::format(
@@ -32,7 +62,6 @@ std::string lammps_pair_style(const ForceSettings& s) {
 
 void write_lammps_pair_coefficients(std::ostream& out, const Topology& topology,
                                     const ForceSettings& settings, const LammpsTypes& types) {
-  const double angstrom = unit("A", Dimension::length), kcal = unit("kcal/mol", Dimension::energy);
   const auto& all = types.types();
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i; j < all.size(); ++j) {
@@ -41,15 +70,15 @@ void write_lammps_pair_coefficients(std::ostream& out, const Topology& topology,
       const PairTable table(lone_site(all[i], topology, any), lone_site(all[j], topology, any),
                             settings.mixing);
       const ShortRange<double>& law = table.any_law<double>().law.front();
-      if (!law.is_lennard_jones())
-        throw Error(
-            fmt::format("the potential of sites {} and {} is not Lennard-Jones, but pair_style "
-                        "polhode supports only Lennard-Jones; use --pair-style table",
-                        all[i].name, all[j].name));
-      const auto [c6, c12] = law.lennard_jones();
-      fmt::print(out, "pair_coeff {} {} {:.17g} {:.17g} # {} with {}\n", i + 1, j + 1,
-                 c12 == 0 ? 0 : c6 * c6 / (4 * c12) / kcal,
-                 c12 == 0 ? 0 : std::pow(c12 / c6, 1.0 / 6) / angstrom, all[i].name, all[j].name);
+      const std::string values =
+          std::visit([](const auto& x) { return coefficients(x); }, law.law());
+      if (values.empty())
+        throw Error(fmt::format(
+            "the potential of sites {} and {} is a table, which pair_style polhode does "
+            "not support; use --pair-style table",
+            all[i].name, all[j].name));
+      fmt::print(out, "pair_coeff {} {} {} # {} with {}\n", i + 1, j + 1, values, all[i].name,
+                 all[j].name);
     }
 }
 
