@@ -179,8 +179,9 @@ void check_box(const LAMMPS& lammps, const Fix* own) {
 void check_system(LAMMPS* lammps, const Fix* own, const CheckedScheme& scheme) {
   if (lammps->update->whichflag == 2)
     throw Error(
-        "fix polhode cannot minimise, because LAMMPS minimisers deform rigid molecules; minimise "
-        "with 'polhode minimise' and export the result");
+        "fix polhode cannot minimise, because LAMMPS minimisers deform rigid molecules; use 'run' "
+        "with the keyword 'langevin 0 DAMP SEED', which damps the motion, or 'polhode minimise' "
+        "before the export");
   if (!LAMMPS_NS::utils::strmatch(lammps->update->integrate_style, "^verlet"))
     throw Error(std::string("the run style is ") + lammps->update->integrate_style +
                 "; fix polhode needs run_style verlet: use a nested scheme of fix polhode instead "

@@ -99,6 +99,17 @@ class Commands(RunTest):
         self.refuses(["add the keyword langevin or rescale"], fix="ramp 300")
         self.refuses(["the temperature of rescale is -1"], fix="rescale -1 50 7")
 
+    def test_friction_without_noise_minimises(self):
+        """At 0 K only friction remains, and the energy ends at a minimum: the kinetic energy is gone, and the last 500 steps change nothing.
+        From there, a run at 1 K stays: 378 degrees of freedom have kT/2 each, of 0.4 kcal/mol in all."""
+        cold = self.script("polhode", h=2, every=500, steps=6000, fix="langevin 0 50 1")
+        table = self.lammps(cold)[0]
+        self.assertLess(table["Temp"][-1], 1e-6)
+        self.assert_close(table["PotEng"][-2:-1], table["PotEng"][-1:], 1e-8)
+        self.assertLess(table["PotEng"][-1], table["PotEng"][1] - 10)
+        warm = self.lammps(cold + "unfix rigid\nfix rigid all polhode langevin 1 50 1\nrun 1000\n")[1]
+        self.assertAlmostEqual(warm["PotEng"][-1], table["PotEng"][-1], delta=1)
+
     def test_small_differences_of_forces(self):
         field = "variable E equal 0.1*sin(step*0.3)\nfix field all efield v_E 0 0\n"
         for form in ("", "polhode"):
