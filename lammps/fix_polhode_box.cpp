@@ -42,6 +42,11 @@ bool FixPolhode::box_move_is_due() const {
 
 /// Has LAMMPS compute the virial at the end of the step before the next move.
 void FixPolhode::request_pressure() {
+  if (thermo_virial == 0)
+    error->all(FLERR,
+               "fix polhode: without the virial of the fix, which 'fix_modify {} virial no' leaves "
+               "out, the pressure would contain forces within molecules; remove this command",
+               id);
   const std::uint64_t size = program_.size(), interval = settings_.barostat->every * size;
   const std::uint64_t since = cycles_ % settings_.barostat->every * size + phase_;
   pressure_->addstep(update->ntimestep +

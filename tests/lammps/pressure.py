@@ -141,6 +141,7 @@ class Pressure(RunTest):
                               (["set 'boundary p p p'"], self.script(f"{bath} {pressure}").replace("units real", "units real\nboundary p p f")),
                               (["fix box (press/berendsen) changes the box"],
                                self.script(bath).replace("fix rigid all", "fix box all press/berendsen iso 1 1 1000\nfix rigid all", 1)),
+                              (["forces within molecules"], self.script(f"{bath} {pressure}").replace("timestep", "fix_modify rigid virial no\ntimestep", 1)),
                               (["in one move", "larger time constant"], self.script(f"{bath} pressure 1e6 10 4.5e-5"))):
             with self.subTest(words=words):
                 self.refused(script, words)
