@@ -57,6 +57,14 @@ class Hybrid(RunTest):
         for name in ("PotEng", "KinEng"):
             self.assert_close(one[name], two[name], 1e-10, name)
 
+    def test_all_atoms_follow_the_box(self):
+        """A second setup, which finds everything again from the positions of atoms, has the energy and the pressure of the last step."""
+        script = self.script().replace("fix rigid water polhode", "fix rigid water polhode rescale 0 1e15 7 pressure 9000 30 4.5e-5 every 2")
+        for ranks in (1, 2):
+            moved, again = self.lammps(script + "run 0\n", ranks)
+            self.assert_close(moved["PotEng"][-1:], again["PotEng"], 1e-11)
+            self.assertAlmostEqual(moved["Press"][-1], again["Press"][0], delta=1e-5)
+
     def test_charges_of_all_atoms_on_one_mesh(self):
         """coul/long has an erfc with errors up to 1.5e-7, of 290,000 kcal/mol of pairs without regard to sign."""
         pme = {**MIXTURE, "electrostatics": "pme", "molecules": '[{ model = "spce", count = 60 }, { model = "na-spce", count = 2 }, { model = "cl-spce", count = 2 }]'}
