@@ -44,15 +44,6 @@ std::string name_of(const Fix* fix) {
   return std::string("fix ") + fix->id + " (" + fix->style + ")";
 }
 
-bool shares_atoms(LAMMPS* lammps, const Fix* a, const Fix* b) {
-  int shared = 0;
-  const int* const mask = lammps->atom->mask;
-  for (int i = 0; i < lammps->atom->nlocal; ++i)
-    if ((mask[i] & a->groupbit) != 0 && (mask[i] & b->groupbit) != 0) shared = 1;
-  MPI_Allreduce(MPI_IN_PLACE, &shared, 1, MPI_INT, MPI_MAX, lammps->world);
-  return shared != 0;
-}
-
 void check_integrator(const Fix* other, bool shares, std::size_t evaluations) {
   if (LAMMPS_NS::utils::strmatch(other->style, "^polhode"))
     throw Error(name_of(other) +
@@ -157,6 +148,15 @@ bool acts_at_end(const LAMMPS* lammps, std::size_t k) {
 
 bool is_variant_of(std::string_view style, std::span<const std::string_view> names) {
   return std::ranges::any_of(names, [&](std::string_view name) { return style.starts_with(name); });
+}
+
+bool shares_atoms(LAMMPS* lammps, const Fix* a, const Fix* b) {
+  int shared = 0;
+  const int* const mask = lammps->atom->mask;
+  for (int i = 0; i < lammps->atom->nlocal; ++i)
+    if ((mask[i] & a->groupbit) != 0 && (mask[i] & b->groupbit) != 0) shared = 1;
+  MPI_Allreduce(MPI_IN_PLACE, &shared, 1, MPI_INT, MPI_MAX, lammps->world);
+  return shared != 0;
 }
 
 /// Only fix polhode itself may change the box.

@@ -17,6 +17,9 @@ namespace polhode::lammps {
 /// Whether a LAMMPS style is one of a list, in any variant such as "shake/kk".
 bool is_variant_of(std::string_view style, std::span<const std::string_view> names);
 
+/// Whether an atom is in the groups of both fixes.
+bool shares_atoms(LAMMPS_NS::LAMMPS* lammps, const LAMMPS_NS::Fix* a, const LAMMPS_NS::Fix* b);
+
 /// What the checks depend on.
 struct CheckedScheme {
   std::size_t evaluations = 1;  ///< number of force evaluations in a step

@@ -37,7 +37,8 @@ using namespace std::string_view_literals;
 
 // Styles that change charges or potentials during a run; pair style polhode reads them at the start
 // of a run.
-constexpr std::array parameter_changers = {"adapt"sv, "electrode"sv, "qeq"sv};
+constexpr std::array parameter_changers = {"adapt"sv};
+constexpr std::array charge_changers = {"electrode"sv, "qeq"sv};  // of the atoms of their group
 // Styles that replace the forces on atoms, which are zero.
 constexpr std::array force_changers = {"aveforce"sv, "freeze"sv, "lineforce"sv, "planeforce"sv,
                                        "setforce"sv};
@@ -59,14 +60,16 @@ void PairPolhode::check_not_perturbing(const char* command, const char* id,
 void PairPolhode::check_other_commands() const {
   for (const LAMMPS_NS::Fix* fix : modify->get_fix_list()) {
     check_not_perturbing("fix", fix->id, fix->style);
-    if (is_variant_of(fix->style, parameter_changers))
+    const bool shares = shares_atoms(lmp, fix_, fix);
+    if (is_variant_of(fix->style, parameter_changers) ||
+        (shares && is_variant_of(fix->style, charge_changers)))
       error->all(
           FLERR,
           "pair_style polhode reads charges and parameters at the start of a run, but fix {} "
           "({}) changes them during a run; change them between runs with 'set' or "
           "'pair_coeff'",
           fix->id, fix->style);
-    if (is_variant_of(fix->style, force_changers))
+    if (shares && is_variant_of(fix->style, force_changers))
       error->all(
           FLERR,
           "pair_style polhode computes forces on molecules, not on atoms, so fix {} ({}) has "

@@ -65,6 +65,13 @@ class Hybrid(RunTest):
             self.assert_close(moved["PotEng"][-1:], again["PotEng"], 1e-11)
             self.assertAlmostEqual(moved["Press"][-1], again["Press"][0], delta=1e-5)
 
+    def test_atoms_that_are_held(self):
+        """A wall of atoms without forces stays where it is, in both representations."""
+        held = "fix wall argon setforce 0 0 0\nfix rigid"
+        energies = [self.lammps(script.replace("fix free argon nve\n", "").replace("fix rigid", held, 1))[0]["PotEng"]
+                    for script in (self.script(), self.sites + self.integrated())]
+        self.assert_close(*energies, 1e-6)
+
     def test_charges_of_all_atoms_on_one_mesh(self):
         """coul/long has an erfc with errors up to 1.5e-7, of 290,000 kcal/mol of pairs without regard to sign."""
         pme = {**MIXTURE, "electrostatics": "pme", "molecules": '[{ model = "spce", count = 60 }, { model = "na-spce", count = 2 }, { model = "cl-spce", count = 2 }]'}
