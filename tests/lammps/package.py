@@ -46,7 +46,9 @@ class Package(LammpsTest):
             archive.extractall(self.folder)
             metadata, = [archive.read(name).decode() for name in archive.namelist() if name.endswith("METADATA")]
         self.assertEqual(re.findall(r"^Requires-Dist: (\S+)$", metadata, re.M), VERSIONS)
-        command = subprocess.run([sys.executable, "-m", "polhode_lammps"], cwd=self.folder, text=True, capture_output=True, check=True).stdout
+        command, path = (subprocess.run([sys.executable, "-m", "polhode_lammps", *words], cwd=self.folder, text=True, capture_output=True,
+                                        check=True).stdout for words in ((), ("--path",)))
+        self.assertEqual(command, f"plugin load {path}")
         self.write("test.in", command + "plugin list\n")
         self.assertIn("polhode", engine.ENGINE.run(self.folder, "test.in").stdout.partition("Currently loaded plugins")[2])
 
