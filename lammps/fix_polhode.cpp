@@ -87,6 +87,7 @@ void FixPolhode::setup(int vflag) {
   v_init(vflag);
   is_run_ = false;
   show_kinds();
+  warn_of_particles_at_rest();
   collect_forces(columns_->load);
   tally_virial();
   if (box_move_is_due()) measure_pressure();

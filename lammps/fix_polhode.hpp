@@ -191,6 +191,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   std::set<std::int64_t> bodies_partly_in(int bit) const;
   void check_number_of_atoms();
   void show_kinds() const;
+  void warn_of_particles_at_rest();
 
   FixSettings settings_;
   std::vector<ForceEvaluation> program_;

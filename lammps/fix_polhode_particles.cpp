@@ -3,10 +3,12 @@
 // centres and velocities as for atoms, and orientations and angular momenta in columns of fix
 // property/atom.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
 #include "atom.h"
+#include "comm.h"
 #include "error.h"
 #include "fix_polhode.hpp"
 #include "guarded.hpp"
@@ -97,6 +99,26 @@ BodyRecord FixPolhode::body_of_particle(int i, const Kind& kind) {
     error->one(FLERR, std::string("fix polhode: ") + e.what());
   }
   return body;
+}
+
+/// Warns if particles move but do not rotate, as after 'velocity create', which sets velocities
+/// only.
+void FixPolhode::warn_of_particles_at_rest() {
+  if (!has_particles()) return;
+  std::array<double, 2> squares{};
+  for (std::size_t i = 0; i < columns_->size(); ++i) {
+    const Kind& of = kinds_[columns_->bodies.part[i]];
+    if (of.particle == 0 || of.molecule.top == Top::atom) continue;
+    squares[0] += norm2(columns_->state.p[i]);
+    squares[1] += norm2(columns_->state.ell[i]);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, squares.data(), 2, MPI_DOUBLE, MPI_SUM, world);
+  if (squares[0] > 0 && squares[1] == 0 && comm->me == 0)
+    error->warning(FLERR,
+                   "fix polhode: particles move, but all their angular momenta are 0, so half of "
+                   "the kinetic energy is missing; set d2_{}, or equilibrate with the keyword "
+                   "langevin",
+                   angular_momentum_name);
 }
 
 /// A column of fix property/atom.

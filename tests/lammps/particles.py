@@ -38,6 +38,16 @@ class Particles(RunTest):
         self.compare_ranks(self.particles(every=10, **{**MIXTURES["CO2 and argon"], "step": 0.5, "length": 30}),
                            self.PARTICLE_COLUMNS)
 
+    def test_particles_that_move_without_rotation(self):
+        script = self.particles(every=20)
+        still = script.replace("fix rigid all", "set group all d2_angular_momentum[1] 0\nset group all d2_angular_momentum[2] 0\n"
+                                                "set group all d2_angular_momentum[3] 0\nfix rigid all", 1)
+        for text, is_warned in ((script, False), (still, True)):
+            self.write("test.in", text)
+            done = engine.ENGINE.run(self.folder, "test.in", 2)
+            self.assertEqual(done.returncode, 0, done.stdout[-2000:])
+            self.assertEqual("all their angular momenta are 0" in done.stdout, is_warned)
+
     def test_particles_in_restart_and_data_files(self):
         # Centres begin on the faces of the box, which they cross.
         script = self.particles(every=5, scheme="gier4-fd", step=1.5, length=30)
