@@ -40,6 +40,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   int setmask() override;
   void init() override;
   void setup_pre_exchange() override;
+  void pre_exchange() override { check_speeds(); }
   void setup_pre_neighbor() override { pre_neighbor(); }
   void setup(int vflag) override;
   void initial_integrate(int vflag) override;
@@ -158,6 +159,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   double** particle_column(const char* name, int length) const;
   void set_particle_columns();
   void check_communication() const;
+  void check_speeds() const;
   void rebuild_columns();
   void wrap_to_owner(int owner);
   void find_owners();

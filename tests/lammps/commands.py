@@ -110,6 +110,12 @@ class Commands(RunTest):
         warm = self.lammps(cold + "unfix rigid\nfix rigid all polhode langevin 1 50 1\nrun 1000\n")[1]
         self.assertAlmostEqual(warm["PotEng"][-1], table["PotEng"][-1], delta=1)
 
+    def test_a_run_that_becomes_unstable(self):
+        for form, h in (("polhode", 25), ("polhode-particles", 25)):
+            for ranks in (1, 2):
+                with self.subTest(form=form, ranks=ranks):
+                    self.refused(self.script(form, h=h, steps=3000), ["the run has become unstable at step", "use a smaller timestep"], ranks)
+
     def test_small_differences_of_forces(self):
         field = "variable E equal 0.1*sin(step*0.3)\nfix field all efield v_E 0 0\n"
         for form in ("", "polhode"):
