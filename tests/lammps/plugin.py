@@ -244,7 +244,7 @@ run {steps}
             (base.replace("run 60", "fix other all nve\nrun 60"), ["fix other (nve) integrates atoms"]),
             (script.replace("fix rigid all", "group ions id > 256\nfix other ions nve\nfix rigid all"), ["must be velocity-verlet"]),
             (base.replace("run 60", "fix bath all temp/rescale 1 300 300 1 1\nrun 60"), ["use the keyword rescale or langevin"]),
-            (base.replace("run 60", "fix d all deform 1 x scale 1.1\nrun 60"), ["needs a constant box"]),
+            (base.replace("run 60", "fix d all deform 1 x scale 1.1\nrun 60"), ["changes the box and would deform rigid molecules"]),
             (base.replace("velocity-verlet", "verlett"), ["there is no scheme 'verlett'"]),
             (base.replace("velocity-verlet", "position-verlet"), ["must begin and end with a kick"]),
             (base.replace("velocity-verlet", "gier4"), ["exact gradient kicks"]),
