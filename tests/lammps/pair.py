@@ -7,6 +7,7 @@ have 8 to 11 digits, takes part.
 """
 
 import math
+import subprocess
 
 import engine
 from runs import BAR, COULOMB, KCAL, MIXTURES, RUN, VOLUME, WATER, RunTest
@@ -81,6 +82,12 @@ run {evaluations * round(values["length"] / values["step"])}
 
     def test_export(self):
         self.check_export("polhode")
+
+    def test_export_of_a_tabulated_potential(self):
+        self.write("run.toml", RUN % {**WATER, "molecules": '[{ model = "argon-ab-initio", count = 64 }]', "density": "1.2 g/cm3"})
+        done = subprocess.run([engine.ENGINE.program, "export", "lammps", "run.toml", "--pair-style", "polhode"], cwd=self.folder, text=True, capture_output=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("use --pair-style table", done.stderr)
 
     def test_export_of_the_ewald_sum(self):
         changes = {"electrostatics": "pme", "truncation": "site-switch", "more": ""}

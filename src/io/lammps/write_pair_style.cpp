@@ -17,7 +17,12 @@
 namespace polhode {
 namespace {
 
-// The values of pair_coeff for each potential; empty if there are none.
+// The values of pair_coeff for each potential; empty if pair_style polhode does not have it.
+template <class Other>
+std::string coefficients(const Other&) {
+  return {};
+}
+
 std::string depth_and_diameter(double epsilon, double sigma) {
   return fmt::format("{:.17g} {:.17g}", epsilon / unit("kcal/mol", Dimension::energy),
                      sigma / unit("A", Dimension::length));
@@ -40,8 +45,6 @@ std::string coefficients(const Buckingham<double>& law) {
   return fmt::format("buckingham {:.17g} {:.17g} {:.17g}", law.A / kcal, 1 / law.B / angstrom,
                      law.c6 / kcal / std::pow(angstrom, 6));
 }
-
-std::string coefficients(const Tabulated<double>&) { return {}; }
 
 }  // namespace
 
@@ -74,8 +77,8 @@ void write_lammps_pair_coefficients(std::ostream& out, const Topology& topology,
           std::visit([](const auto& x) { return coefficients(x); }, law.law());
       if (values.empty())
         throw Error(fmt::format(
-            "the potential of sites {} and {} is a table, which pair_style polhode does "
-            "not support; use --pair-style table",
+            "pair_style polhode does not have the potential of sites {} and {}; use --pair-style "
+            "table",
             all[i].name, all[j].name));
       fmt::print(out, "pair_coeff {} {} {} # {} with {}\n", i + 1, j + 1, values, all[i].name,
                  all[j].name);
