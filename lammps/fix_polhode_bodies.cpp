@@ -2,6 +2,7 @@
 // This part of fix polhode determines which atoms form bodies, and where the bodies are.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "assembly.hpp"
@@ -169,17 +170,27 @@ void FixPolhode::check_communication() const {
 
 /// Checks that no molecule moves so far in a step that LAMMPS would lose its atoms.
 void FixPolhode::check_speeds() const {
-  constexpr double max_share = 0.1;  // in 10 fs at 300 K, water moves by less than 0.01 of it
-  const double limit = max_share * comm->get_comm_cutoff();
+  struct {
+    double moved = 0;
+    int process = 0;
+  } fastest;
+  std::uint64_t atom_of_fastest = 0;
+  fastest.process = comm->me;
   for (std::size_t i = 0; i < columns_->size(); ++i) {
     const double moved = norm(columns_->velocity(i)) * update->dt;
-    if (moved < limit) continue;
-    error->one(FLERR,
-               "fix polhode: the run has become unstable at step {}: the molecule of atom {} moves "
-               "by {:.3g} in a step; use a smaller timestep, or minimise the energy first, and "
-               "compare the total energy at the start of the run",
-               update->ntimestep, columns_->numbers[i], moved);
+    if (moved <= fastest.moved) continue;
+    fastest.moved = std::isnan(moved) ? std::numeric_limits<double>::infinity() : moved;
+    atom_of_fastest = columns_->numbers[i];
   }
+  MPI_Allreduce(MPI_IN_PLACE, &fastest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  constexpr double max_share = 0.1;  // in 10 fs at 300 K, water moves by less than 0.01 of it
+  if (fastest.moved < max_share * comm->get_comm_cutoff()) return;
+  MPI_Bcast(&atom_of_fastest, 1, MPI_UINT64_T, fastest.process, world);
+  error->all(FLERR,
+             "fix polhode: the run has become unstable at step {}: the molecule of atom {} moves "
+             "by {:.3g} in a step; use a smaller timestep, or minimise the energy first, and "
+             "compare the total energy at the start of the run",
+             update->ntimestep, atom_of_fastest, fastest.moved);
 }
 
 /// Checks that no atoms of the group were created, and no atoms of bodies deleted, since
