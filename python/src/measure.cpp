@@ -24,8 +24,12 @@ MeasureSettings settings_of(const std::string& system, const Words& properties,
 }
 
 nb::tuple as_tuple(const ReplicaTask& task) {
+  nb::list path;
+  for (const CouplingStage& stage : task.path)
+    path.append(nb::make_tuple(stage.size, stage.charge, stage.next));
   return nb::make_tuple(task.point, task.replica, task.averages, task.dynamics, task.step,
-                        nb::bytes(task.record.data(), task.record.size()), task.elongated);
+                        nb::bytes(task.record.data(), task.record.size()), task.elongated,
+                        task.coupled, path);
 }
 
 /// Makes an executor from a Python function. The function is called with a list of tasks and
@@ -59,11 +63,14 @@ nb::tuple measure(const std::string& system, const Words& properties, const Opti
 nb::bytes perform_replica(const std::string& system, const Words& properties, const Options& given,
                           std::size_t point, std::uint64_t replica, std::size_t averages,
                           std::size_t dynamics, double step, const nb::bytes& record,
-                          std::size_t elongated) {
+                          std::size_t elongated, std::size_t coupled, const nb::list& path) {
   const MeasureSettings settings = settings_of(system, properties, given);
-  const ReplicaTask task{point,    replica, averages,
-                         dynamics, step,    std::string(record.c_str(), record.size()),
-                         elongated};
+  ReplicaTask task{point,     replica, averages,
+                   dynamics,  step,    std::string(record.c_str(), record.size()),
+                   elongated, coupled};
+  for (const nb::handle stage : path)
+    task.path.push_back(
+        {nb::cast<double>(stage[0]), nb::cast<double>(stage[1]), nb::cast<double>(stage[2])});
   const std::string after = [&] {
     const nb::gil_scoped_release released;
     return perform(settings, task);

@@ -71,7 +71,7 @@ SeriesEstimate without_bias(const SeriesEstimate& average, const SeriesEstimate&
   corrected.value -= bias.value;
   if (average.known == Known::yes && bias.known == Known::yes) {
     corrected.error = std::hypot(average.error, bias.error);
-    corrected.modes = std::min(average.modes, bias.modes);
+    if (bias.error > 0) corrected.modes = std::min(average.modes, bias.modes);
   } else {
     if (average.known == Known::yes) corrected.known = bias.known;
     corrected.error = corrected.modes = 0;

@@ -22,6 +22,9 @@ struct Site {
   double sigma = 0;     ///< diameter of Lennard-Jones and Mie potentials [nm]
   double epsilon = 0;   ///< well depth of Lennard-Jones and Mie potentials [kJ/mol]
   ShortRangeLaw law{};
+  /// Factor of the distances in its short-range potentials, after mixing. It is below 1 in a
+  /// molecule that is coupled to the others only in part.
+  double size = 1;
 
   bool has_short_range() const { return !is_zero(epsilon, law); }
 };

@@ -43,6 +43,11 @@ bool in_equilibrium(const PointData& data) {
   });
 }
 
+std::size_t length_of(const Replica& replica, MeasuredIn what) {
+  return what == MeasuredIn::coupling ? replica.coupled.segments.size()
+                                      : segments_of(replica, what).size();
+}
+
 const std::vector<BlockMeans::Block>& segments_of(const Replica& replica, MeasuredIn what) {
   return what == MeasuredIn::elongated ? replica.elongated.segments : replica.dynamics;
 }
@@ -50,8 +55,8 @@ const std::vector<BlockMeans::Block>& segments_of(const Replica& replica, Measur
 Contributions::Contributions(const PointData& data, MeasuredIn kind) : what(kind) {
   for (const Replica& replica : data.replicas) {
     const std::size_t from = equilibrated(replica), length = replica.averages.size();
-    const bool is_long = what == MeasuredIn::averages ? length >= from + min_samples
-                                                      : !segments_of(replica, what).empty();
+    const bool is_long =
+        what == MeasuredIn::averages ? length >= from + min_samples : length_of(replica, what) > 0;
     if (!is_in_equilibrium(from, length))
       ++not_in_equilibrium;
     else

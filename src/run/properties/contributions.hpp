@@ -41,6 +41,8 @@ struct Contributions {
   std::string text() const;
 };
 
+/// The number of segments in which a property is measured.
+std::size_t length_of(const Replica& replica, MeasuredIn what);
 /// The segments of dynamics in which a property is measured.
 const std::vector<BlockMeans::Block>& segments_of(const Replica& replica, MeasuredIn what);
 /// The averages in equilibrium, with a run for each replica.

@@ -18,6 +18,7 @@
 #include "polhode/measure/step_bias.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "run/properties/contributions.hpp"
+#include "run/properties/coupling_estimate.hpp"
 #include "run/properties/distances.hpp"
 #include "run/properties/dynamics.hpp"
 #include "run/properties/orthoboxy.hpp"
@@ -234,6 +235,12 @@ void estimate_elongated(MeasuredProperty& m, const PointData& data) {
   note_contributions(m, contributions);
 }
 
+void estimate_coupled(MeasuredProperty& m, const PointData& data) {
+  const Contributions contributions(data, MeasuredIn::coupling);
+  estimate_coupling(m, contributions, data);
+  note_contributions(m, contributions);
+}
+
 void estimate_pair(MeasuredProperty& m, const PointData& data) {
   std::size_t points = 1024;
   do {
@@ -267,6 +274,9 @@ MeasuredProperty estimate(const RequestedProperty& request, const PointData& dat
     case MeasuredIn::elongated:
       estimate_elongated(m, data);
       break;
+    case MeasuredIn::coupling:
+      estimate_coupled(m, data);
+      break;
     case MeasuredIn::pair:
       estimate_pair(m, data);
       break;
@@ -283,6 +293,7 @@ std::vector<SeriesEstimate> stages_of(const RequestedProperty& request, const Po
     for (Replica& replica : first) {
       replica.averages.resize(replica.averages.size() * k / stages);
       replica.dynamics.resize(replica.dynamics.size() * k / stages);
+      replica.coupled.segments.resize(replica.coupled.segments.size() * k / stages);
     }
     PointData part = data;
     part.replicas = first;

@@ -15,8 +15,16 @@ namespace polhode {
 namespace {
 
 double steps_of(const MeasuredProperty& m, const WorkDone& done) {
-  if (m.request.property->measured_in == MeasuredIn::elongated) return done.elongated;
-  return m.request.property->measured_in == MeasuredIn::averages ? done.averages : done.dynamics;
+  switch (m.request.property->measured_in) {
+    case MeasuredIn::averages:
+      return done.averages;
+    case MeasuredIn::elongated:
+      return done.elongated;
+    case MeasuredIn::coupling:
+      return done.coupled;
+    default:
+      return done.dynamics;
+  }
 }
 
 /// An error as it is requested: "0.1 %" or "0.05 kJ/mol".

@@ -16,6 +16,7 @@ struct WorkDone {
   double averages = 0, dynamics = 0;  ///< steps of all replicas together
   double seconds_per_step = 0;        ///< wall-clock time divided by the steps of all replicas [s]
   double elongated = 0;               ///< steps of all copies in the long box of OrthoBoXY
+  double coupled = 0;                 ///< steps of all stages of a coupling
 };
 
 /// The time [s] for which a measurement may run.

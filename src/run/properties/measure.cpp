@@ -15,16 +15,18 @@
 #include "io/files/draft.hpp"
 #include "io/files/with_error.hpp"
 #include "io/files/write_file.hpp"
-#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 #include "run/output_files.hpp"
+#include "run/properties/coupling.hpp"
 #include "run/properties/estimates.hpp"
 #include "run/properties/expected_time.hpp"
+#include "run/properties/measure_plan.hpp"
 #include "run/properties/point_system.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/replica.hpp"
 #include "run/properties/replica_file.hpp"
+#include "run/properties/replica_task.hpp"
 #include "run/properties/target.hpp"
 #include "run/simulation/system/system_notes.hpp"
 
@@ -33,7 +35,7 @@ namespace {
 
 /// Numbers of segments of each replica before the first decision, which are enough for errors to be
 /// known. Lengths then grow by a factor. Frequent decisions would favour errors small by chance.
-constexpr std::size_t first_dynamics = 4;
+constexpr std::size_t first_dynamics = 4, first_coupled = 12;
 constexpr double growth = 1.5;
 /// Number of segments after which a replica that has not reached equilibrium is not continued.
 constexpr std::size_t max_equilibration = 600;
@@ -42,16 +44,6 @@ constexpr std::size_t max_equilibration = 600;
 constexpr double writing_interval = 2;
 /// As many steps of hoa2 have the force evaluations of the pilot's preparation.
 constexpr double steps_of_pilot = 15'000;
-
-/// Performs the next piece of work of a replica.
-/// @return  false if it was stopped
-bool extend_by_one(Replica& replica, const Target& target, const ReplicaSettings& settings) {
-  if (!replica.prepared()) return prepare(replica, settings);
-  if (replica.averages.size() < target.averages) return add_averages(replica, settings);
-  if (replica.dynamics.size() < target.dynamics)
-    return add_dynamics(replica, settings, equilibrated(replica));
-  return add_elongated(replica, settings, equilibrated(replica));
-}
 
 /// Measures a state point.
 class PointMeasurement {
@@ -106,6 +98,7 @@ class PointMeasurement {
 
   void leave_out_missing();
   std::optional<double> choose_step();
+  bool choose_path();
   void show_plan(const Target& target, std::optional<double> seconds_per_step) const;
   TimeAllowed allowed() const;
   WorkDone work_of(const Target& target) const;
@@ -181,7 +174,20 @@ std::optional<double> PointMeasurement::choose_step() {
     write(first);
   }
   system_.common.step = first.step;
+  system_.common.path = first.coupled.path;
   return is_new ? std::optional(watch.seconds()) : std::nullopt;
+}
+
+/// Takes the stages of a coupling from the pilot, which chooses them first if it has none.
+/// @return  false if it was stopped
+bool PointMeasurement::choose_path() {
+  if (!system_.common.path.empty()) return true;
+  callbacks_.note(fmt::format("{}: the pilot chooses the stages of the coupling", at().text()));
+  Replica first = read_replica(file_of(pilot), pilot, system_.identity);
+  if (!choose_stages(first, system_.common)) return false;
+  write(first);
+  system_.common.path = first.coupled.path;
+  return true;
 }
 
 /// Stores a changed replica, and reports the progress of the round.
@@ -237,20 +243,13 @@ void PointMeasurement::extend_taken(std::size_t k, const Target& target) {
 /// Extends replicas by an executor, a few segments at a time, so that little is lost if the
 /// executor is killed.
 void PointMeasurement::execute(const Target& target) {
-  constexpr std::size_t at_once = 8;
   while (!stopped()) {
     std::vector<ReplicaTask> tasks;
     std::vector<Replica*> of;
     for (Replica& r : replicas_) {
       if (has(r, target)) continue;
-      const bool averages = r.averages.size() >= target.averages,
-                 dynamics = averages && r.dynamics.size() >= target.dynamics;
-      const std::size_t elongated = r.elongated.segments.size();
-      tasks.push_back(
-          {point_, r.index, std::min(target.averages, r.averages.size() + at_once),
-           averages ? std::min(target.dynamics, r.dynamics.size() + 1) : r.dynamics.size(),
-           system_.common.step, replica_bytes(r, system_.identity),
-           dynamics ? std::min(target.elongated, elongated + 1) : elongated});
+      tasks.push_back(next_task(r, target, system_.common, system_.identity));
+      tasks.back().point = point_;
       of.push_back(&r);
     }
     if (tasks.empty()) return;
@@ -290,6 +289,8 @@ std::vector<Replica> PointMeasurement::first_of(const Target& target) const {
     replica.dynamics.resize(std::min(replica.dynamics.size(), target.dynamics));
     auto& elongated = replica.elongated.segments;
     elongated.resize(std::min(elongated.size(), target.elongated));
+    auto& coupled = replica.coupled.segments;
+    coupled.resize(std::min(coupled.size(), target.coupled));
   }
   return first;
 }
@@ -315,11 +316,13 @@ bool PointMeasurement::next(Target& target, const std::vector<MeasuredProperty>&
   };
   if (!equilibrium && target.averages >= max_equilibration) return false;
   const bool averages = !equilibrium || any(MeasuredIn::averages),
-             dynamics = any(MeasuredIn::dynamics), elongated = any(MeasuredIn::elongated);
+             dynamics = any(MeasuredIn::dynamics), elongated = any(MeasuredIn::elongated),
+             coupled = any(MeasuredIn::coupling);
   if (averages) target.averages = longer(target.averages);
   if (dynamics) target.dynamics = longer(target.dynamics);
   if (elongated) target.elongated = longer(target.elongated);
-  return averages || dynamics || elongated;
+  if (coupled) target.coupled = longer(target.coupled);
+  return averages || dynamics || elongated || coupled;
 }
 
 void PointMeasurement::show(const std::vector<MeasuredProperty>& values, bool equilibrium) const {
@@ -337,26 +340,12 @@ void PointMeasurement::show(const std::vector<MeasuredProperty>& values, bool eq
 
 void PointMeasurement::show_plan(const Target& target,
                                  std::optional<double> seconds_per_step) const {
-  const auto n = static_cast<double>(replicas_.size());
-  const auto averages = static_cast<double>(target.averages * steps_of_averages),
-             dynamics = static_cast<double>(target.dynamics + target.elongated) * steps_of_dynamics,
-             with_pairs = steps_of_dynamics_of(target.dynamics, settings_.paired_runs) +
-                          steps_of_elongated(target.elongated, settings_.paired_runs);
-  const double step = system_.common.step,
-               steps = n * (averages + with_pairs + steps_of_preparation),
-               at_once = std::min(n, static_cast<double>(workers_.threads()));
-  const double seconds = steps * seconds_per_step.value_or(0) / at_once;
-  callbacks_.note(fmt::format(
-      "plan at {}: {} replicas of {} molecules, hoa2 at {:g} fs; first {:.0f} ps of each at "
-      "constant {}{}{}; longer where an error is not reached",
-      at().text(), replicas_.size(), system_.topology.size(), step * units::fs_per_ps,
-      averages * step, at().constant_volume() ? "volume" : "pressure",
-      dynamics > 0
-          ? fmt::format(
-                " and {:.0f} ps for dynamics{}", dynamics * step,
-                settings_.paired_runs ? ", of which an eighth is repeated at half of the step" : "")
-          : "",
-      seconds > 0 ? fmt::format(", about {}", duration_text(seconds)) : ""));
+  const Plan plan{system_.common, target, replicas_.size(), system_.topology.size(),
+                  settings_.paired_runs};
+  const std::size_t at_once =
+      std::min(replicas_.size(), static_cast<std::size_t>(workers_.threads()));
+  const double seconds = plan.steps() * seconds_per_step.value_or(0) / static_cast<double>(at_once);
+  callbacks_.note(plan.text(seconds));
   if (!allowed().is_limit && seconds > max_time)
     throw Error(fmt::format(
         "the first lengths of {} molecules need about {}; it must be less than a year: give fewer "
@@ -379,7 +368,8 @@ WorkDone PointMeasurement::work_of(const Target& target) const {
   return {n * static_cast<double>(target.averages) * steps_of_averages,
           n * steps_of_dynamics_of(target.dynamics, settings_.paired_runs),
           steps_ > 0 ? seconds_ / steps_ : 0,
-          n * steps_of_elongated(target.elongated, settings_.paired_runs)};
+          n * steps_of_elongated(target.elongated, settings_.paired_runs),
+          n * steps_of_coupled(target.coupled, system_.common.path.size())};
 }
 
 /// Shows how long it will take; the first time also what takes too long.
@@ -398,12 +388,14 @@ void PointMeasurement::show_time(const std::vector<MeasuredProperty>& values,
 }
 
 MeasuredPoint PointMeasurement::perform() {
-  if ((wants(MeasuredIn::averages) || wants(MeasuredIn::dynamics) ||
-       wants(MeasuredIn::elongated)) &&
-      !settings_.only_evaluate) {
+  const bool simulates = wants(MeasuredIn::averages) || wants(MeasuredIn::dynamics) ||
+                         wants(MeasuredIn::elongated) || wants(MeasuredIn::coupling);
+  if (simulates && !settings_.only_evaluate) {
     const std::optional<double> seconds = choose_step();
     Target target{first_averages, wants(MeasuredIn::dynamics) ? first_dynamics : 0,
-                  wants(MeasuredIn::elongated) ? first_dynamics : 0};
+                  wants(MeasuredIn::elongated) ? first_dynamics : 0,
+                  wants(MeasuredIn::coupling) ? first_coupled : 0};
+    if (target.coupled > 0 && system_.common.step > 0 && !choose_path()) target.coupled = 0;
     if (system_.common.step > 0)
       show_plan(target, seconds ? std::optional(*seconds / steps_of_pilot) : std::nullopt);
     while (system_.common.step > 0 && !stopped()) {
@@ -447,17 +439,6 @@ bool MeasureReport::reached() const {
   return std::ranges::all_of(points, [](const MeasuredPoint& point) {
     return std::ranges::all_of(point.properties, &MeasuredProperty::reached);
   });
-}
-
-std::string perform(const MeasureSettings& settings, const ReplicaTask& task) {
-  PointSystem system(settings, settings.points.at(task.point));
-  system.common.step = task.step;
-  Replica replica = task.record.empty() ? Replica{.index = task.replica}
-                                        : parse_replica(task.record, "the record of a task",
-                                                        task.replica, system.identity);
-  const Target target{task.averages, task.dynamics, task.elongated};
-  while (!has(replica, target)) extend_by_one(replica, target, system.common);
-  return replica_bytes(replica, system.identity);
 }
 
 MeasureReport measure(const MeasureSettings& settings, const Callbacks& callbacks, Workers& workers,

@@ -141,9 +141,36 @@ constexpr std::array all = {
              "than the first minimum of their radial distribution function; in a mixture, of the "
              "first kind",
              "allen2017", false, false},
+    Property{"chemical-potential", "kJ/mol", In::coupling,
+             "residual chemical potential of the first kind of molecule, relative to an ideal gas "
+             "of the same density, by coupling one molecule to all others in stages; with one "
+             "molecule of this kind, its solvation free energy",
+             "bennett1976", false, false, nullptr, At::constant_pressure},
+    Property{"vapour-pressure", "bar", In::coupling,
+             "pressure at which the vapour, with its second virial coefficient, has the chemical "
+             "potential of the liquid; for pure substances far below the critical temperature",
+             "bennett1976", false, false, nullptr, At::constant_pressure},
     Property{"second-virial-coefficient", "cm3/mol", In::pair,
              "integral of the Mayer function of two molecules, times −1/2, without a cutoff",
              "allen2017", false, false}};
+
+/// The reason why the first kind of molecule cannot be coupled in stages; empty if it can.
+std::string why_not_coupled(const Topology& topology) {
+  const Molecule& molecule = topology.parts.front().molecule;
+  if (topology.size() < 2) return "there is no other molecule";
+  if (std::abs(molecule.charge()) > 1e-9)
+    return fmt::format(
+        "'{}' has a charge of {:g} e, and the free energy of an ion depends on the size of the box",
+        molecule.name, molecule.charge());
+  if (std::ranges::none_of(molecule.sites, &Site::has_short_range))
+    return fmt::format("'{}' has no short-range potential, without which its charges collapse",
+                       molecule.name);
+  for (const Site& site : molecule.sites)
+    if (std::holds_alternative<TabulatedLaw>(site.law))
+      return fmt::format("site '{}.{}' has a tabulated potential, whose distances cannot be scaled",
+                         molecule.name, site.name);
+  return "";
+}
 
 }  // namespace
 
@@ -171,6 +198,9 @@ std::string why_not(const Property& p, const Topology& topology, bool has_mesh) 
   if (p.of_dipoles && !any([](const Molecule& m) { return has_dipole(m); }))
     return "no molecule has a dipole";
   if (p.of_dipoles && !has_mesh) return "this property requires electrostatics = \"pme\"";
+  if (std::string_view(p.name) == "vapour-pressure" && topology.parts.size() > 1)
+    return "the vapour of a mixture differs in composition from the liquid";
+  if (p.measured_in == MeasuredIn::coupling) return why_not_coupled(topology);
   if (p.of_rotation && !any([](const Molecule& m) { return m.top != Top::atom; }))
     return "atoms do not rotate";
   if (p.measured_in == MeasuredIn::pair && topology.parts.size() > 1)

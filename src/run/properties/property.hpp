@@ -45,6 +45,7 @@ enum class MeasuredIn {
   averages,   ///< runs at constant temperature, and at constant pressure or volume
   dynamics,   ///< runs at the density found there, with a weak rescaling of all momenta
   elongated,  ///< the same in the long box of OrthoBoXY, with three times as many molecules
+  coupling,   ///< runs in which a molecule is coupled to all others in stages
   pair        ///< no run: an integral over two molecules
 };
 

@@ -17,13 +17,13 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/integrate/with_bath.hpp"
 #include "polhode/math/random.hpp"
 #include "polhode/run/prepare/preparation.hpp"
 #include "polhode/run/simulation/report/summary.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "run/prepare/compressibility.hpp"
+#include "run/properties/chain.hpp"
 #include "run/properties/distances.hpp"
 #include "run/properties/elongate.hpp"
 #include "run/properties/phases.hpp"
@@ -31,89 +31,14 @@
 #include "run/properties/volume_moves.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/relaxation.hpp"
-#include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {
 namespace {
-
-// Streams of random numbers for the preparation, for averages, for dynamics and for dynamics at
-// half of the step.
-enum Stream : std::uint64_t {
-  preparing = 0,
-  averaging = 1u << 20,
-  moving = 2u << 20,
-  pairing = 3u << 20,
-  elongating = 4u << 20,
-  elongated_pairing = 5u << 20,
-  relaxing_elongated = 6u << 20
-};
 
 constexpr MinimisationSettings relaxed{.force = 100, .torque = 10};
 constexpr double first_step = 0.001;  // first step of the preparation [ps]
 constexpr double tenth_of_fs = 1e-4;  // 0.1 fs [ps]
 constexpr double max_ratio = 0.015;   // maximum R of the segments
-
-/// A system at a state point, with its random numbers.
-class Chain {
- public:
-  /// @param meshes  errors of meshes for this system, which are kept between segments
-  Chain(const ReplicaSettings& settings, const Replica& replica, std::optional<MeshChoice>& meshes)
-      : settings_(settings), config_(configuration_of(settings)), meshes_(meshes) {
-    config_.system.seed = derived_seed(config_.system.seed, replica.index);
-    config_.run.minimise = true;
-    system_.emplace(build_system(config_));
-  }
-
-  System& system() { return *system_; }
-  const ReplicaSettings& settings() const { return settings_; }
-
-  TrajectorySettings trajectory(const Scheme& scheme, double step, double length,
-                                std::uint64_t stream) const {
-    TrajectorySettings t{.scheme = scheme,
-                         .step = step,
-                         .length = length,
-                         .sample = 10 * step,
-                         .lambda = config_.integrator.lambda,
-                         .seed = derived_seed(config_.system.seed, stream)};
-    t.ensemble.temperature = settings_.at.temperature;
-    return t;
-  }
-
-  /// Runs a trajectory that may blow up or be stopped.
-  Trajectory attempt(const TrajectorySettings& t, Watch watch = {}) {
-    watch.stop = settings_.stop;
-    ForceField forces(system_->topology, system_->forces, system_->state.box, Workers::serial(),
-                      std::exchange(meshes_, std::nullopt));
-    try {
-      Trajectory done = run_trajectory(*system_, forces, t, watch);
-      meshes_ = forces.mesh_choice();
-      return done;
-    } catch (const RunError& e) {  // a barostat that moves the box too far
-      Trajectory ended;
-      ended.failure = e.what();
-      return ended;
-    }
-  }
-  /// Runs a trajectory.
-  /// @return  the trajectory; empty if it was stopped
-  std::optional<Trajectory> run(const TrajectorySettings& t, Watch watch = {}) {
-    Trajectory done = attempt(t, std::move(watch));
-    if (!done.failure.empty())
-      throw RunError(fmt::format("at {}: {}", settings_.at.text(), done.failure));
-    if (done.stopped) return std::nullopt;
-    return done;
-  }
-
-  double max_stable_step(const TrajectorySettings& t) {
-    return polhode::max_stable_step(*system_, system_->state, t);
-  }
-
- private:
-  const ReplicaSettings& settings_;
-  Config config_;
-  std::optional<MeshChoice>& meshes_;
-  std::optional<System> system_;
-};
 
 double rounded(double step) {
   return std::max(tenth_of_fs, std::floor(step / tenth_of_fs + 1e-9) * tenth_of_fs);
@@ -216,34 +141,19 @@ bool relax(Chain& chain, Replica& replica) {
   return true;
 }
 
-/// The scheme hoa2 with a bath at the ends of its steps.
-Scheme with_ends() { return with_bath(scheme_of("hoa2"), BathPlace::ends, "hoa2 with a bath"); }
-
-TrajectorySettings averages_of(const Chain& chain, const Replica& replica, double step,
-                               std::size_t steps, std::uint64_t stream) {
-  TrajectorySettings t =
-      chain.trajectory(with_ends(), step, step * static_cast<double>(steps), stream);
-  t.sample = step * steps_of_sample;
-  t.shadow_sample = step * steps_of_shadow_sample;
-  t.ensemble.thermostat = Rescaling{std::max(0.5, 100 * step)};
-  if (!chain.settings().at.constant_volume())
-    t.ensemble.barostat =
-        barostat(chain.settings(), compressibility_of_moves(replica, chain.settings().at), step);
-  return t;
-}
-
 /// Chooses the time step. It is half of the maximum stable step, or a shorter step at which R and
 /// the predicted potential energy bias are below their bounds. Both grow as the square of the step.
 bool choose_step(Chain& chain, Replica& replica) {
   constexpr std::uint64_t trials = 8;
   constexpr double shorter = 1.5;
   const State start = chain.system().state;
-  const TrajectorySettings probe = averages_of(chain, replica, first_step, 1, 0);
+  const double compressibility = compressibility_of_moves(replica, chain.settings().at);
+  const TrajectorySettings probe = averages_of(chain, compressibility, first_step, 1, 0);
   double step = rounded(chain.max_stable_step(probe) / 2);
   for (std::uint64_t k = 1; k <= trials; ++k) {
     replica.step = step;
     const TrajectorySettings trial =
-        averages_of(chain, replica, step, 2 * steps_of_averages, averaging - k);
+        averages_of(chain, compressibility, step, 2 * steps_of_averages, averaging - k);
     const Trajectory done = chain.attempt(trial);
     if (done.stopped) return false;
     double beyond = shorter * shorter;
@@ -404,8 +314,9 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings) {
   Chain chain(settings, replica, replica.meshes);
   System& system = chain.system();
   system.state = replica.state;
-  const TrajectorySettings t = averages_of(chain, replica, replica.step, steps_of_averages,
-                                           averaging + replica.averages.size());
+  const TrajectorySettings t =
+      averages_of(chain, compressibility_of_moves(replica, settings.at), replica.step,
+                  steps_of_averages, averaging + replica.averages.size());
   const FixedMeans fixed = *t.fixed_means();
   const bool constant_volume = settings.at.constant_volume();
   const std::size_t count = constant_volume ? averages_count_at_constant_volume : averages_count;

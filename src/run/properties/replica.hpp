@@ -16,6 +16,7 @@
 #include "polhode/measure/step_response.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
+#include "run/properties/coupling_path.hpp"
 #include "run/properties/property.hpp"
 
 namespace polhode {
@@ -82,6 +83,27 @@ struct ElongatedChain {
   std::optional<MeshChoice> meshes{};  ///< kept between segments to save time; not in the record
 };
 
+/// Numbers that are averaged at each stage of a coupling.
+inline constexpr std::size_t coupling_sums = 3;
+
+/// A segment at a stage of a coupling.
+struct StageSegment {
+  /// Sums of the acceptance function towards the stage before, of that towards the stage after, and
+  /// of the volume [nm³]; in the first stage, of the inverse volume.
+  BlockMeans::Block sums;
+  StepResponse response;  ///< time-step response of the same averages, in one block
+};
+
+/// Chains of segments in which a molecule is coupled to all others, with a chain for each stage.
+struct CoupledChains {
+  CouplingPath path;           ///< stages; of a pilot, those that it has chosen
+  double compressibility = 0;  ///< compressibility that sets the size of volume moves
+                               ///< [nm³ mol/kJ]
+  std::vector<State> states;   ///< states at the end of the last segments; empty before the first
+  std::vector<std::vector<StageSegment>> segments;  ///< a segment at each stage
+  std::optional<MeshChoice> meshes{};  ///< kept between segments to save time; not in the record
+};
+
 struct Replica {
   std::uint64_t index = 0;
   double step = 0;             ///< time step of its segments [ps]; 0 until it is prepared
@@ -97,6 +119,7 @@ struct Replica {
   std::vector<PairedSegment> paired{};  ///< in the order of the segments
   std::optional<MeshChoice> meshes{};   ///< kept between segments to save time; not in the record
   ElongatedChain elongated{};
+  CoupledChains coupled{};
 
   bool prepared() const { return step > 0; }
 };
@@ -113,8 +136,9 @@ struct ReplicaSettings {
   double liquid_density = 0;  ///< estimated density of the liquid [u/nm³]
   double max_bias = 0;        ///< maximum relative time-step bias of the potential energy
   bool paired_runs = true;    ///< whether there are paired segments of dynamics
-  double step = 0;  ///< time step of all replicas [ps]; 0 for a pilot, which chooses the step
-                    ///< during preparation
+  double step = 0;      ///< time step of all replicas [ps]; 0 for a pilot, which chooses the step
+                        ///< during preparation
+  CouplingPath path{};  ///< stages of a coupling of all replicas, which a pilot chooses
   std::function<bool()> stop{};  ///< ends a segment, which is then discarded
 };
 

@@ -75,6 +75,39 @@ State state_of(const json& j) {
   return state;
 }
 
+json coupled_json(const CoupledChains& chains) {
+  json path = json::array(), states = json::array(), segments = json::array();
+  for (const CouplingStage& stage : chains.path)
+    path.push_back({stage.size, stage.charge, stage.next});
+  for (const State& state : chains.states) states.push_back(state_json(state));
+  for (const std::vector<StageSegment>& segment : chains.segments) {
+    json stages = json::array();
+    for (const auto& [sums, response] : segment)
+      stages.push_back(
+          {block_json(sums), response.first, block_json(response.blocks.blocks.front())});
+    segments.push_back(std::move(stages));
+  }
+  return {{"path", path},
+          {"compressibility", chains.compressibility},
+          {"states", states},
+          {"segments", segments}};
+}
+
+CoupledChains coupled_of(const json& j) {
+  CoupledChains chains{.compressibility = j.at("compressibility").get<double>()};
+  for (const json& stage : j.at("path"))
+    chains.path.push_back(
+        {stage.at(0).get<double>(), stage.at(1).get<double>(), stage.at(2).get<double>()});
+  for (const json& state : j.at("states")) chains.states.push_back(state_of(state));
+  for (const json& stages : j.at("segments")) {
+    std::vector<StageSegment>& segment = chains.segments.emplace_back();
+    for (const json& stage : stages)
+      segment.push_back({block_of(stage.at(0)),
+                         {stage.at(1).get<std::vector<double>>(), {{block_of(stage.at(2))}, 1}}});
+  }
+  return chains;
+}
+
 json replica_json(const Replica& replica) {
   json averages = json::array(), dynamics = json::array();
   for (const AveragesSegment& segment : replica.averages)
@@ -98,6 +131,7 @@ json replica_json(const Replica& replica) {
     e["paired"] = json::array();
     for (const auto& [of, half] : chain.paired) e["paired"].push_back({of, block_json(half)});
   }
+  if (!replica.coupled.path.empty()) j["coupled"] = coupled_json(replica.coupled);
   if (replica.prepared()) j["state"] = state_json(replica.state);
   if (replica.moving) j["moving"] = state_json(*replica.moving);
   if (replica.start.size() > 0) j["start"] = vectors_json(replica.start);
@@ -126,6 +160,7 @@ Replica replica_of(const json& j) {
     for (const json& paired : e.at("paired"))
       replica.elongated.paired.push_back({paired.at(0).get<std::size_t>(), block_of(paired.at(1))});
   }
+  if (j.contains("coupled")) replica.coupled = coupled_of(j["coupled"]);
   if (j.contains("state")) replica.state = state_of(j["state"]);
   if (j.contains("moving")) replica.moving = state_of(j["moving"]);
   if (j.contains("start")) replica.start = column_of(j["start"].get<std::vector<double>>());

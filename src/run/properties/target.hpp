@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "run/properties/coupling.hpp"
 #include "run/properties/elongate.hpp"
 #include "run/properties/replica.hpp"
 
@@ -12,7 +13,7 @@ namespace polhode {
 
 /// Segments of each kind that a replica needs at least.
 struct Target {
-  std::size_t averages = 0, dynamics = 0, elongated = 0;
+  std::size_t averages = 0, dynamics = 0, elongated = 0, coupled = 0;
 };
 
 /// The work of a preparation, as steps of hoa2 with the same number of force evaluations.
@@ -23,7 +24,7 @@ inline constexpr double steps_of_dynamics = steps_of_lags * windows_in_segment;
 /// Segments and preparations that a replica has.
 inline std::size_t pieces_of(const Replica& replica) {
   return replica.averages.size() + replica.dynamics.size() + replica.elongated.segments.size() +
-         (replica.prepared() ? 1 : 0);
+         replica.coupled.segments.size() + (replica.prepared() ? 1 : 0);
 }
 
 /// Segments and preparations that a replica still needs.
@@ -33,11 +34,17 @@ inline std::size_t missing(const Replica& replica, const Target& target) {
   };
   return (replica.prepared() ? 0 : 1) + rest(target.averages, replica.averages.size()) +
          rest(target.dynamics, replica.dynamics.size()) +
-         rest(target.elongated, replica.elongated.segments.size());
+         rest(target.elongated, replica.elongated.segments.size()) +
+         rest(target.coupled, replica.coupled.segments.size());
 }
 
 inline bool has(const Replica& replica, const Target& target) {
   return missing(replica, target) == 0;
+}
+
+/// Steps of a number of segments at all stages of a coupling.
+inline double steps_of_coupled(std::size_t segments, std::size_t stages) {
+  return static_cast<double>(segments * stages * steps_of_coupling);
 }
 
 /// Steps of a replica. A step of the long box counts as a step of each of its copies.
@@ -47,6 +54,7 @@ inline double steps_of(const Replica& replica) {
       elongated_copies * (replica.elongated.segments.size() + 2 * replica.elongated.paired.size()));
   return (replica.prepared() ? steps_of_preparation : 0) +
          static_cast<double>(replica.averages.size()) * steps_of_averages +
+         steps_of_coupled(replica.coupled.segments.size(), replica.coupled.path.size()) +
          (segments + elongated) * steps_of_dynamics;
 }
 

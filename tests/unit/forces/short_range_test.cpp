@@ -8,7 +8,9 @@
 
 #include "../errors.hpp"
 #include "forces/laws/law_range.hpp"
+#include "forces/laws/resized.hpp"
 #include "math/dual.hpp"
+#include "polhode/base/error.hpp"
 
 using namespace polhode;
 
@@ -50,6 +52,27 @@ TEST_CASE("each short-range law's s is minus its slope over r") {
       CHECK(value.s.value == doctest::Approx(-value.u.slope / r).epsilon(1e-11));
       CHECK(value.u.value == doctest::Approx(at(law, r).u).epsilon(1e-13));
     }
+}
+
+// Both are rounded a few times; powers of the factor multiply this by at most 12.
+TEST_CASE("a potential with scaled distances is the potential at scaled distances") {
+  const std::vector<ShortRange<double>> laws = one_of_each();
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const double factor : {0.4, 0.9})
+      for (double r = 0.3; r < 1.1; r += 0.0371) {
+        CAPTURE(k);
+        CAPTURE(r);
+        const PairValue<double> scaled = at(resized(laws[k], factor), factor * r);
+        const PairValue<double> plain = at(laws[k], r);
+        const double scale = 1e-13 * at(ShortRange<double>(LennardJones<>::of(0.34, 1)), 0.26).u;
+        CHECK(std::abs(scaled.u - plain.u) < scale);
+        CHECK(std::abs(scaled.s * factor * factor - plain.s) < 12 * scale / (r * r));
+      }
+  CHECK(std::isnan(at(resized(laws[2], 0.5),
+                      0.5 * 0.99 * std::sqrt(std::get<Buckingham<>>(laws[2].law()).inner_limit2))
+                       .u));
+  CHECK(at(resized(laws[3], 1), 0.5).u == at(laws[3], 0.5).u);
+  CHECK_THROWS_AS(resized(laws[3], 0.5), Error);
 }
 
 // exp(n/2 ln(σ²/r²)) errs by some n |ln(σ/r)| + 2 roundings of 2⁻⁵³, here below 20 of the larger

@@ -194,6 +194,19 @@ struct MeasureReport {
   bool reached() const;
 };
 
+/// A stage in which one molecule is coupled to all others.
+struct CouplingStage {
+  double size = 0;    ///< factor of the distances in its short-range potentials; 0: it has none
+  double charge = 0;  ///< factor of its charges
+  /// Estimated free energy of the next stage minus that of this stage [kT], which makes the
+  /// acceptance ratio efficient; 0 in the last stage.
+  double next = 0;
+  friend bool operator==(const CouplingStage&, const CouplingStage&) = default;
+};
+
+/// Stages from a molecule of an ideal gas to a molecule that is like all others.
+using CouplingPath = std::vector<CouplingStage>;
+
 /// A unit of work on a replica. Any process can do it with bitwise identical results.
 struct ReplicaTask {
   std::size_t point = 0;                   ///< index of the state point in the settings
@@ -204,6 +217,8 @@ struct ReplicaTask {
                        ///< step
   std::string record;  ///< record of the replica so far, as bytes; empty at the start
   std::size_t elongated = 0;  ///< number of segments in the long box of OrthoBoXY after the task
+  std::size_t coupled = 0;    ///< number of segments of a coupling after the task
+  std::vector<CouplingStage> path{};  ///< stages of the coupling; empty without one
 };
 
 /// Performs a task, and returns the updated record of the replica.

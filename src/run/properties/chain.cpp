@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "run/properties/chain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "polhode/base/error.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/integrate/with_bath.hpp"
+#include "polhode/math/random.hpp"
+#include "run/properties/volume_moves.hpp"
+#include "run/simulation/system/stable_step.hpp"
+
+namespace polhode {
+
+Chain::Chain(const ReplicaSettings& settings, const Replica& replica,
+             std::optional<MeshChoice>& meshes)
+    : settings_(settings), config_(configuration_of(settings)), meshes_(meshes) {
+  config_.system.seed = derived_seed(config_.system.seed, replica.index);
+  config_.run.minimise = true;
+  system_.emplace(build_system(config_));
+}
+
+std::uint64_t Chain::seed(std::uint64_t stream) const {
+  return derived_seed(config_.system.seed, stream);
+}
+
+TrajectorySettings Chain::trajectory(const Scheme& scheme, double step, double length,
+                                     std::uint64_t stream) const {
+  TrajectorySettings t{.scheme = scheme,
+                       .step = step,
+                       .length = length,
+                       .sample = 10 * step,
+                       .lambda = config_.integrator.lambda,
+                       .seed = seed(stream)};
+  t.ensemble.temperature = settings_.at.temperature;
+  return t;
+}
+
+Trajectory Chain::attempt(const TrajectorySettings& t, Watch watch) {
+  watch.stop = settings_.stop;
+  ForceField forces(system_->topology, system_->forces, system_->state.box, Workers::serial(),
+                    std::exchange(meshes_, std::nullopt));
+  try {
+    Trajectory done = run_trajectory(*system_, forces, t, watch);
+    meshes_ = forces.mesh_choice();
+    return done;
+  } catch (const RunError& e) {  // a barostat that moves the box too far
+    Trajectory ended;
+    ended.failure = e.what();
+    return ended;
+  }
+}
+
+std::optional<Trajectory> Chain::run(const TrajectorySettings& t, Watch watch) {
+  Trajectory done = attempt(t, std::move(watch));
+  if (!done.failure.empty())
+    throw RunError(fmt::format("at {}: {}", settings_.at.text(), done.failure));
+  if (done.stopped) return std::nullopt;
+  return done;
+}
+
+double Chain::max_stable_step(const TrajectorySettings& t) {
+  return polhode::max_stable_step(*system_, system_->state, t);
+}
+
+Scheme with_ends() { return with_bath(scheme_of("hoa2"), BathPlace::ends, "hoa2 with a bath"); }
+
+TrajectorySettings averages_of(const Chain& chain, double compressibility, double step,
+                               std::size_t steps, std::uint64_t stream) {
+  TrajectorySettings t =
+      chain.trajectory(with_ends(), step, step * static_cast<double>(steps), stream);
+  t.sample = step * steps_of_sample;
+  t.shadow_sample = step * steps_of_shadow_sample;
+  t.ensemble.thermostat = Rescaling{std::max(0.5, 100 * step)};
+  if (!chain.settings().at.constant_volume())
+    t.ensemble.barostat = barostat(chain.settings(), compressibility, step);
+  return t;
+}
+
+}  // namespace polhode

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// A system at a state point, from which the segments of a replica are simulated.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "polhode/run/simulation/system/system.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
+#include "run/properties/replica.hpp"
+
+namespace polhode {
+
+/// Streams of random numbers: for the preparation, and for each kind of segment.
+enum Stream : std::uint64_t {
+  preparing = 0,
+  averaging = 1u << 20,
+  moving = 2u << 20,
+  pairing = 3u << 20,
+  elongating = 4u << 20,
+  elongated_pairing = 5u << 20,
+  relaxing_elongated = 6u << 20,
+  coupling = 7u << 20,
+  choosing_stages = 8u << 20
+};
+
+/// A system at a state point, with its random numbers.
+class Chain {
+ public:
+  /// @param meshes  errors of meshes for this system, which are kept between segments
+  Chain(const ReplicaSettings& settings, const Replica& replica, std::optional<MeshChoice>& meshes);
+
+  System& system() { return *system_; }
+  const ReplicaSettings& settings() const { return settings_; }
+  /// The seed of a stream of random numbers of the replica.
+  std::uint64_t seed(std::uint64_t stream) const;
+
+  TrajectorySettings trajectory(const Scheme& scheme, double step, double length,
+                                std::uint64_t stream) const;
+  /// Runs a trajectory that may blow up or be stopped.
+  Trajectory attempt(const TrajectorySettings& t, Watch watch = {});
+  /// Runs a trajectory.
+  /// @return  the trajectory; empty if it was stopped
+  /// @throws RunError  if it blows up
+  std::optional<Trajectory> run(const TrajectorySettings& t, Watch watch = {});
+  double max_stable_step(const TrajectorySettings& t);
+
+ private:
+  const ReplicaSettings& settings_;
+  Config config_;
+  std::optional<MeshChoice>& meshes_;
+  std::optional<System> system_;
+};
+
+/// The scheme hoa2 with a bath at the ends of its steps.
+Scheme with_ends();
+
+/// The trajectory of a segment at the temperature, and at the pressure or the volume of the state
+/// point.
+/// @param compressibility  compressibility that sets the size of volume moves [nm³ mol/kJ]
+TrajectorySettings averages_of(const Chain& chain, double compressibility, double step,
+                               std::size_t steps, std::uint64_t stream);
+
+}  // namespace polhode

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "run/properties/coupling_estimate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "measure/equilibration.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/measure/step_bias.hpp"
+#include "run/properties/coupling.hpp"
+#include "run/properties/dynamics.hpp"
+
+namespace polhode {
+namespace {
+
+enum SumOf : std::size_t { before, after, volume_of_stage };
+
+/// What a stage contributes to the free energy [kT], from the means of its sums. With the estimates
+/// of the path, the contributions of all stages add up to it. The volumes make it the potential
+/// relative to an ideal gas of the density of the whole system: without the molecule, the mean
+/// volume is the inverse of the mean inverse volume of the first stage.
+double part_of(Means means, std::size_t stage, std::size_t stages) {
+  const bool first = stage == 0, last = stage + 1 == stages;
+  return (first ? 0 : std::log(means[before])) - (last ? 0 : std::log(means[after])) +
+         (first || last ? std::log(means[volume_of_stage]) : 0);
+}
+
+double estimate_of(const CouplingPath& path) {
+  double sum = 0;
+  for (const CouplingStage& stage : path) sum += stage.next;
+  return sum;
+}
+
+/// The sums of all stages as one block.
+BlockMeans::Block joined(const std::vector<StageSegment>& segment) {
+  BlockMeans::Block all{segment.front().sums.weight, {}};
+  for (const StageSegment& stage : segment)
+    all.sum.insert(all.sum.end(), stage.sums.sum.begin(), stage.sums.sum.end());
+  return all;
+}
+
+/// Segments in equilibrium, with a run for each replica, or as one run if they are too short.
+std::vector<BlockMeans> runs_of(const Contributions& contributions) {
+  std::vector<BlockMeans> runs;
+  std::vector<BlockMeans::Block> all;
+  bool is_long = true;
+  for (const auto& [replica, from] : contributions.all) {
+    std::vector<BlockMeans::Block> run;
+    const auto& segments = replica->coupled.segments;
+    for (std::size_t k = coupled_from(*replica); k < segments.size(); ++k)
+      run.push_back(joined(segments[k]));
+    all.insert(all.end(), run.begin(), run.end());
+    is_long = is_long && run.size() >= min_samples;
+    runs.emplace_back(std::move(run));
+  }
+  if (is_long) return runs;
+  return {BlockMeans(std::move(all))};
+}
+
+/// The step responses of a stage, relative to a common first sample.
+std::vector<StepResponse> responses_of(const Contributions& contributions, std::size_t stage) {
+  std::vector<StepResponse> runs;
+  for (const auto& [replica, from] : contributions.all) {
+    const auto& segments = replica->coupled.segments;
+    if (segments.empty()) continue;
+    StepResponse run{.first = segments.front()[stage].response.first, .blocks = {}};
+    for (std::size_t k = coupled_from(*replica); k < segments.size(); ++k)
+      run.blocks.blocks.push_back(segments[k][stage].response.blocks.blocks.front());
+    run.blocks.samples_per_block = run.blocks.blocks.empty() ? 1 : run.blocks.blocks[0].weight;
+    runs.push_back(runs.empty() ? run : run.relative_to(runs.front().first));
+  }
+  return runs;
+}
+
+/// The time-step bias of the free energy [kT]. The stages are independent runs.
+SeriesEstimate bias_of(const Contributions& contributions, std::size_t stages, FixedMeans fixed,
+                       double degrees_of_freedom) {
+  SeriesEstimate sum{0, 0, Known::yes, 0};
+  for (std::size_t k = 0; k < stages; ++k) {
+    const SeriesEstimate one = step_bias(responses_of(contributions, k), degrees_of_freedom, fixed,
+                                         [&](Means means) { return part_of(means, k, stages); });
+    if (one.known != Known::yes) return one;
+    sum.value += one.value;
+    sum.error = std::hypot(sum.error, one.error);
+    sum.modes += one.modes;
+  }
+  return sum;
+}
+
+/// The smallest overlap of neighbouring stages, from 0 to 1.
+double smallest_overlap(Means means, std::size_t stages) {
+  double smallest = 1;
+  for (std::size_t k = 0; k + 1 < stages; ++k)
+    smallest = std::min(smallest,
+                        means[k * coupling_sums + after] + means[(k + 1) * coupling_sums + before]);
+  return smallest;
+}
+
+}  // namespace
+
+std::size_t coupled_from(const Replica& replica) {
+  const std::vector<std::vector<StageSegment>>& segments = replica.coupled.segments;
+  if (segments.empty()) return 0;
+  const std::size_t stages = segments.front().size();
+  std::vector<BlockMeans::Block> blocks;
+  for (const auto& segment : segments) blocks.push_back(joined(segment));
+  const std::vector<double> mean = BlockMeans(blocks).mean();
+  std::vector<double> series;
+  for (const BlockMeans::Block& block : blocks) {
+    double sum = 0;
+    for (std::size_t k = 0; k < stages; ++k) {
+      const std::size_t first = k * coupling_sums;
+      if (k > 0) sum += block.sum[first + before] / (block.weight * mean[first + before]);
+      if (k + 1 < stages) sum -= block.sum[first + after] / (block.weight * mean[first + after]);
+    }
+    series.push_back(sum);
+  }
+  return equilibrium_start(series);
+}
+
+void estimate_coupling(MeasuredProperty& m, const Contributions& contributions, double temperature,
+                       double degrees_of_freedom) {
+  constexpr double min_overlap = 0.03;
+  if (contributions.all.empty()) return;
+  const std::vector<BlockMeans> runs = runs_of(contributions);
+  if (runs.front().empty()) return;
+  const CouplingPath& path = contributions.all.front().replica->coupled.path;
+  const std::size_t stages = path.size();
+  const double kT = units::boltzmann * temperature;
+  m.value = pooled_estimate(runs, [&](Means means) {
+    double sum = estimate_of(path);
+    for (std::size_t k = 0; k < stages; ++k)
+      sum += part_of(means.subspan(k * coupling_sums, coupling_sums), k, stages);
+    return kT * sum;
+  });
+  const std::vector<double> means = overall(runs);
+  const double smallest = smallest_overlap(means, stages);
+  m.remark = fmt::format("{} stages, smallest overlap {:.2f}", stages, smallest);
+  if (!(smallest >= min_overlap))
+    m.obstacle =
+        fmt::format("the overlap of two stages, {:.2g}, is below {:g}", smallest, min_overlap);
+  if (m.value.known != Known::yes) return;
+  const SeriesEstimate bias =
+      bias_of(contributions, stages, FixedMeans::kinetic_energy_and_pressure, degrees_of_freedom);
+  if (bias.known != Known::yes) return;
+  m.bias = scaled(bias, kT);
+  m.value = without_bias(m.value, *m.bias);
+}
+
+}  // namespace polhode

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "run/properties/coupling_path.hpp"
+
+#include <algorithm>
+
+namespace polhode {
+namespace {
+
+/// The molecule with its potentials and charges as in a stage.
+Molecule at_stage(Molecule molecule, const CouplingStage& stage) {
+  for (Site& site : molecule.sites) {
+    site.charge *= stage.charge;
+    if (stage.size > 0) {
+      site.size = stage.size;
+    } else {
+      site.epsilon = 0;
+      site.law = LennardJonesLaw{};
+    }
+  }
+  return molecule;
+}
+
+}  // namespace
+
+CouplingPath possible_stages(const Molecule& molecule) {
+  constexpr int sizes = 32, charges = 16, first_size = 6;
+  CouplingPath all{{}};
+  for (int k = first_size; k <= sizes; ++k) all.push_back({k / static_cast<double>(sizes), 0});
+  const bool is_charged =
+      std::ranges::any_of(molecule.sites, [](const Site& site) { return site.charge != 0; });
+  if (is_charged)
+    for (int k = 1; k <= charges; ++k) all.push_back({1, k / static_cast<double>(charges)});
+  return all;
+}
+
+System coupled(const System& whole, const CouplingStage& stage) {
+  System system = whole;
+  std::vector<Topology::Part>& parts = system.topology.parts;
+  parts.insert(parts.begin() + 1, {at_stage(parts.front().molecule, stage), 1});
+  if (--parts.front().count == 0) parts.erase(parts.begin());
+  system.bodies = Bodies(system.topology);
+  return system;
+}
+
+}  // namespace polhode

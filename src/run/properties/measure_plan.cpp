@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "run/properties/measure_plan.hpp"
+
+#include <fmt/format.h>
+
+#include "io/settings/output_units.hpp"
+#include "run/properties/expected_time.hpp"
+
+namespace polhode {
+
+double Plan::steps() const {
+  const double averages = static_cast<double>(target.averages * steps_of_averages),
+               with_pairs = steps_of_dynamics_of(target.dynamics, paired_runs) +
+                            steps_of_elongated(target.elongated, paired_runs),
+               coupled = steps_of_coupled(target.coupled, settings.path.size());
+  return static_cast<double>(replicas) * (averages + with_pairs + coupled + steps_of_preparation);
+}
+
+std::string Plan::text(double seconds) const {
+  const double step = settings.step,
+               dynamics =
+                   static_cast<double>(target.dynamics + target.elongated) * steps_of_dynamics;
+  std::string text = fmt::format(
+      "plan at {}: {} replicas of {} molecules, hoa2 at {:g} fs; first {:.0f} ps of each at "
+      "constant {}",
+      settings.at.text(), replicas, molecules, step * units::fs_per_ps,
+      static_cast<double>(target.averages * steps_of_averages) * step,
+      settings.at.constant_volume() ? "volume" : "pressure");
+  if (dynamics > 0)
+    text += fmt::format(" and {:.0f} ps for dynamics{}", dynamics * step,
+                        paired_runs ? ", of which an eighth is repeated at half of the step" : "");
+  if (target.coupled > 0)
+    text += fmt::format(" and {:.0f} ps at each of {} stages of the coupling of a molecule",
+                        static_cast<double>(target.coupled * steps_of_coupling) * step,
+                        settings.path.size());
+  text += "; longer where an error is not reached";
+  if (seconds > 0) text += fmt::format(", about {}", duration_text(seconds));
+  return text;
+}
+
+}  // namespace polhode
