@@ -5,12 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
+#include "io/settings/quantity.hpp"
 #include "measure/equilibration.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/measure/step_bias.hpp"
+#include "polhode/model/degrees_of_freedom.hpp"
 #include "run/properties/coupling.hpp"
 #include "run/properties/dynamics.hpp"
+#include "run/properties/property.hpp"
+#include "run/properties/second_virial.hpp"
 
 namespace polhode {
 namespace {
@@ -25,12 +30,6 @@ double part_of(Means means, std::size_t stage, std::size_t stages) {
   const bool first = stage == 0, last = stage + 1 == stages;
   return (first ? 0 : std::log(means[before])) - (last ? 0 : std::log(means[after])) +
          (first || last ? std::log(means[volume_of_stage]) : 0);
-}
-
-double estimate_of(const CouplingPath& path) {
-  double sum = 0;
-  for (const CouplingStage& stage : path) sum += stage.next;
-  return sum;
 }
 
 /// The sums of all stages as one block.
@@ -98,6 +97,62 @@ double smallest_overlap(Means means, std::size_t stages) {
   return smallest;
 }
 
+/// A vapour in equilibrium with a liquid.
+struct Vapour {
+  double density = 0;   ///< number density [1/nm³]
+  double pressure = 0;  ///< [kJ/mol/nm³]
+};
+
+/// The vapour with the chemical potential of a liquid. The liquid counts as incompressible between
+/// its pressure and that of the vapour.
+/// @param residual  residual chemical potential of the liquid [kT]
+/// @param liquid    number density of the liquid [1/nm³]
+/// @param B         second virial coefficient [nm³]
+/// @return  not finite, or of too high a density, where the virial expansion ends
+Vapour vapour_of(double residual, double liquid, double pressure, double kT, double B) {
+  constexpr int iterations = 50;
+  Vapour vapour{liquid * std::exp(residual), 0};
+  for (int k = 0; k < iterations; ++k) {
+    vapour.pressure = vapour.density * kT * (1 + B * vapour.density);
+    const double compressed = (vapour.pressure - pressure) / (liquid * kT);
+    vapour.density = liquid * std::exp(residual + compressed - 2 * B * vapour.density);
+  }
+  return vapour;
+}
+
+/// The residual chemical potential [kT].
+double residual_of(Means means, const CouplingPath& path) {
+  double sum = 0;
+  for (std::size_t k = 0; k < path.size(); ++k)
+    sum += path[k].next + part_of(means.subspan(k * coupling_sums, coupling_sums), k, path.size());
+  return sum;
+}
+
+/// Replaces the residual chemical potential by the pressure of the vapour.
+/// @param volume  mean volume of the liquid [nm³]
+void to_vapour(MeasuredProperty& m, const PointData& data, double volume) {
+  constexpr double max_density = 0.1;  // |B ρ|: the third coefficient then adds about 1 %
+  const double kT = units::boltzmann * data.at.temperature, bar = unit("bar", Dimension::pressure),
+               liquid = static_cast<double>(data.topology.size()) / volume;
+  const Molecule& molecule = data.topology.parts.front().molecule;
+  const Estimate B = second_virial(molecule, data.mixing, data.at.temperature).value;
+  const auto vapour = [&](double coefficient) {
+    return vapour_of(m.value.value / kT, liquid, data.at.pressure, kT, coefficient);
+  };
+  const Vapour found = vapour(B.value);
+  if (!(std::abs(B.value * found.density) < max_density)) {
+    m.obstacle =
+        "the vapour is too dense for its second virial coefficient; give a lower temperature";
+    m.longer_helps = false;
+  }
+  const double per_potential = found.pressure / kT / bar,  // dp/dμ of a dilute vapour
+      of_B = (vapour(B.value + B.error).pressure - found.pressure) / bar;
+  if (m.bias) m.bias = scaled(*m.bias, per_potential);
+  if (m.value.known == Known::yes)
+    m.value.error = std::hypot(m.value.error * per_potential, of_B);
+  m.value.value = found.pressure / bar;
+}
+
 }  // namespace
 
 std::size_t coupled_from(const Replica& replica) {
@@ -120,33 +175,31 @@ std::size_t coupled_from(const Replica& replica) {
   return equilibrium_start(series);
 }
 
-void estimate_coupling(MeasuredProperty& m, const Contributions& contributions, double temperature,
-                       double degrees_of_freedom) {
+void estimate_coupling(MeasuredProperty& m, const Contributions& contributions,
+                       const PointData& data) {
   constexpr double min_overlap = 0.03;
   if (contributions.all.empty()) return;
   const std::vector<BlockMeans> runs = runs_of(contributions);
   if (runs.front().empty()) return;
   const CouplingPath& path = contributions.all.front().replica->coupled.path;
   const std::size_t stages = path.size();
-  const double kT = units::boltzmann * temperature;
-  m.value = pooled_estimate(runs, [&](Means means) {
-    double sum = estimate_of(path);
-    for (std::size_t k = 0; k < stages; ++k)
-      sum += part_of(means.subspan(k * coupling_sums, coupling_sums), k, stages);
-    return kT * sum;
-  });
+  const double kT = units::boltzmann * data.at.temperature;
+  m.value = pooled_estimate(runs, [&](Means all) { return kT * residual_of(all, path); });
   const std::vector<double> means = overall(runs);
   const double smallest = smallest_overlap(means, stages);
   m.remark = fmt::format("{} stages, smallest overlap {:.2f}", stages, smallest);
   if (!(smallest >= min_overlap))
     m.obstacle =
         fmt::format("the overlap of two stages, {:.2g}, is below {:g}", smallest, min_overlap);
-  if (m.value.known != Known::yes) return;
   const SeriesEstimate bias =
-      bias_of(contributions, stages, FixedMeans::kinetic_energy_and_pressure, degrees_of_freedom);
-  if (bias.known != Known::yes) return;
-  m.bias = scaled(bias, kT);
-  m.value = without_bias(m.value, *m.bias);
+      bias_of(contributions, stages, FixedMeans::kinetic_energy_and_pressure,
+              degrees_of_freedom(data.topology).all());
+  if (m.value.known == Known::yes && bias.known == Known::yes) {
+    m.bias = scaled(bias, kT);
+    m.value = without_bias(m.value, *m.bias);
+  }
+  if (std::string_view(m.request.property->name) == "vapour-pressure")
+    to_vapour(m, data, means.back());
 }
 
 }  // namespace polhode

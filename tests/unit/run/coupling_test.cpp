@@ -134,6 +134,37 @@ TEST_CASE("acceptance ratios give the free energy of Gaussian stages, with a cal
   CHECK(squares / seeds == doctest::Approx(1.04).epsilon(0.35));
 }
 
+// A vapour of density ρ with coefficient B has the chemical potential ln ρ + 2 B ρ [kT] and the
+// pressure ρ (1 + B ρ) [kT].
+TEST_CASE("the vapour pressure is that of a vapour with the chemical potential of the liquid") {
+  const Topology topology{{{read_molecule("argon"), 64}}};
+  const Mixing mixing;
+  const double T = 300, kT = units::boltzmann * T, pressure = 0.06;
+  std::vector<Replica> replicas = made_up_replicas(3);
+  constexpr double volume = 3;  // [nm³]
+  for (Replica& replica : replicas) {
+    replica.coupled.path.front().next -= 3;
+    for (std::vector<StageSegment>& segment : replica.coupled.segments) {
+      segment.front().sums.sum[2] /= volume;
+      segment.back().sums.sum[2] *= volume;
+    }
+  }
+  const auto measured = [&](const char* name) {
+    const RequestedProperty request{&property(name)};
+    return estimate(request, {topology, mixing, {T, pressure}, replicas}).value;
+  };
+  const double bar = 0.0602214076, liquid = 64 / volume;
+  const double mu = measured("chemical-potential").value / kT;
+  const double B = measured("second-virial-coefficient").value / 602.214076;
+  const SeriesEstimate found = measured("vapour-pressure");
+  const double p = found.value * bar / kT, density = (std::sqrt(1 + 4 * B * p) - 1) / (2 * B);
+  CHECK(std::log(density) + 2 * B * density ==
+        doctest::Approx(mu + std::log(liquid) + (p - pressure / kT) / liquid).epsilon(1e-4));
+  // dp/dμ is the density of the vapour.
+  CHECK(found.error * bar ==
+        doctest::Approx(density * measured("chemical-potential").error).epsilon(0.02));
+}
+
 TEST_CASE("without a replica in equilibrium there is no free energy, and the reason is given") {
   std::vector<Replica> replicas = made_up_replicas(1);
   for (Replica& replica : replicas)
