@@ -35,7 +35,7 @@ def _perform(system, words, texts, task):
 
 def measure(system: Path | Sequence[Path], properties: str | Sequence[str] | Mapping[str, Quantity | None], *,
             at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None, mixing: str | None = None,
-            replicas: SupportsIndex | None = None, paired_runs: bool = True, time_limit: Quantity | None = None,
+            solute: Path | None = None, replicas: SupportsIndex | None = None, paired_runs: bool = True, time_limit: Quantity | None = None,
             shard: str | None = None, seed: SupportsIndex | None = None,
             output: Path | None = None, executor: Executor | None = None,
             threads: int | None = None, progress: Progress = None,
@@ -53,6 +53,8 @@ def measure(system: Path | Sequence[Path], properties: str | Sequence[str] | Map
         molecules (int): number of molecules of a pure substance; default: 256.
         mixing (str): mixing rule of unlike sites for a system of models: "lorentz-berthelot" or "geometric"; default: the
             rule of the models.
+        solute: name of a model or molecule file: one molecule of it is added as the first kind, for its
+            solvation-free-energy.
         replicas (int): number of independent simulations of each state point; default: 4.
         paired_runs (bool): repeat an eighth of the dynamics at half of the step to bound its time-step bias, for a quarter
             more time.
@@ -75,12 +77,12 @@ def measure(system: Path | Sequence[Path], properties: str | Sequence[str] | Map
 
 def merge(system: Path | Sequence[Path], properties: str | Sequence[str] | Mapping[str, Quantity | None], *,
           at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None, mixing: str | None = None,
-          replicas: SupportsIndex | None = None, seed: SupportsIndex | None = None,
+          solute: Path | None = None, replicas: SupportsIndex | None = None, seed: SupportsIndex | None = None,
           output: Path | None = None) -> Report:
     """The properties from the records of all shards, without new computations, as ``polhode merge``.
 
     Args:
-        system, properties, at, molecules, mixing, replicas, seed, output: as in measure().
+        system, properties, at, molecules, mixing, solute, replicas, seed, output: as in measure().
 
     Returns:
         Report: as from measure().

@@ -53,6 +53,14 @@ class Measure(unittest.TestCase):
         self.assertEqual(self.records("pool"), self.records("here"))
         self.assertNotIn("executor", pathlib.Path("pool.html").read_text(encoding="utf-8"))  # the recorded call has the same results without it
 
+    def test_an_executor_couples_molecules_with_the_same_bits(self):
+        call = {**CALL, "properties": {"solvation-free-energy": "0.5 kJ/mol"}, "molecules": 32, "solute": "krypton"}
+        here = polhode.measure(**call, output="here", threads=1)
+        with ProcessPoolExecutor(2) as pool:
+            polhode.measure(**call, output="pool", executor=pool)
+        self.assertEqual(self.records("pool"), self.records("here"))
+        self.assertEqual(polhode.merge(**{**call, "output": "here"})["points"], here["points"])
+
     @unittest.skipUnless(importlib.util.find_spec("distributed"), "dask's distributed is not installed")
     def test_dask_computes_the_same_bits(self):
         from distributed import Client, LocalCluster

@@ -148,8 +148,7 @@ void to_vapour(MeasuredProperty& m, const PointData& data, double volume) {
   const double per_potential = found.pressure / kT / bar,  // dp/dμ of a dilute vapour
       of_B = (vapour(B.value + B.error).pressure - found.pressure) / bar;
   if (m.bias) m.bias = scaled(*m.bias, per_potential);
-  if (m.value.known == Known::yes)
-    m.value.error = std::hypot(m.value.error * per_potential, of_B);
+  if (m.value.known == Known::yes) m.value.error = std::hypot(m.value.error * per_potential, of_B);
   m.value.value = found.pressure / bar;
 }
 

@@ -67,16 +67,19 @@ bool is_run_file(const std::string& path) {
 }
 
 /// The settings of a run with only these molecules.
-Config config_of(const std::string& system, const Given& molecules, const Given& mixing) {
+Config config_of(const std::string& system, const Given& molecules, const Given& mixing,
+                 const Given& solute) {
   std::vector<Component> components = components_of(system);
   const std::uint64_t default_count =
       molecules ? given_whole_number(molecules, 8, max_molecules) : usual_molecules;
   if (components.size() > 1 && molecules)
     refuse(molecules, "has no meaning for a mixture: give the number of each kind of molecule");
+  const bool is_mixture = components.size() > 1;
+  if (solute) components.insert(components.begin(), {solute.text, 1});
   SystemSettings molecules_alone;
   bool any_charge = false;
   for (Component& c : components) {
-    if (c.count == 0 && components.size() > 1)
+    if (c.count == 0 && is_mixture)
       throw Error(
           fmt::format("'{}' has no number of molecules; write \"{} 100\"", c.model, c.model));
     molecules_alone.molecules.push_back({c.model, {}, c.count == 0 ? default_count : c.count});
@@ -98,6 +101,16 @@ Config config_of(const std::string& system, const Given& molecules, const Given&
   config.system.molecules = molecules_alone.molecules;
   config.system.density.reset();
   return config;
+}
+
+/// Adds a molecule of the solute to the molecules of a run file.
+void add_solute(Config& config, const Given& solute) {
+  if (!config.system.initial_configuration.empty())
+    refuse(
+        solute,
+        "has no meaning with an initial configuration; give one that contains the solute, as the "
+        "first molecule of the run file");
+  config.system.molecules.insert(config.system.molecules.begin(), {solute.text, {}, 1});
 }
 
 /// Parses a shard, such as "2/8" for the second of eight.
@@ -179,6 +192,9 @@ std::vector<RequestOption<MeasureRequest>> MeasureRequest::options() {
           {"mixing", &R::mixing,
            "mixing rule of unlike sites for a system of models: lorentz-berthelot or geometric; "
            "default: the rule of the models"},
+          {"solute", &R::solute,
+           "name of a model or molecule file: one molecule of it is added as the first kind, for "
+           "its solvation-free-energy"},
           {"replicas", &R::replicas,
            fmt::format("number of independent simulations of each state point; default: {}",
                        defaults.replicas)},
@@ -200,7 +216,11 @@ MeasureSettings MeasureRequest::settings() const {
   std::vector<std::string> words = properties, notes;
   MeasureSettings s{.config = from_input ? config_of_input(system, words, notes) : Config{}};
   if (!from_input)
-    s.config = from_file ? read_config(system) : config_of(system, molecules, mixing);
+    s.config = from_file ? read_config(system) : config_of(system, molecules, mixing, solute);
+  if (from_input && solute)
+    refuse(solute,
+           "has no meaning with files of another program; give files that contain the solute");
+  if (from_file && solute) add_solute(s.config, solute);
   s.notes = std::move(notes);
   if (from_file && molecules)
     refuse(

@@ -143,8 +143,11 @@ constexpr std::array all = {
              "allen2017", false, false},
     Property{"chemical-potential", "kJ/mol", In::coupling,
              "residual chemical potential of the first kind of molecule, relative to an ideal gas "
-             "of the same density, by coupling one molecule to all others in stages; with one "
-             "molecule of this kind, its solvation free energy",
+             "of the same density, by coupling one molecule to all others in stages",
+             "bennett1976", false, false, nullptr, At::constant_pressure},
+    Property{"solvation-free-energy", "kJ/mol", In::coupling,
+             "free energy of the transfer of one molecule, the solute, from an ideal gas into the "
+             "liquid, at equal number densities of the solute",
              "bennett1976", false, false, nullptr, At::constant_pressure},
     Property{"vapour-pressure", "bar", In::coupling,
              "pressure at which the vapour, with its second virial coefficient, has the chemical "
@@ -198,6 +201,11 @@ std::string why_not(const Property& p, const Topology& topology, bool has_mesh) 
   if (p.of_dipoles && !any([](const Molecule& m) { return has_dipole(m); }))
     return "no molecule has a dipole";
   if (p.of_dipoles && !has_mesh) return "this property requires electrostatics = \"pme\"";
+  if (std::string_view(p.name) == "solvation-free-energy" && topology.parts.front().count > 1)
+    return fmt::format(
+        "the first kind of molecule is the solute, and there are {} of '{}'; give the option "
+        "solute",
+        topology.parts.front().count, topology.parts.front().molecule.name);
   if (std::string_view(p.name) == "vapour-pressure" && topology.parts.size() > 1)
     return "the vapour of a mixture differs in composition from the liquid";
   if (p.measured_in == MeasuredIn::coupling) return why_not_coupled(topology);

@@ -129,8 +129,8 @@ TEST_CASE("acceptance ratios give the free energy of Gaussian stages, with a cal
   }
   // Three outside are expected. A Poisson number with this mean is above 10 in 0.03 % of cases.
   CHECK(outside <= 10);
-  // The mean of 300 squares has a standard deviation of √(2/300); Student's t of some 30 modes adds
-  // 7 % to the mean. 4 deviations.
+  // The mean of 300 squares has a standard deviation of √(2/300); Student's t of about 60 modes
+  // adds 4 % to the mean. 4 deviations.
   CHECK(squares / seeds == doctest::Approx(1.04).epsilon(0.35));
 }
 
