@@ -12,6 +12,7 @@ from lib.statistics import mean, rms, share_interval
 SYSTEMS = {  # model, state point, and errors requested of a call
     "argon": ("argon", "160 K, 500 bar", {"density": "0.6 %", "potential-energy": "1 %", "compressibility": "12 %", "heat-capacity": "8 %"}),
     "argon-dynamics": ("argon", "160 K, 500 bar", {"diffusion": "5 %", "viscosity": "15 %"}),
+    "argon-coupling": ("argon", "160 K, 500 bar", {"chemical-potential": "0.2 kJ/mol"}),
     "water": ("spce", "300 K, 1 bar", {"density": "0.4 %", "potential-energy": "0.3 %", "compressibility": "25 %", "heat-capacity": "15 %"}),
 }
 KEPT = ("value", "interval_68", "interval_95", "reached")
@@ -56,7 +57,7 @@ def report(result):
 
 
 def main():
-    o = study.options(__doc__, {"calls": 2}, calls=(100, "calls, each with another seed"), first=(1, "seed of the first call"), molecules=(64, "molecules"), system=("argon", "argon, argon-dynamics or water"))
+    o = study.options(__doc__, {"calls": 2}, calls=(100, "calls, each with another seed"), first=(1, "seed of the first call"), molecules=(64, "molecules"), system=("argon", "argon, argon-dynamics, argon-coupling or water"))
     if o.system not in SYSTEMS:
         raise SystemExit(f"there is no system '{o.system}'; there are: {', '.join(SYSTEMS)}")
     study.perform(o, measured, report)

@@ -33,9 +33,8 @@ std::string Plan::text(double seconds) const {
     text += fmt::format(" and {:.0f} ps at each of {} stages of the coupling of a molecule",
                         static_cast<double>(target.coupled * steps_of_coupling) * step,
                         settings.path.size());
-  text += "; longer where an error is not reached";
   if (seconds > 0) text += fmt::format(", about {}", duration_text(seconds));
-  return text;
+  return text + "; longer where an error is not reached";
 }
 
 }  // namespace polhode
