@@ -49,18 +49,21 @@ Equilibration equilibration(std::span<const double> series) {
 
 std::size_t equilibrium_start(std::span<const double> series) {
   // The first sample with the smallest error is chosen from many candidates, so this error is
-  // underestimated. With a threshold of four standard errors, 5 % of stationary series lose samples
-  // (tests/unit/measure/equilibration_test.cpp).
+  // underestimated, most of all if few samples are kept. Its noise is therefore at least that of
+  // the second half. With a threshold of four standard errors, at most 5 % of stationary series
+  // lose samples (tests/unit/measure/equilibration_test.cpp).
   constexpr double significant = 4;
   const Equilibration found = equilibration(series);
   if (found.start == 0) return 0;
   const std::span<const double> before = series.first(found.start),
-                                rest = series.subspan(found.start);
-  const double deviation = mean_of(before) - mean_of(rest);
+                                rest = series.subspan(found.start),
+                                half = series.last(series.size() / 2);
+  const auto size = [](std::span<const double> part) { return static_cast<double>(part.size()); };
   // The squared error of a mean falls as 1/n.
-  const double ratio = static_cast<double>(rest.size()) / static_cast<double>(before.size());
-  const double error = found.error * std::sqrt(1 + ratio);
-  return std::abs(deviation) > significant * error ? found.start : 0;
+  double noise = found.error * found.error * size(rest);
+  if (rest.size() < half.size()) noise = std::max(noise, squared_error(half) * size(half));
+  const double error = std::sqrt(noise / size(rest) + noise / size(before));
+  return std::abs(mean_of(before) - mean_of(rest)) > significant * error ? found.start : 0;
 }
 
 }  // namespace polhode
