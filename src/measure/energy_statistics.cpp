@@ -16,7 +16,7 @@ namespace {
 /// The columns of the sums: conserved, potential and total energy and volume relative to the first
 /// sample, their squares, and the first volume divided by the volume.
 enum Column : std::size_t {
-  time,
+  elapsed,
   conserved_,
   potential_,
   conserved_square,
@@ -110,7 +110,7 @@ Temperatures EnergyStatistics::temperatures(const DegreesOfFreedom& degrees_of_f
 SeriesEstimate EnergyStatistics::ratio_with_error() const {
   const BlockMeans means = blocks.means();
   if (means.blocks().size() < min_samples) return series_estimate(means, ratio_of);
-  const SlowModes modes = slow_modes(means, time, conserved_);
+  const SlowModes modes = slow_modes(means, elapsed, conserved_);
   double slow = 0, uncertain = 0;
   for (const double c : modes.values) {
     slow += c * c / modes.samples;
@@ -191,18 +191,20 @@ SeriesEstimate EnergyStatistics::relative_volume_variance() const {
   });
 }
 
-Drift EnergyStatistics::volume_drift() const { return series_drift(blocks.means(), time, volume_); }
+Drift EnergyStatistics::volume_drift() const {
+  return series_drift(blocks.means(), elapsed, volume_);
+}
 
 Drift EnergyStatistics::drift(std::span<const WalkStrength> walks) const {
-  return series_drift(blocks.means(), time, conserved_, walks);
+  return series_drift(blocks.means(), elapsed, conserved_, walks);
 }
 
 Drift EnergyStatistics::drift_over_walk(double known) const {
-  return series_drift_over_walk(blocks.means(), time, conserved_, known);
+  return series_drift_over_walk(blocks.means(), elapsed, conserved_, known);
 }
 
 Drift EnergyStatistics::potential_drift() const {
-  return series_drift(blocks.means(), time, potential_);
+  return series_drift(blocks.means(), elapsed, potential_);
 }
 
 double EnergyStatistics::samples_before_equilibrium() const {

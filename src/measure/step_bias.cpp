@@ -9,7 +9,7 @@
 namespace polhode {
 namespace {
 
-enum Quantity : std::size_t {
+enum Averaged : std::size_t {
   translation,
   rotation_1,
   rotation_2,
@@ -42,7 +42,7 @@ StepBias StepBiasStatistics::bias(const DegreesOfFreedom& n, FixedMeans fixed, d
                                   double mass) const {
   using Means = std::span<const double>;
   const auto of = [&](const StepResponse::Function& f) { return response.bias(n.all(), fixed, f); };
-  const auto average = [&](Quantity which, double scale) {
+  const auto average = [&](Averaged which, double scale) {
     return of([=](Means mean) { return scale * mean[which]; });
   };
   const double t = kelvin(n.translation), r = kelvin(n.all() - n.translation);

@@ -21,7 +21,7 @@ constexpr double same_moment = 1e-9;
 
 // Maximum number of sites, far above the needs of a rigid molecule. The pair loops allow 64
 // interacting sites, and the size of a molecule is found by looping over all pairs.
-constexpr std::size_t max_sites = 1024;
+constexpr std::size_t max_sites_of_molecule = 1024;
 
 void check(const Site& site, const std::string& molecule) {
   const auto refuse = [&](const std::string& what) {
@@ -147,10 +147,10 @@ namespace {
 
 Molecule build(std::string name, std::vector<Site> sites,
                Eigen3 (*principal_axes)(const Mat3<double>&)) {
-  if (sites.size() > max_sites)
+  if (sites.size() > max_sites_of_molecule)
     throw Error("molecule '" + name + "' has " + std::to_string(sites.size()) +
-                " sites; the maximum for a rigid molecule is " + std::to_string(max_sites) +
-                "; split the molecule, or check the file");
+                " sites; the maximum for a rigid molecule is " +
+                std::to_string(max_sites_of_molecule) + "; split the molecule, or check the file");
   check_name("a molecule", name);
   check_apart(sites, name);
   Molecule molecule;

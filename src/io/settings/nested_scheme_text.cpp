@@ -33,7 +33,7 @@ std::size_t slash(std::string_view text) {
   return std::string_view::npos;
 }
 
-std::string trimmed(std::string_view text) {
+std::string without_blanks(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\n"), last = text.find_last_not_of(" \t\n");
   return first == std::string_view::npos ? "" : std::string(text.substr(first, last - first + 1));
 }
@@ -97,10 +97,11 @@ NestedScheme nested_scheme_of(std::string_view text) {
     throw Error(fmt::format("the text of the scheme has {} characters; the maximum is {}",
                             text.size(), max_text));
   const std::size_t at = slash(text);
-  const NestedScheme scheme = at == std::string_view::npos
-                                  ? NestedScheme(scheme_of(text))
-                                  : NestedScheme(scheme_of(trimmed(text.substr(0, at))),
-                                                 inner_scheme_of(trimmed(text.substr(at + 1))));
+  const NestedScheme scheme =
+      at == std::string_view::npos
+          ? NestedScheme(scheme_of(text))
+          : NestedScheme(scheme_of(without_blanks(text.substr(0, at))),
+                         inner_scheme_of(without_blanks(text.substr(at + 1))));
   if (scheme.inner && scheme.inner->scheme.has(Flow::bath))
     throw Error(
         fmt::format("the inner scheme of '{}' has a bath; move the bath to the outer scheme, where "

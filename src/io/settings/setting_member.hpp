@@ -32,7 +32,7 @@ struct SettingMember {
   std::span<const std::string_view> names{};  ///< names of an enumeration
 };
 
-namespace detail {
+namespace setting_detail {
 
 template <class T>
 struct Unwrapped {
@@ -97,23 +97,24 @@ constexpr SettingKind kind_of() {
                : SettingKind::texts;
 }
 
-}  // namespace detail
+}  // namespace setting_detail
 
 /// @param access  function from a Config to a pointer to the member, which is null if the Config
 ///   does not have the member
 template <class Access>
 SettingMember member(Access access) {
   using Member = std::remove_pointer_t<std::invoke_result_t<Access, Config&>>;
-  using T = typename detail::Unwrapped<Member>::type;
+  using T = typename setting_detail::Unwrapped<Member>::type;
   const auto of = [access](const Config& config) -> const Member* {
     return access(const_cast<Config&>(config));
   };
-  SettingMember made{[of](const Config& config) { return of(config) != nullptr; },
-                     [of](const Config& config) { return detail::setting_value(*of(config)); },
-                     [access](Config& config, const SettingValue& value) {
-                       *access(config) = detail::member_value<T>(value);
-                     },
-                     detail::kind_of<T>()};
+  SettingMember made{
+      [of](const Config& config) { return of(config) != nullptr; },
+      [of](const Config& config) { return setting_detail::setting_value(*of(config)); },
+      [access](Config& config, const SettingValue& value) {
+        *access(config) = setting_detail::member_value<T>(value);
+      },
+      setting_detail::kind_of<T>()};
   if constexpr (NamedEnum<T>) made.names = enum_names<T>;
   return made;
 }

@@ -52,7 +52,7 @@ struct SettingRow {
   std::string_view table{};  ///< name of the table, set by setting_tables()
 };
 
-namespace detail {
+namespace setting_detail {
 
 inline void set(SettingRow& row, SettingMember member) { row.member = std::move(member); }
 inline void set(SettingRow& row, const SettingUnit& unit) { row.unit = unit; }
@@ -60,13 +60,13 @@ inline void set(SettingRow& row, const SettingBounds& bounds) { row.bounds = bou
 inline void set(SettingRow& row, const char* doc) { row.doc = doc; }
 inline void set(SettingRow& row, More more) { row.more = std::move(more); }
 
-}  // namespace detail
+}  // namespace setting_detail
 
 /// Makes a row from its key and any of the following: member, unit, bounds, meaning, and More.
 template <class... Parts>
 SettingRow row(std::string_view key, Parts... parts) {
   SettingRow made{key, {}};
-  (detail::set(made, std::move(parts)), ...);
+  (setting_detail::set(made, std::move(parts)), ...);
   return made;
 }
 

@@ -35,7 +35,7 @@ constexpr const char* no_equilibrium =
     "a replica has not reached equilibrium; if longer runs do not help, the system is a crystal, a "
     "glass or a coexistence of two phases";
 
-Conditions conditions_of(const PointData& data) {
+PropertyConditions conditions_of(const PointData& data) {
   return {.at = data.at,
           .molecules = data.topology.size(),
           .mass = data.topology.mass(),
@@ -43,7 +43,7 @@ Conditions conditions_of(const PointData& data) {
 }
 
 void estimate_average(MeasuredProperty& m, const PointData& data) {
-  const Conditions conditions = conditions_of(data);
+  const PropertyConditions conditions = conditions_of(data);
   const Property& property = *m.request.property;
   const auto statistic = [&](Means means) { return property.value(means, conditions); };
   const Contributions contributions(data, MeasuredIn::averages);

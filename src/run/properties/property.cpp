@@ -18,58 +18,62 @@ namespace {
 
 using Means = std::span<const double>;
 
-double kT(const Conditions& c) { return units::boltzmann * c.at.temperature; }
-double per_molecule(double x, const Conditions& c) { return x / static_cast<double>(c.molecules); }
+double kT(const PropertyConditions& c) { return units::boltzmann * c.at.temperature; }
+double per_molecule(double x, const PropertyConditions& c) {
+  return x / static_cast<double>(c.molecules);
+}
 
 /// The covariance of the volume with the configurational part U + pV of the enthalpy. The kinetic
 /// part is independent of the volume.
-double covariance_with_volume(Means m, const Conditions& c) {
+double covariance_with_volume(Means m, const PropertyConditions& c) {
   return m[potential_by_volume] - m[potential] * m[volume] +
          c.at.pressure * (m[volume_squared] - m[volume] * m[volume]);
 }
-double variance_of_enthalpy(Means m, const Conditions& c) {
+double variance_of_enthalpy(Means m, const PropertyConditions& c) {
   const double p = c.at.pressure;
   return m[potential_squared] - m[potential] * m[potential] +
          2 * p * (m[potential_by_volume] - m[potential] * m[volume]) +
          p * p * (m[volume_squared] - m[volume] * m[volume]);
 }
 
-double density(Means m, const Conditions& c) {
+double density(Means m, const PropertyConditions& c) {
   return c.mass / m[volume] / unit("kg/m3", Dimension::density);
 }
-double molar_volume(Means m, const Conditions& c) {
+double molar_volume(Means m, const PropertyConditions& c) {
   return per_molecule(m[volume], c) / cm3_per_mol;
 }
-double potential_energy(Means m, const Conditions& c) { return per_molecule(m[potential], c); }
-double enthalpy(Means m, const Conditions& c) {
+double potential_energy(Means m, const PropertyConditions& c) {
+  return per_molecule(m[potential], c);
+}
+double enthalpy(Means m, const PropertyConditions& c) {
   const double p = c.at.constant_volume() ? m[mean_pressure] : c.at.pressure;
   return per_molecule(m[potential] + c.degrees_of_freedom / 2 * kT(c) + p * m[volume], c);
 }
-double pressure(Means m, const Conditions&) {
+double pressure(Means m, const PropertyConditions&) {
   return m[mean_pressure] / unit("bar", Dimension::pressure);
 }
-double enthalpy_of_vaporization(Means m, const Conditions& c) {
+double enthalpy_of_vaporization(Means m, const PropertyConditions& c) {
   return kT(c) - per_molecule(m[potential] + c.at.pressure * m[volume], c);
 }
 /// The heat capacity from the variance of the configurational part of the energy or the enthalpy.
-double heat_capacity_of(double variance, const Conditions& c) {
+double heat_capacity_of(double variance, const PropertyConditions& c) {
   const double configurational = variance / (kT(c) * c.at.temperature);  // [kJ/mol/K]
   return 1000 * per_molecule(configurational + c.degrees_of_freedom / 2 * units::boltzmann, c);
 }
-double heat_capacity(Means m, const Conditions& c) {
+double heat_capacity(Means m, const PropertyConditions& c) {
   return heat_capacity_of(variance_of_enthalpy(m, c), c);
 }
-double isochoric_heat_capacity(Means m, const Conditions& c) {
+double isochoric_heat_capacity(Means m, const PropertyConditions& c) {
   return heat_capacity_of(m[potential_squared] - m[potential] * m[potential], c);
 }
-double expansivity(Means m, const Conditions& c) {
+double expansivity(Means m, const PropertyConditions& c) {
   return 1e6 * covariance_with_volume(m, c) / (kT(c) * c.at.temperature * m[volume]);
 }
-double compressibility(Means m, const Conditions& c) {
+double compressibility(Means m, const PropertyConditions& c) {
   return 1e6 * (m[volume_squared] - m[volume] * m[volume]) / (kT(c) * m[volume]) /
          unit("1/bar", Dimension::compressibility);
 }
-double dielectric_constant(Means m, const Conditions& c) {
+double dielectric_constant(Means m, const PropertyConditions& c) {
   return 1 + 4 * units::pi * units::coulomb * m[dipole_squared] / (3 * m[volume] * kT(c));
 }
 

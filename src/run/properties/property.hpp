@@ -33,7 +33,7 @@ enum AverageOf : std::size_t {
 };
 
 /// The conditions that determine the value of a property, besides averages.
-struct Conditions {
+struct PropertyConditions {
   StatePoint at;
   std::size_t molecules = 0;
   double mass = 0;                ///< total mass [u]
@@ -62,7 +62,7 @@ struct Property {
                              ///< must be PME
   bool of_rotation = false;  ///< whether molecules must rotate
   /// Computes the value in `unit` from the means of averages; null for properties of other runs.
-  double (*value)(std::span<const double> means, const Conditions& conditions) = nullptr;
+  double (*value)(std::span<const double> means, const PropertyConditions& conditions) = nullptr;
   DefinedAt at = DefinedAt::any;
 };
 

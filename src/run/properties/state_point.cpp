@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "io/files/split_words.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
 
@@ -19,11 +20,6 @@ constexpr double max_temperature = 1e5;  // maximum temperature [K], far beyond 
                                          // rigid molecule
 constexpr const char* example =
     "\"298.15 K, 1 bar\", \"298.15 K, 997 kg/m3\" or \"250 K to 320 K, 7 points\"";
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == text.npos ? std::string_view{} : text.substr(first, last - first + 1);
-}
 
 std::vector<std::string_view> parts_of(std::string_view text) {
   std::vector<std::string_view> parts;

@@ -165,6 +165,24 @@ TEST_CASE("the vapour pressure is that of a vapour with the chemical potential o
         doctest::Approx(density * measured("chemical-potential").error).epsilon(0.02));
 }
 
+TEST_CASE("the ideal gas has the density of the whole system") {
+  const Topology topology{{{read_molecule("argon"), 64}}};
+  const Mixing mixing;
+  const double T = 300, kT = units::boltzmann * T;
+  std::vector<Replica> replicas = made_up_replicas(5);
+  const auto measured = [&] {
+    const RequestedProperty request{&property("chemical-potential")};
+    return estimate(request, {topology, mixing, {T, 0.06}, replicas}).value.value;
+  };
+  const double before = measured();
+  for (Replica& replica : replicas)
+    for (std::vector<StageSegment>& segment : replica.coupled.segments) {
+      segment.front().sums.sum[2] /= 3.0;  // the inverse of the volume without the molecule
+      segment.back().sums.sum[2] *= 3.1;   // the volume with it
+    }
+  CHECK(measured() - before == doctest::Approx(kT * std::log(3.1 / 3.0)).epsilon(1e-9));
+}
+
 TEST_CASE("without a replica in equilibrium there is no free energy, and the reason is given") {
   std::vector<Replica> replicas = made_up_replicas(1);
   for (Replica& replica : replicas)

@@ -117,7 +117,7 @@ std::optional<Warning> ratio_warning(const RunSummary& s) {
 /// straight line from its mean is the total rise divided by √12.
 double ratio_of_drift(const RunSummary& s) { return s.relative_drift() / std::sqrt(12.0); }
 
-double drift_bound(const RunSummary& s) {
+double bound_of_drift(const RunSummary& s) {
   return std::max(min_drift_share * s.ratio.value, min_drift_ratio);
 }
 
@@ -125,7 +125,7 @@ std::optional<Warning> drift_warning(const RunSummary& s) {
   if (s.drift.known != Known::yes || is_corrected(s) || s.drift.p_value > significance_level ||
       !(s.potential_fluctuation.value > 0))
     return std::nullopt;
-  const double drifted = ratio_of_drift(s), bound = drift_bound(s);
+  const double drifted = ratio_of_drift(s), bound = bound_of_drift(s);
   if (!(drifted > bound)) return std::nullopt;
   return Warning{
       "drift", drifted, bound,
@@ -232,7 +232,7 @@ std::string line_of(const Warning& warning) {
   return fmt::format("warning: {}; {}", warning.text, warning.remedy);
 }
 
-bool drift_matters(const RunSummary& s) { return ratio_of_drift(s) > drift_bound(s); }
+bool drift_matters(const RunSummary& s) { return ratio_of_drift(s) > bound_of_drift(s); }
 
 double temperature_scatter(double temperature, double degrees_of_freedom) {
   return temperature / std::sqrt(2 * degrees_of_freedom);
