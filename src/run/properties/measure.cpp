@@ -132,8 +132,8 @@ class PointMeasurement {
   std::vector<bool> is_taken_;  // whether a thread extends a replica
   std::vector<Stopwatch> since_written_;
   std::mutex guard_;
-  std::size_t done_ = 0, planned_ = 0;  // pieces of work in this round: done and planned
-  double seconds_ = 0, steps_ = 0;      // of all rounds, as far as they were computed here
+  double done_ = 0, planned_ = 0;   // steps of this round: done and planned
+  double seconds_ = 0, steps_ = 0;  // of all rounds, as far as they were computed here
   bool has_warned_ = false;
 };
 
@@ -193,11 +193,9 @@ bool PointMeasurement::choose_path() {
 /// Stores a changed replica, and reports the progress of the round.
 void PointMeasurement::keep(Replica& replica, Replica changed) {
   const std::lock_guard lock(guard_);
-  done_ += pieces_of(changed) - pieces_of(replica);
+  done_ += steps_of(changed) - steps_of(replica);
   replica = std::move(changed);
-  callbacks_.report({"measuring",
-                     std::min(1.0, static_cast<double>(done_) / static_cast<double>(planned_)),
-                     at().text()});
+  callbacks_.report({"measuring", std::min(1.0, done_ / planned_), at().text()});
 }
 
 /// Extends replicas piece by piece, always the one that lacks most. If there is not enough time,
@@ -268,7 +266,7 @@ void PointMeasurement::execute(const Target& target) {
 void PointMeasurement::extend(const Target& target) {
   done_ = planned_ = 0;
   for (const Replica& r : replicas_) {
-    planned_ += missing(r, target);
+    planned_ += steps_missing(r, target, system_.common.path.size(), settings_.paired_runs);
     steps_ -= steps_of(r);
   }
   const Stopwatch watch;

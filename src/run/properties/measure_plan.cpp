@@ -9,11 +9,7 @@
 namespace polhode {
 
 double Plan::steps() const {
-  const double averages = static_cast<double>(target.averages * steps_of_averages),
-               with_pairs = steps_of_dynamics_of(target.dynamics, paired_runs) +
-                            steps_of_elongated(target.elongated, paired_runs),
-               coupled = steps_of_coupled(target.coupled, settings.path.size());
-  return static_cast<double>(replicas) * (averages + with_pairs + coupled + steps_of_preparation);
+  return static_cast<double>(replicas) * steps_at(target, settings.path.size(), paired_runs);
 }
 
 std::string Plan::text(double seconds) const {

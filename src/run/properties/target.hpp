@@ -21,12 +21,6 @@ inline constexpr double steps_of_preparation = 8000;
 /// Steps of a segment of dynamics.
 inline constexpr double steps_of_dynamics = steps_of_lags * windows_in_segment;
 
-/// Segments and preparations that a replica has.
-inline std::size_t pieces_of(const Replica& replica) {
-  return replica.averages.size() + replica.dynamics.size() + replica.elongated.segments.size() +
-         replica.coupled.segments.size() + (replica.prepared() ? 1 : 0);
-}
-
 /// Segments and preparations that a replica still needs.
 inline std::size_t missing(const Replica& replica, const Target& target) {
   const auto rest = [](std::size_t wanted, std::size_t there) {
@@ -66,6 +60,24 @@ inline double steps_of_dynamics_of(std::size_t segments, bool paired_runs) {
 /// The same in the long box.
 inline double steps_of_elongated(std::size_t segments, bool paired_runs) {
   return elongated_copies * steps_of_dynamics_of(segments, paired_runs);
+}
+
+/// Steps of a replica that has reached a target.
+/// @param stages  number of stages of a coupling
+inline double steps_at(const Target& target, std::size_t stages, bool paired_runs) {
+  return steps_of_preparation + static_cast<double>(target.averages * steps_of_averages) +
+         steps_of_dynamics_of(target.dynamics, paired_runs) +
+         steps_of_elongated(target.elongated, paired_runs) +
+         steps_of_coupled(target.coupled, stages);
+}
+/// Steps that a replica lacks until it reaches a target.
+inline double steps_missing(const Replica& replica, const Target& target, std::size_t stages,
+                            bool paired_runs) {
+  const Target end{std::max(target.averages, replica.averages.size()),
+                   std::max(target.dynamics, replica.dynamics.size()),
+                   std::max(target.elongated, replica.elongated.segments.size()),
+                   std::max(target.coupled, replica.coupled.segments.size())};
+  return std::max(0.0, steps_at(end, stages, paired_runs) - steps_of(replica));
 }
 
 }  // namespace polhode
