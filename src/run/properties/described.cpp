@@ -12,6 +12,7 @@
 #include "run/properties/dynamics.hpp"
 #include "run/properties/estimates.hpp"
 #include "run/properties/property.hpp"
+#include "run/properties/target.hpp"
 
 namespace polhode {
 namespace {
@@ -142,6 +143,8 @@ MeasuredPoint described(const PointData& data) {
     point.length_of_averages +=
         (static_cast<double>(replica.averages.size()) - discarded) * segment;
     const std::size_t segments = replica.dynamics.size() + replica.elongated.segments.size();
+    point.length_of_coupling += replica.step * steps_of_coupled(replica.coupled.segments.size(),
+                                                                replica.coupled.path.size());
     point.length_of_dynamics += static_cast<double>(segments) * replica.step *
                                 static_cast<double>(steps_of_lags * windows_in_segment);
   }

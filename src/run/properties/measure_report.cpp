@@ -105,11 +105,14 @@ std::string conditions(const MeasuredPoint& point) {
   if (point.length_of_averages == 0) return "";
   return fmt::format(
       "  {} replicas of {} molecules, hoa2 at {:g} fs; {:.0f} ps at constant {}\n"
-      "  after at most {:.0f} ps of equilibration each{}",
+      "  after at most {:.0f} ps of equilibration each{}{}",
       point.replicas, point.molecules, point.step_max * units::fs_per_ps, point.length_of_averages,
       point.at.constant_volume() ? "volume" : "pressure", point.equilibration_max,
       point.length_of_dynamics > 0
           ? fmt::format("; {:.0f} ps for dynamics", point.length_of_dynamics)
+          : "",
+      point.length_of_coupling > 0
+          ? fmt::format("; {:.0f} ps for the stages of a coupling", point.length_of_coupling)
           : "");
 }
 
@@ -133,6 +136,8 @@ Quantities of_point(const MeasuredPoint& point) {
                    "replicas"},
                   {"dynamics_length", "ps", point.length_of_dynamics,
                    "total time simulated for dynamics, by all replicas"},
+                  {"coupling_length", "ps", point.length_of_coupling,
+                   "total time simulated at the stages of a coupling, by all replicas"},
                   {"edge", "nm", point.edge, "box edge"},
                   {"properties", "", std::move(properties),
                    "properties measured at this state point", point.at.text()}};

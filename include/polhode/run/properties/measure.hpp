@@ -127,6 +127,7 @@ struct MeasuredPoint {
   double length_of_averages = 0;      ///< total length of all replicas at constant pressure or
                                       ///< volume, without equilibration [ps]
   double length_of_dynamics = 0;      ///< total length of the dynamics of all replicas [ps]
+  double length_of_coupling = 0;      ///< total length of all stages of a coupling [ps]
   double edge = 0;                    ///< box edge in the dynamics, or the mean edge at constant
                                       ///< pressure [nm]
   std::vector<MeasuredCurve> curves;
