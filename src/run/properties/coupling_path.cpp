@@ -20,15 +20,21 @@ Molecule at_stage(Molecule molecule, const CouplingStage& stage) {
   return molecule;
 }
 
+bool is_charged(const Molecule& molecule) {
+  return std::ranges::any_of(molecule.sites, [](const Site& site) { return site.charge != 0; });
+}
+bool has_charges(const Topology& topology) {
+  return std::ranges::any_of(topology.parts,
+                             [](const auto& part) { return is_charged(part.molecule); });
+}
+
 }  // namespace
 
 CouplingPath possible_stages(const Molecule& molecule) {
   constexpr int sizes = 32, charges = 16, first_size = 6;
   CouplingPath all{{}};
   for (int k = first_size; k <= sizes; ++k) all.push_back({k / static_cast<double>(sizes), 0});
-  const bool is_charged =
-      std::ranges::any_of(molecule.sites, [](const Site& site) { return site.charge != 0; });
-  if (is_charged)
+  if (is_charged(molecule))
     for (int k = 1; k <= charges; ++k) all.push_back({1, k / static_cast<double>(charges)});
   return all;
 }
@@ -39,6 +45,11 @@ System coupled(const System& whole, const CouplingStage& stage) {
   parts.insert(parts.begin() + 1, {at_stage(parts.front().molecule, stage), 1});
   if (--parts.front().count == 0) parts.erase(parts.begin());
   system.bodies = Bodies(system.topology);
+  if (!has_charges(system.topology)) {  // a mesh would have nothing to compute
+    system.forces.electrostatics = Electrostatics::coulomb;
+    system.forces.mesh.reset();
+    system.forces.coulomb_cutoff.reset();
+  }
   return system;
 }
 

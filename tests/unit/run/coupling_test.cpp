@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "polhode/base/units.hpp"
@@ -24,7 +25,7 @@ namespace {
 
 MeasureSettings settings_of(const char* system, const char* molecules) {
   MeasureRequest request{.system = system, .properties = {"chemical-potential"}};
-  request.molecules = {molecules, "molecules"};
+  if (*molecules != '\0') request.molecules = {molecules, "molecules"};
   request.at = {"300 K, 1 bar", "at"};
   return request.settings();
 }
@@ -88,9 +89,10 @@ SeriesEstimate made_up_potential(std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("the last stage of a coupling is the whole system, and the first lacks the molecule") {
-  for (const char* model : {"spce", "tip4p-2005", "argon", "benzene"}) {
+  for (const char* model : {"spce", "tip4p-2005", "argon", "benzene", "spce 1, argon 63"}) {
     CAPTURE(model);
-    MeasureSettings settings = settings_of(model, "64");
+    const bool is_mixture = std::string_view(model).find(',') != std::string_view::npos;
+    MeasureSettings settings = settings_of(model, is_mixture ? "" : "64");
     settings.config.forces.precision = Precision::double_precision;
     const PointSystem point(settings, settings.points.front());
     Config config = configuration_of(point.common);
@@ -102,12 +104,18 @@ TEST_CASE("the last stage of a coupling is the whole system, and the first lacks
     CHECK(energy_of(coupled(whole, {1, 1}), whole.state) == doctest::Approx(U).epsilon(1e-12));
 
     System fewer = whole;
-    fewer.topology.parts.front().count -= 1;
+    std::vector<Topology::Part>& parts = fewer.topology.parts;
+    const std::size_t last = --parts.front().count;  // the molecule that is coupled
+    if (last == 0) {
+      parts.erase(parts.begin());
+      fewer.forces.electrostatics = Electrostatics::coulomb;
+      fewer.forces.mesh.reset();
+    }
     fewer.bodies = Bodies(fewer.topology);
     fewer.state = State(whole.state.size() - 1, whole.state.box);
     for (std::size_t i = 0; i < fewer.state.size(); ++i) {
-      fewer.state.q.set(i, whole.state.q[i]);
-      fewer.state.orientation.set(i, whole.state.orientation[i]);
+      fewer.state.q.set(i, whole.state.q[i + (i >= last)]);
+      fewer.state.orientation.set(i, whole.state.orientation[i + (i >= last)]);
     }
     CHECK(energy_of(coupled(whole, {}), whole.state) ==
           doctest::Approx(energy_of(fewer, fewer.state)).epsilon(1e-12));
