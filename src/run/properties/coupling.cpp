@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "polhode/base/units.hpp"
@@ -24,9 +25,11 @@ class OtherStage {
       : system_(coupled(whole, stage)),
         forces_(system_.topology, system_.forces, whole.state.box),
         load_(system_.bodies.size()) {}
+  /// The energy, which is infinite where a potential is not defined because sites are too close.
   double potential(const State& state) {
     forces_(state, load_);
-    return load_.potential();
+    const double U = load_.potential();
+    return std::isnan(U) ? std::numeric_limits<double>::infinity() : U;
   }
 
  private:

@@ -144,6 +144,11 @@ TEST_CASE("the density of a liquid is estimated from the diameters of sites") {
   const double sphere = units::pi / 6 * std::pow(atom.sites[0].sigma, 3);
   CHECK(std::abs(estimated_density(argon) / (0.45 * atom.mass / sphere) - 1) < 3 * 0.005 / 0.17);
   // Spheres of one molecule overlap; sites without a short-range law have none.
+  // Sites without σ: the Buckingham potential of argon is 0 at 0.3399 nm, by bisection of its
+  // formula.
+  const double other = estimated_density(system_of("argon-buckingham", 5, "2.5 nm").topology);
+  CHECK(other / estimated_density(argon) ==
+        doctest::Approx(std::pow(0.3405 / 0.3399, 3)).epsilon(2 * 3 * 0.005 / 0.17));
   const double water = estimated_density(system_of("tip4p", 5, "2.5 nm").topology);
   CHECK(water == doctest::Approx(0.45 * 18.0154 / (units::pi / 6 * std::pow(0.315365, 3)))
                      .epsilon(3 * 0.005 / 0.157));
