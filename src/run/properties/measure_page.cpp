@@ -6,7 +6,6 @@
 #include "base/version.hpp"
 #include "io/files/embedded.hpp"
 #include "io/files/with_error.hpp"
-#include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/run/properties/measure.hpp"
 #include "run/properties/property.hpp"
@@ -119,17 +118,8 @@ std::string section(const std::string& title, const std::string& figures) {
 
 std::string of_point(const MeasuredPoint& point) {
   std::string text = fmt::format("<h2>{}</h2>\n", html(point.at.text())) + table_of(point);
-  if (point.length_of_averages > 0)
-    text += fmt::format(
-        "<p>{} replicas of {} molecules, hoa2 at {:g} fs; {:.0f} ps at constant {} after at "
-        "most {:.0f} ps of equilibration each{}; box edge {:.4g} nm.</p>\n",
-        point.replicas, point.molecules, point.step_max * units::fs_per_ps,
-        point.length_of_averages, point.at.constant_volume() ? "volume" : "pressure",
-        point.equilibration_max,
-        point.length_of_dynamics > 0
-            ? fmt::format("; {:.0f} ps for dynamics", point.length_of_dynamics)
-            : "",
-        point.edge);
+  if (const std::string how = point.conditions(); !how.empty())
+    text += fmt::format("<p>{}; box edge {:.4g} nm.</p>\n", how, point.edge);
   std::string converged, correlations, structure, equilibrated, definitions;
   for (const MeasuredProperty& m : point.properties) converged += convergence(m);
   for (const MeasuredCurve& curve : point.curves) correlations += correlation(curve);

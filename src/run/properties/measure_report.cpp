@@ -101,21 +101,6 @@ Quantities of_distribution(const MeasuredDistribution& d) {
       {"g_error", "", std::move(error), "standard error of g(r) in each bin; null if not known"}};
 }
 
-std::string conditions(const MeasuredPoint& point) {
-  if (point.length_of_averages == 0) return "";
-  return fmt::format(
-      "  {} replicas of {} molecules, hoa2 at {:g} fs; {:.0f} ps at constant {}\n"
-      "  after at most {:.0f} ps of equilibration each{}{}",
-      point.replicas, point.molecules, point.step_max * units::fs_per_ps, point.length_of_averages,
-      point.at.constant_volume() ? "volume" : "pressure", point.equilibration_max,
-      point.length_of_dynamics > 0
-          ? fmt::format("; {:.0f} ps for dynamics", point.length_of_dynamics)
-          : "",
-      point.length_of_coupling > 0
-          ? fmt::format("; {:.0f} ps for the stages of a coupling", point.length_of_coupling)
-          : "");
-}
-
 Quantities of_point(const MeasuredPoint& point) {
   std::vector<Quantities> properties;
   for (const MeasuredProperty& m : point.properties) properties.push_back(of_property(m));
@@ -149,7 +134,8 @@ Quantities of_point(const MeasuredPoint& point) {
                   "radial distribution functions of molecular centres and of sites, with their "
                   "first peaks; if `coordination-number` is requested",
                   "radial distribution functions"});
-  if (const std::string text = conditions(point); !text.empty()) list.push_back(row("", text));
+  if (const std::string how = point.conditions("\n  "); !how.empty())
+    list.push_back(row("", "  " + how));
   return list;
 }
 
@@ -205,6 +191,20 @@ void append_curves(Quantities& list, const StateCurves& curves) {
 }
 
 }  // namespace
+
+std::string MeasuredPoint::conditions(const std::string& line_break) const {
+  if (length_of_averages == 0) return "";
+  std::string text = fmt::format(
+      "{} replicas of {} molecules, hoa2 at {:g} fs; {:.0f} ps at constant {}{}after at most "
+      "{:.0f} "
+      "ps of equilibration each",
+      replicas, molecules, step_max * units::fs_per_ps, length_of_averages,
+      at.constant_volume() ? "volume" : "pressure", line_break, equilibration_max);
+  if (length_of_dynamics > 0) text += fmt::format("; {:.0f} ps for dynamics", length_of_dynamics);
+  if (length_of_coupling > 0)
+    text += fmt::format("; {:.0f} ps for the stages of a coupling", length_of_coupling);
+  return text;
+}
 
 Quantities quantities(const MeasureReport& report) {
   Quantities list{{"system", "", report.system, "molecules and their counts"}};

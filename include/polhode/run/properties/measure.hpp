@@ -138,6 +138,9 @@ struct MeasuredPoint {
   SeriesEstimate density{std::nan("")};   ///< [kg/m³]
   SeriesEstimate enthalpy{std::nan("")};  ///< [kJ/mol]
 
+  /// How the point was simulated: "4 replicas of 64 molecules, ..."; empty without simulations.
+  /// @param line_break  what separates its two parts
+  std::string conditions(const std::string& line_break = " ") const;
   /// Whether results contain the distributions, because the coordination number is requested.
   bool wants_distributions() const;
 };
