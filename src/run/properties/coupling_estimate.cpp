@@ -131,7 +131,7 @@ double residual_of(Means means, const CouplingPath& path) {
 /// Replaces the residual chemical potential by the pressure of the vapour.
 /// @param volume  mean volume of the liquid [nm³]
 void to_vapour(MeasuredProperty& m, const PointData& data, double volume) {
-  constexpr double max_density = 0.1;  // |B ρ|: the third coefficient then adds about 1 %
+  constexpr double max_density = 0.1;  // |B ρ|: terms of (B ρ)² are then below 1 %
   const double kT = units::boltzmann * data.at.temperature, bar = unit("bar", Dimension::pressure),
                liquid = static_cast<double>(data.topology.size()) / volume;
   const Molecule& molecule = data.topology.parts.front().molecule;
@@ -181,6 +181,14 @@ void estimate_coupling(MeasuredProperty& m, const Contributions& contributions,
   const std::vector<BlockMeans> runs = runs_of(contributions);
   if (runs.front().empty()) return;
   const CouplingPath& path = contributions.all.front().replica->coupled.path;
+  if (std::ranges::any_of(contributions.all,
+                          [&](const Contribution& c) { return c.replica->coupled.path != path; })) {
+    m.obstacle =
+        "replicas have different stages, because their shards had pilots of their own; give all "
+        "shards the record of one pilot before they start";
+    m.longer_helps = false;
+    return;
+  }
   const std::size_t stages = path.size();
   const double kT = units::boltzmann * data.at.temperature;
   m.value = pooled_estimate(runs, [&](Means all) { return kT * residual_of(all, path); });

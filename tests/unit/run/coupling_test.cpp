@@ -173,6 +173,17 @@ TEST_CASE("the vapour pressure is that of a vapour with the chemical potential o
         doctest::Approx(density * measured("chemical-potential").error).epsilon(0.02));
 }
 
+TEST_CASE("replicas with different stages are not joined, and the remedy is given") {
+  const Topology topology{{{read_molecule("argon"), 64}}};
+  const Mixing mixing;
+  std::vector<Replica> replicas = made_up_replicas(6);
+  replicas[2].coupled.path[1].next += 0.1;
+  const RequestedProperty request{&property("chemical-potential")};
+  const MeasuredProperty none = estimate(request, {topology, mixing, {300, 0.06}, replicas});
+  CHECK(none.value.known != Known::yes);
+  CHECK(none.obstacle.find("different stages") != std::string::npos);
+}
+
 TEST_CASE("the ideal gas has the density of the whole system") {
   const Topology topology{{{read_molecule("argon"), 64}}};
   const Mixing mixing;
