@@ -24,12 +24,12 @@ MeasureSettings settings_of(const std::string& system, const Words& properties,
 }
 
 nb::tuple as_tuple(const ReplicaTask& task) {
-  nb::list path;
+  nb::list segments, path;
+  for (const std::size_t count : task.segments) segments.append(count);
   for (const CouplingStage& stage : task.path)
     path.append(nb::make_tuple(stage.size, stage.charge, stage.next));
-  return nb::make_tuple(task.point, task.replica, task.averages, task.dynamics, task.step,
-                        nb::bytes(task.record.data(), task.record.size()), task.elongated,
-                        task.coupled, path);
+  return nb::make_tuple(task.point, task.replica, segments, task.step,
+                        nb::bytes(task.record.data(), task.record.size()), path);
 }
 
 /// Makes an executor from a Python function. The function is called with a list of tasks and
@@ -61,13 +61,14 @@ nb::tuple measure(const std::string& system, const Words& properties, const Opti
 }
 
 nb::bytes perform_replica(const std::string& system, const Words& properties, const Options& given,
-                          std::size_t point, std::uint64_t replica, std::size_t averages,
-                          std::size_t dynamics, double step, const nb::bytes& record,
-                          std::size_t elongated, std::size_t coupled, const nb::list& path) {
+                          std::size_t point, std::uint64_t replica, const nb::list& segments,
+                          double step, const nb::bytes& record, const nb::list& path) {
   const MeasureSettings settings = settings_of(system, properties, given);
-  ReplicaTask task{point,     replica, averages,
-                   dynamics,  step,    std::string(record.c_str(), record.size()),
-                   elongated, coupled};
+  ReplicaTask task{.point = point,
+                   .replica = replica,
+                   .step = step,
+                   .record = std::string(record.c_str(), record.size())};
+  for (const nb::handle count : segments) task.segments.push_back(nb::cast<std::size_t>(count));
   for (const nb::handle stage : path)
     task.path.push_back(
         {nb::cast<double>(stage[0]), nb::cast<double>(stage[1]), nb::cast<double>(stage[2])});

@@ -7,6 +7,7 @@
 #include "forces/laws/law_range.hpp"
 #include "forces/mesh/self_interaction.hpp"
 #include "forces/pairs/pair_engine.hpp"
+#include "polhode/base/error.hpp"
 
 namespace polhode {
 namespace {
@@ -40,6 +41,14 @@ Box box_around(const Vec3<double>& extent, double reach, const Vec3<double>& per
   return box;
 }
 
+const ForceSettings& without_slab(const ForceSettings& settings) {
+  if (settings.slab_dispersion)
+    throw Error(
+        "slab_dispersion needs all bodies, but DomainForces has the bodies of a domain; leave "
+        "slab_dispersion out");
+  return settings;
+}
+
 }  // namespace
 
 bool DomainForces::is_long_enough(double edge, const Topology& topology,
@@ -52,7 +61,7 @@ DomainForces::DomainForces(const Topology& own, const Topology& ghosts,
                            const ForceSettings& settings, const Vec3<double>& period)
     : own_bodies_(own.size()),
       topology_(joined(own, ghosts)),
-      settings_(checked(settings)),
+      settings_(without_slab(checked(settings))),
       reach_(reach_of(topology_, settings_)),
       period_(period),
       constant_(constant_energy(own, settings_)),

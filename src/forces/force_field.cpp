@@ -5,6 +5,7 @@
 
 #include "forces/laws/check_settings.hpp"
 #include "forces/laws/law_range.hpp"
+#include "forces/laws/slab_dispersion.hpp"
 #include "forces/laws/tail.hpp"
 #include "forces/mesh/self_interaction.hpp"
 #include "forces/pairs/pair_engine.hpp"
@@ -67,9 +68,13 @@ ForceField::ForceField(const Topology& topology, const ForceSettings& settings, 
       mesh_choice_(std::move(choice)),
       settings_(with_mesh(checked(without_other_mesh(settings)), topology, box, mesh_choice_)),
       box_(box),
-      tail_(settings_.dispersion_correction ? dispersion_tail(topology, settings_) : 0),
+      tail_(settings_.dispersion_correction || settings_.slab_dispersion
+                ? dispersion_tail(topology, settings_)
+                : 0),
       constant_(constant_terms_of(topology, settings_, box, tail_)),
-      engine_(pair_engine(topology, settings_, box, workers)) {}
+      engine_(pair_engine(topology, settings_, box, workers)) {
+  set_slab(box);
+}
 
 ForceField::ForceField(ForceField&&) noexcept = default;
 ForceField::~ForceField() = default;
@@ -89,7 +94,13 @@ void ForceField::set_box(const Box& box) {
   settings_ = with_mesh(settings_, topology_, box, mesh_choice_);
   engine_->call([&](auto& engine) { engine.set_box(topology_, settings_, box); });
   constant_ = constant_terms_of(topology_, settings_, box, tail_);
+  set_slab(box);
   box_ = box;
+}
+
+void ForceField::set_slab(const Box& box) {
+  if (settings_.slab_dispersion)
+    slab_ = std::make_unique<SlabDispersion>(topology_, settings_, box);
 }
 
 void ForceField::evaluate(const State& state, Load& load, bool energies) {
@@ -97,6 +108,7 @@ void ForceField::evaluate(const State& state, Load& load, bool energies) {
   ++evaluations_;
   engine_->call([&](auto& engine) { engine(state, load, energies); });
   if (settings_.mesh) remove_net_force(load, bodies_, workers_);
+  if (slab_) slab_->add(state, load, energies);
   load.external = 0;
   if (settings_.external) add_external(state, load, energies);
   if (!energies) return;
@@ -117,6 +129,7 @@ void ForceField::directional_derivative(const State& state, const Vec3Column& dq
   set_box(state.box);
   engine_->call([&](auto& engine) { engine.derivative(state, dq, dtheta, slope); });
   if (settings_.mesh) remove_net_force(slope, bodies_, workers_);
+  if (slab_) slab_->add_derivative(state, dq, dtheta, slope);
   if (settings_.external) add_derivative(*settings_.external, state, dq, dtheta, slope);
 }
 

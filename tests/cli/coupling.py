@@ -177,7 +177,7 @@ class Coupling(Sandbox):
                               (("argon", "solvation-free-energy"), "give the option solute"),
                               (("argon 60, krypton 4", "vapour-pressure"), "differs in composition"),
                               (("argon", "solvation-free-energy", "--solute", "nothing"), "nothing"),
-                              (("argon", "chemical-potential", "--at", "160 K, 1300 kg/m3"), "constant pressure")):
+                              (("argon", "vapour-pressure", "--at", "160 K, 1300 kg/m3"), "constant pressure")):
             process = self.polhode("measure", *words)
             self.assertEqual(process.returncode, 2)
             self.assertIn(reason, process.err)

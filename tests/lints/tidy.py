@@ -2,8 +2,9 @@
 """clang-tidy finds nothing with the checks of .clang-tidy; skipped (exit 77) without clang-tidy 14.
 
 Most of its time goes into headers of libraries. So sources are examined in groups, each as one file that includes
-them; no name of an anonymous namespace is used in two sources of a group. A group without findings is
-not examined again until one of its sources, a header or .clang-tidy changes."""
+them; no name of an anonymous namespace is used in two sources of a group. Sources with errors in a group are
+examined alone. A group without findings is not examined again until one of its sources, a header or .clang-tidy
+changes."""
 
 import argparse
 import hashlib
@@ -27,6 +28,7 @@ ANONYMOUS = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.S | re.M)
 DECLARED = re.compile(r"^(?:struct|class|enum class|union|using) (\w+)"
                       r"|^\w[\w:<>,&* ]*[&*> ](\w+)(?:\(|\{|\[\d| =|;)", re.M)
 NOT_A_USE = re.compile(r'"(?:\\.|[^"\\\n])*"|(?:\.|->|::)\w+')  # text and members
+FAILED = re.compile(r"^(/.+?):\d+:\d+: error: ", re.M)
 INCLUDED = re.compile(r'^#include "([^"]+)"', re.M)
 
 
@@ -115,8 +117,10 @@ def examine(root, cache, group):
     if run.returncode or run.stdout:
         unit.unlink()
     if len(group) > 1 and "[clang-diagnostic-error]" in run.stdout:  # perhaps because names collide
-        half = len(group) // 2
-        return examine(root, cache, group[:half]) + examine(root, cache, group[half:])
+        named = {Path(path) for path in FAILED.findall(run.stdout)}
+        apart = [[source] for source in group if source.path in named] or [group[:len(group) // 2]]
+        rest = [source for source in group if not any(source in part for part in apart)]
+        return "".join(examine(root, cache, part) for part in (rest, *apart) if part)
     return run.stdout
 
 

@@ -241,8 +241,8 @@ TEST_CASE("what a law cannot do is refused") {
   ForceSettings corrected{.cutoff = 1.2, .switch_from = 1};
   corrected.dispersion_correction = true;
   check_error([&] { ForceField(argon, corrected, box); },
-              {"dispersion_correction needs the potential at all distances",
-               "leave dispersion_correction out"});
+              {"a dispersion correction needs the potential at all distances",
+               "leave dispersion_correction and slab_dispersion out"});
   check_error([&] { ForceField(argon, {.cutoff = 1.7, .switch_from = 1}, box); },
               {"ends at 1.6 nm, but sites interact up to 1.7 nm", "shorter cutoff"});
   const Topology unlike{{{read_molecule("argon-ab-initio"), 2}, {read_molecule("argon"), 2}}};

@@ -16,6 +16,7 @@ namespace polhode {
 
 struct AnyPairEngine;
 class NeighbourList;
+class SlabDispersion;
 
 /// Energy terms that do not depend on the positions of the bodies [kJ/mol], and the virial of these
 /// terms.
@@ -99,6 +100,7 @@ class ForceField {
  private:
   void set_box(const Box& box);
   void evaluate(const State& state, Load& load, bool energies);
+  void set_slab(const Box& box);
   void add_external(const State& state, Load& load, bool energies);
 
   Workers& workers_;
@@ -109,6 +111,7 @@ class ForceField {
   std::optional<Box> box_;  // box for which the members below were built; empty after an Error
   double tail_ = 0;         // dispersion correction times volume, equal for all boxes [kJ/mol nm³]
   ConstantTerms constant_;
+  std::unique_ptr<SlabDispersion> slab_;  // null without slab_dispersion
   std::unique_ptr<AnyPairEngine> engine_;
   std::uint64_t evaluations_ = 0;
   std::size_t earlier_rebuilds_ = 0;

@@ -57,6 +57,16 @@ Fault fault_of_truncation(const ForceSettings& s) {
         "dispersion_correction", "true",
         "cannot be combined with truncation = \"site-shift\", which shifts the potential at all "
         "distances; leave dispersion_correction out, or use \"site-switch\""};
+  if (s.slab_dispersion && s.truncation == Truncation::site_shift)
+    return SettingFault{
+        "slab_dispersion", "true",
+        "cannot be combined with truncation = \"site-shift\", which shifts the potential at all "
+        "distances; leave slab_dispersion out, or use \"site-switch\""};
+  if (s.slab_dispersion && s.dispersion_correction)
+    return SettingFault{
+        "slab_dispersion", "true",
+        "cannot be combined with dispersion_correction = true, which assumes a uniform density; "
+        "give one of them"};
   return std::nullopt;
 }
 

@@ -66,8 +66,9 @@ struct Tabulated {
   /// A table has no integral from a distance to infinity.
   /// @throws Error  always, because a table has no values beyond its end
   double integral_beyond(double) const {
-    throw Error("dispersion_correction needs the potential at all distances, but table '" +
-                table->name() + "' has no values beyond its end; leave dispersion_correction out");
+    throw Error("a dispersion correction needs the potential at all distances, but table '" +
+                table->name() + "' has no values beyond its end; leave dispersion_correction and "
+                "slab_dispersion out");
   }
 };
 

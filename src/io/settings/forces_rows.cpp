@@ -136,10 +136,9 @@ SettingTable forces_table() {
        row("smoothness", forces(&ForceSettings::smoothness), in_library(between(1, 3)),
            "number of continuous derivatives of the switching function"),
        row("skin", forces(&ForceSettings::skin), nm, in_library(above(0)),
-           "skin of the neighbour list; affects the speed, and changes results only by rounding"),
+           "skin of the neighbour list; affects the speed, and results only by rounding"),
        row("dielectric", only(reaction_field, &ForceSettings::dielectric), in_library(from(1)),
-           "relative permittivity outside the cutoff, for the reaction field; may be "
-           "`\"infinite\"`",
+           "relative permittivity outside the cutoff, or `\"infinite\"`, for the reaction field",
            More{.by = "electrostatics",
                 .read = read_dielectric,
                 .kinds = {SettingKind::number, SettingKind::text}}),
@@ -155,12 +154,13 @@ SettingTable forces_table() {
            More{.by = "electrostatics"}),
        row("coulomb_cutoff", only(pme, &ForceSettings::coulomb_cutoff),
            SettingUnit{Dimension::length, "nm", "0.8 nm"}, in_library(above(0)),
-           "distance up to which `\"pme\"` sums pairs of charges, at most half the shortest box "
-           "edge; `cutoff` applies to the short-range potentials",
+           "distance up to which `\"pme\"` sums pairs of charges, at most half the shortest edge",
            More{.fallback = "chosen with the mesh", .by = "electrostatics", .not_set = "chosen"}),
        row("dispersion_correction", forces(&ForceSettings::dispersion_correction),
            "adds the energy and pressure that the truncation of the short-range potentials "
            "removes; not available with `\"site-shift\"` or tabulated potentials"),
+       row("slab_dispersion", forces(&ForceSettings::slab_dispersion),
+           "the same, with forces, for [slabs normal to z](../theory-forces.md#slabs)"),
        row("mixing", member(mixing_rule), "mixing rule of [σ and ε of unlike sites](#pair)",
            More{.fallback = "the rule in the molecule files, or else `\"lorentz-berthelot\"`"}),
        row("precision", forces(&ForceSettings::precision),

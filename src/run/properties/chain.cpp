@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "polhode/base/error.hpp"
@@ -11,6 +12,7 @@
 #include "polhode/integrate/with_bath.hpp"
 #include "polhode/math/random.hpp"
 #include "run/properties/volume_moves.hpp"
+#include "run/simulation/system/relaxation.hpp"
 #include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {
@@ -67,6 +69,32 @@ double Chain::max_stable_step(const TrajectorySettings& t) {
 }
 
 Scheme with_ends() { return with_bath(scheme_of("hoa2"), BathPlace::ends, "hoa2 with a bath"); }
+
+void scale_to(State& state, double volume) {
+  const double factor = std::cbrt(volume / state.box.volume());
+  for (std::size_t i = 0; i < state.size(); ++i) state.q.set(i, factor * state.q[i]);
+  state.box = Box{factor * state.box.edge};
+}
+
+void scale_to_mean(State& state, const Replica& replica, std::size_t from,
+                   const ReplicaSettings& settings) {
+  if (settings.at.constant_volume()) return;
+  double V = 0;
+  for (std::size_t k = from; k < replica.averages.size(); ++k)
+    V += replica.averages[k].sums.sum[volume] / replica.averages[k].sums.weight;
+  scale_to(state, V / static_cast<double>(replica.averages.size() - from));
+}
+
+bool relax_copies(Chain& chain, const Replica& replica, std::uint64_t stream) {
+  constexpr std::size_t steps = 5000;
+  check_separated(chain.system(), minimise(chain.system(), relaxed_start));
+  draw_momenta(chain.system(),
+               derived_seed(chain.settings().config.system.seed, stream + replica.index));
+  TrajectorySettings t = chain.trajectory(with_ends(), replica.step,
+                                          replica.step * static_cast<double>(steps), stream);
+  t.ensemble.thermostat = Langevin{0.01 / replica.step, 0.01 / replica.step};
+  return chain.run(t).has_value();
+}
 
 TrajectorySettings averages_of(const Chain& chain, double compressibility, double step,
                                std::size_t steps, std::uint64_t stream) {

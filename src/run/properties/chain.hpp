@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "polhode/ensemble/minimise.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "run/properties/replica.hpp"
@@ -21,8 +22,15 @@ enum Stream : std::uint64_t {
   elongated_pairing = 5u << 20,
   relaxing_elongated = 6u << 20,
   coupling = 7u << 20,
-  choosing_stages = 8u << 20
+  choosing_stages = 8u << 20,
+  relaxing_slab = 9u << 20,
+  slab_averaging = 10u << 20
 };
+
+/// Minimisation of a configuration that is far from equilibrium.
+inline constexpr MinimisationSettings relaxed_start{.force = 100, .torque = 10};
+/// Scales the box and the centres of a state.
+void scale_to(State& state, double volume);
 
 /// A system at a state point, with its random numbers.
 class Chain {
@@ -51,6 +59,14 @@ class Chain {
   std::optional<MeshChoice>& meshes_;
   std::optional<System> system_;
 };
+
+/// Scales a state to the mean volume of a replica at constant pressure.
+/// @param from  first segment of averages that is in equilibrium
+void scale_to_mean(State& state, const Replica& replica, std::size_t from,
+                   const ReplicaSettings& settings);
+/// Relaxes stacked copies of a system, with different momenta.
+/// @return  false if it was stopped
+bool relax_copies(Chain& chain, const Replica& replica, std::uint64_t stream);
 
 /// The scheme hoa2 with a bath at the ends of its steps.
 Scheme with_ends();

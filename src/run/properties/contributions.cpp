@@ -18,34 +18,35 @@ bool is_in_equilibrium(std::size_t before, std::size_t all) { return 2 * before 
 
 }  // namespace
 
-std::size_t equilibrated(const Replica& replica) {
-  // The effort grows as n² √n with the number n of parts, so a long replica has longer parts.
+std::size_t equilibrium_of(const std::vector<double>& parts, std::size_t parts_of_segment) {
+  // The effort grows as n² √n with the number n of parts, so parts of a long series are joined.
   constexpr std::size_t max_parts = 600;
-  const std::size_t joined = replica.averages.size() * parts_of_averages / max_parts + 1;
+  const std::size_t joined = parts.size() / max_parts + 1;
+  std::vector<double> series;
+  for (std::size_t k = 0; k + joined <= parts.size(); k += joined)
+    series.push_back(std::accumulate(&parts[k], &parts[k] + joined, 0.0) /
+                     static_cast<double>(joined));
+  if (std::ranges::all_of(series, [&](double x) { return x == series.front(); }))
+    return 0;  // the volume, where it is constant
+  const std::size_t start = joined * equilibrium_start(series);
+  return (start + parts_of_segment - 1) / parts_of_segment;
+}
+
+std::size_t equilibrated(const Replica& replica) {
   std::size_t start = 0;
   for (const auto member : {&AveragesSegment::potentials, &AveragesSegment::volumes}) {
-    std::vector<double> all, series;
+    std::vector<double> all;
     for (const AveragesSegment& segment : replica.averages)
       all.insert(all.end(), (segment.*member).begin(), (segment.*member).end());
-    for (std::size_t k = 0; k + joined <= all.size(); k += joined)
-      series.push_back(std::accumulate(&all[k], &all[k] + joined, 0.0) /
-                       static_cast<double>(joined));
-    if (std::ranges::all_of(series, [&](double x) { return x == series.front(); }))
-      continue;  // the volume, where it is constant
-    start = std::max(start, joined * equilibrium_start(series));
+    start = std::max(start, equilibrium_of(all, parts_of_averages));
   }
-  return (start + parts_of_averages - 1) / parts_of_averages;
+  return start;
 }
 
 bool in_equilibrium(const PointData& data) {
   return std::all_of(data.replicas.begin(), data.replicas.end(), [](const Replica& replica) {
     return is_in_equilibrium(equilibrated(replica), replica.averages.size());
   });
-}
-
-std::size_t length_of(const Replica& replica, MeasuredIn what) {
-  return what == MeasuredIn::coupling ? replica.coupled.segments.size()
-                                      : segments_of(replica, what).size();
 }
 
 const std::vector<BlockMeans::Block>& segments_of(const Replica& replica, MeasuredIn what) {
@@ -85,15 +86,35 @@ std::vector<BlockMeans> averages_of(const Contributions& contributions) {
   return runs;
 }
 
+std::vector<BlockMeans> separate_or_joined(std::vector<std::vector<BlockMeans::Block>> runs) {
+  std::vector<BlockMeans> separate;
+  std::vector<BlockMeans::Block> all;
+  bool is_long = true;
+  for (std::vector<BlockMeans::Block>& run : runs) {
+    all.insert(all.end(), run.begin(), run.end());
+    is_long = is_long && run.size() >= min_samples;
+    separate.emplace_back(std::move(run));
+  }
+  if (is_long && !separate.empty()) return separate;
+  return {BlockMeans(std::move(all))};
+}
+
+StepResponse response_of(const std::vector<const StepResponse*>& segments) {
+  StepResponse run{.first = segments.front()->first, .blocks = {}};
+  for (const StepResponse* segment : segments)
+    run.blocks.blocks.push_back(segment->blocks.blocks.front());
+  run.blocks.samples_per_block = run.blocks.blocks[0].weight;
+  return run;
+}
+
 std::vector<StepResponse> responses_of(const Contributions& contributions) {
   std::vector<StepResponse> runs;
-  for (const auto& [contribution, from] : contributions.all) {
-    const Replica& replica = *contribution;
-    if (replica.averages.empty()) continue;
-    StepResponse run{.first = replica.averages.front().response.first, .blocks = {}};
-    for (std::size_t k = from; k < replica.averages.size(); ++k)
-      run.blocks.blocks.push_back(replica.averages[k].response.blocks.blocks.front());
-    run.blocks.samples_per_block = run.blocks.blocks.empty() ? 1 : run.blocks.blocks[0].weight;
+  for (const auto& [replica, from] : contributions.all) {
+    std::vector<const StepResponse*> segments;
+    for (std::size_t k = from; k < replica->averages.size(); ++k)
+      segments.push_back(&replica->averages[k].response);
+    if (segments.empty()) continue;
+    const StepResponse run = response_of(segments);
     runs.push_back(runs.empty() ? run : run.relative_to(runs.front().first));
   }
   return runs;

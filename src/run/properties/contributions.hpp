@@ -41,10 +41,12 @@ struct Contributions {
   std::string text() const;
 };
 
-/// The number of segments in which a property is measured.
-std::size_t length_of(const Replica& replica, MeasuredIn what);
 /// The segments of dynamics in which a property is measured.
 const std::vector<BlockMeans::Block>& segments_of(const Replica& replica, MeasuredIn what);
+/// One run for each replica, or a single run if a replica is too short for an error.
+std::vector<BlockMeans> separate_or_joined(std::vector<std::vector<BlockMeans::Block>> runs);
+/// A run of a replica: the responses of segments, relative to their first sample.
+StepResponse response_of(const std::vector<const StepResponse*>& segments);
 /// The averages in equilibrium, with a run for each replica.
 std::vector<BlockMeans> averages_of(const Contributions& contributions);
 /// The step responses of the same segments, relative to a common first sample.

@@ -42,32 +42,26 @@ BlockMeans::Block joined(const std::vector<StageSegment>& segment) {
 
 /// Segments in equilibrium, with a run for each replica, or as one run if they are too short.
 std::vector<BlockMeans> runs_of(const Contributions& contributions) {
-  std::vector<BlockMeans> runs;
-  std::vector<BlockMeans::Block> all;
-  bool is_long = true;
+  std::vector<std::vector<BlockMeans::Block>> runs;
   for (const auto& [replica, from] : contributions.all) {
-    std::vector<BlockMeans::Block> run;
+    std::vector<BlockMeans::Block>& run = runs.emplace_back();
     const auto& segments = replica->coupled.segments;
     for (std::size_t k = coupled_from(*replica); k < segments.size(); ++k)
       run.push_back(joined(segments[k]));
-    all.insert(all.end(), run.begin(), run.end());
-    is_long = is_long && run.size() >= min_samples;
-    runs.emplace_back(std::move(run));
   }
-  if (is_long) return runs;
-  return {BlockMeans(std::move(all))};
+  return separate_or_joined(std::move(runs));
 }
 
 /// The step responses of a stage, relative to a common first sample.
 std::vector<StepResponse> responses_of(const Contributions& contributions, std::size_t stage) {
   std::vector<StepResponse> runs;
   for (const auto& [replica, from] : contributions.all) {
+    std::vector<const StepResponse*> of_stage;
     const auto& segments = replica->coupled.segments;
-    if (segments.empty()) continue;
-    StepResponse run{.first = segments.front()[stage].response.first, .blocks = {}};
     for (std::size_t k = coupled_from(*replica); k < segments.size(); ++k)
-      run.blocks.blocks.push_back(segments[k][stage].response.blocks.blocks.front());
-    run.blocks.samples_per_block = run.blocks.blocks.empty() ? 1 : run.blocks.blocks[0].weight;
+      of_stage.push_back(&segments[k][stage].response);
+    if (of_stage.empty()) continue;
+    const StepResponse run = response_of(of_stage);
     runs.push_back(runs.empty() ? run : run.relative_to(runs.front().first));
   }
   return runs;
@@ -199,7 +193,9 @@ void estimate_coupling(MeasuredProperty& m, const Contributions& contributions,
     m.obstacle =
         fmt::format("the overlap of two stages, {:.2g}, is below {:g}", smallest, min_overlap);
   const SeriesEstimate bias =
-      bias_of(contributions, stages, FixedMeans::kinetic_energy_and_pressure,
+      bias_of(contributions, stages,
+              data.at.constant_volume() ? FixedMeans::kinetic_energy
+                                        : FixedMeans::kinetic_energy_and_pressure,
               degrees_of_freedom(data.topology).all());
   if (m.value.known == Known::yes && bias.known == Known::yes) {
     m.bias = scaled(bias, kT);

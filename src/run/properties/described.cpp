@@ -12,6 +12,7 @@
 #include "run/properties/dynamics.hpp"
 #include "run/properties/estimates.hpp"
 #include "run/properties/property.hpp"
+#include "run/properties/slab_estimate.hpp"
 #include "run/properties/target.hpp"
 
 namespace polhode {
@@ -143,13 +144,16 @@ MeasuredPoint described(const PointData& data) {
     point.length_of_averages +=
         (static_cast<double>(replica.averages.size()) - discarded) * segment;
     const std::size_t segments = replica.dynamics.size() + replica.elongated.segments.size();
-    point.length_of_coupling += replica.step * steps_of_coupled(replica.coupled.segments.size(),
-                                                                replica.coupled.path.size());
+    point.length_of_coupling +=
+        replica.step * steps_of(MeasuredIn::coupling, replica.coupled.segments.size(), 0,
+                                replica.coupled.path.size());
+    point.length_of_slab += segment * static_cast<double>(replica.slab.segments.size());
     point.length_of_dynamics += static_cast<double>(segments) * replica.step *
                                 static_cast<double>(steps_of_lags * windows_in_segment);
   }
   point.traces = traces_of(data);
   point.curves = curves_of(data);
+  point.profiles = slab_profile(data);
   point.distributions = distributions(data);
   return point;
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The long box of OrthoBoXY from a cubic box.
+// Stacks of copies of a system, such as the long box of OrthoBoXY from a cubic box.
 #pragma once
 
 #include "polhode/run/simulation/system/system.hpp"
 
 namespace polhode {
+
+/// Stacks copies of a system along z.
+void stack(System& system, std::size_t copies);
 
 /// The number of copies in the long box.
 inline constexpr std::size_t elongated_copies = 3;

@@ -25,6 +25,8 @@
 #include "run/properties/pressure_spectrum.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/second_virial.hpp"
+#include "run/properties/slab_estimate.hpp"
+#include "run/properties/target.hpp"
 
 namespace polhode {
 namespace {
@@ -241,6 +243,12 @@ void estimate_coupled(MeasuredProperty& m, const PointData& data) {
   note_contributions(m, contributions);
 }
 
+void estimate_surface(MeasuredProperty& m, const PointData& data) {
+  const Contributions contributions(data, MeasuredIn::slab);
+  estimate_slab(m, contributions, data);
+  note_contributions(m, contributions);
+}
+
 void estimate_pair(MeasuredProperty& m, const PointData& data) {
   std::size_t points = 1024;
   do {
@@ -277,6 +285,9 @@ MeasuredProperty estimate(const RequestedProperty& request, const PointData& dat
     case MeasuredIn::coupling:
       estimate_coupled(m, data);
       break;
+    case MeasuredIn::slab:
+      estimate_surface(m, data);
+      break;
     case MeasuredIn::pair:
       estimate_pair(m, data);
       break;
@@ -290,11 +301,9 @@ std::vector<SeriesEstimate> stages_of(const RequestedProperty& request, const Po
   std::vector<SeriesEstimate> list;
   for (std::size_t k = 1; k <= stages; ++k) {
     std::vector<Replica> first(data.replicas.begin(), data.replicas.end());
-    for (Replica& replica : first) {
-      replica.averages.resize(replica.averages.size() * k / stages);
-      replica.dynamics.resize(replica.dynamics.size() * k / stages);
-      replica.coupled.segments.resize(replica.coupled.segments.size() * k / stages);
-    }
+    for (Replica& replica : first)
+      for (const MeasuredIn kind : kinds_of_run)
+        shorten(replica, kind, length_of(replica, kind) * k / stages);
     PointData part = data;
     part.replicas = first;
     list.push_back(estimate(request, part).value);

@@ -15,16 +15,7 @@ namespace polhode {
 namespace {
 
 double steps_of(const MeasuredProperty& m, const WorkDone& done) {
-  switch (m.request.property->measured_in) {
-    case MeasuredIn::averages:
-      return done.averages;
-    case MeasuredIn::elongated:
-      return done.elongated;
-    case MeasuredIn::coupling:
-      return done.coupled;
-    default:
-      return done.dynamics;
-  }
+  return done.steps[m.request.property->measured_in];
 }
 
 /// An error as it is requested: "0.1 %" or "0.05 kJ/mol".

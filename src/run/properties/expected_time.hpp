@@ -8,15 +8,14 @@
 #include <vector>
 
 #include "polhode/run/properties/measure.hpp"
+#include "run/properties/target.hpp"
 
 namespace polhode {
 
 /// The work of all replicas of a state point so far.
 struct WorkDone {
-  double averages = 0, dynamics = 0;  ///< steps of all replicas together
-  double seconds_per_step = 0;        ///< wall-clock time divided by the steps of all replicas [s]
-  double elongated = 0;               ///< steps of all copies in the long box of OrthoBoXY
-  double coupled = 0;                 ///< steps of all stages of a coupling
+  PerKind<double> steps{};      ///< steps of all replicas together
+  double seconds_per_step = 0;  ///< wall-clock time divided by the steps of all replicas [s]
 };
 
 /// The time [s] for which a measurement may run.

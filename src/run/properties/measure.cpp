@@ -35,7 +35,7 @@ namespace {
 
 /// Numbers of segments of each replica before the first decision, which are enough for errors to be
 /// known. Lengths then grow by a factor. Frequent decisions would favour errors small by chance.
-constexpr std::size_t first_dynamics = 4, first_coupled = 12;
+constexpr PerKind<std::size_t> first_segments{{first_averages, 4, 4, 12, 24}};
 constexpr double growth = 1.5;
 /// Number of segments after which a replica that has not reached equilibrium is not continued.
 constexpr std::size_t max_equilibration = 600;
@@ -282,14 +282,8 @@ void PointMeasurement::extend(const Target& target) {
 /// measurement makes the same decisions as an uninterrupted one.
 std::vector<Replica> PointMeasurement::first_of(const Target& target) const {
   std::vector<Replica> first = replicas_;
-  for (Replica& replica : first) {
-    replica.averages.resize(std::min(replica.averages.size(), target.averages));
-    replica.dynamics.resize(std::min(replica.dynamics.size(), target.dynamics));
-    auto& elongated = replica.elongated.segments;
-    elongated.resize(std::min(elongated.size(), target.elongated));
-    auto& coupled = replica.coupled.segments;
-    coupled.resize(std::min(coupled.size(), target.coupled));
-  }
+  for (Replica& replica : first)
+    for (const MeasuredIn kind : kinds_of_run) shorten(replica, kind, target[kind]);
   return first;
 }
 
@@ -312,15 +306,12 @@ bool PointMeasurement::next(Target& target, const std::vector<MeasuredProperty>&
       return m.request.property->measured_in == what && continues(m);
     });
   };
-  if (!equilibrium && target.averages >= max_equilibration) return false;
-  const bool averages = !equilibrium || any(MeasuredIn::averages),
-             dynamics = any(MeasuredIn::dynamics), elongated = any(MeasuredIn::elongated),
-             coupled = any(MeasuredIn::coupling);
-  if (averages) target.averages = longer(target.averages);
-  if (dynamics) target.dynamics = longer(target.dynamics);
-  if (elongated) target.elongated = longer(target.elongated);
-  if (coupled) target.coupled = longer(target.coupled);
-  return averages || dynamics || elongated || coupled;
+  if (!equilibrium && target[MeasuredIn::averages] >= max_equilibration) return false;
+  const Target before = target;
+  for (const MeasuredIn kind : kinds_of_run)
+    if ((kind == MeasuredIn::averages && !equilibrium) || any(kind))
+      target[kind] = longer(target[kind]);
+  return target != before;
 }
 
 void PointMeasurement::show(const std::vector<MeasuredProperty>& values, bool equilibrium) const {
@@ -363,11 +354,11 @@ TimeAllowed PointMeasurement::allowed() const {
 
 WorkDone PointMeasurement::work_of(const Target& target) const {
   const auto n = static_cast<double>(replicas_.size());
-  return {n * static_cast<double>(target.averages) * steps_of_averages,
-          n * steps_of_dynamics_of(target.dynamics, settings_.paired_runs),
-          steps_ > 0 ? seconds_ / steps_ : 0,
-          n * steps_of_elongated(target.elongated, settings_.paired_runs),
-          n * steps_of_coupled(target.coupled, system_.common.path.size())};
+  WorkDone done{.seconds_per_step = steps_ > 0 ? seconds_ / steps_ : 0};
+  for (const MeasuredIn kind : kinds_of_run)
+    done.steps[kind] =
+        n * steps_of_kind(kind, target[kind], system_.common.path.size(), settings_.paired_runs);
+  return done;
 }
 
 /// Shows how long it will take; the first time also what takes too long.
@@ -386,14 +377,14 @@ void PointMeasurement::show_time(const std::vector<MeasuredProperty>& values,
 }
 
 MeasuredPoint PointMeasurement::perform() {
-  const bool simulates = wants(MeasuredIn::averages) || wants(MeasuredIn::dynamics) ||
-                         wants(MeasuredIn::elongated) || wants(MeasuredIn::coupling);
+  const bool simulates = std::ranges::any_of(kinds_of_run, [&](auto kind) { return wants(kind); });
   if (simulates && !settings_.only_evaluate) {
     const std::optional<double> seconds = choose_step();
-    Target target{first_averages, wants(MeasuredIn::dynamics) ? first_dynamics : 0,
-                  wants(MeasuredIn::elongated) ? first_dynamics : 0,
-                  wants(MeasuredIn::coupling) ? first_coupled : 0};
-    if (target.coupled > 0 && system_.common.step > 0 && !choose_path()) target.coupled = 0;
+    Target target;
+    for (const MeasuredIn kind : kinds_of_run)
+      if (kind == MeasuredIn::averages || wants(kind)) target[kind] = first_segments[kind];
+    std::size_t& coupled = target[MeasuredIn::coupling];
+    if (coupled > 0 && system_.common.step > 0 && !choose_path()) coupled = 0;
     if (system_.common.step > 0)
       show_plan(target, seconds ? std::optional(*seconds / steps_of_pilot) : std::nullopt);
     while (system_.common.step > 0 && !stopped()) {

@@ -120,9 +120,10 @@ std::string of_point(const MeasuredPoint& point) {
   std::string text = fmt::format("<h2>{}</h2>\n", html(point.at.text())) + table_of(point);
   if (const std::string how = point.conditions(); !how.empty())
     text += fmt::format("<p>{}; box edge {:.4g} nm.</p>\n", how, point.edge);
-  std::string converged, correlations, structure, equilibrated, definitions;
+  std::string converged, correlations, slab, structure, equilibrated, definitions;
   for (const MeasuredProperty& m : point.properties) converged += convergence(m);
   for (const MeasuredCurve& curve : point.curves) correlations += correlation(curve);
+  for (const MeasuredCurve& curve : point.profiles) slab += correlation(curve);
   if (point.wants_distributions())
     for (const MeasuredDistribution& d : point.distributions) structure += distribution(d);
   for (std::size_t k = 0; k < point.traces.size(); ++k)
@@ -131,8 +132,9 @@ std::string of_point(const MeasuredPoint& point) {
     definitions += fmt::format("<li>{}: {}.</li>\n", html(m.request.property->name),
                                html(m.request.property->definition));
   return text + section("Convergence", converged) + section("Dynamics", correlations) +
-         section("Structure", structure) + section("Equilibration", equilibrated) +
-         "<h3>Definitions</h3>\n<ul>" + definitions + "</ul>\n";
+         section("Slab", slab) + section("Structure", structure) +
+         section("Equilibration", equilibrated) + "<h3>Definitions</h3>\n<ul>" + definitions +
+         "</ul>\n";
 }
 
 std::string estimate_text(const SeriesEstimate& e) {

@@ -123,6 +123,8 @@ Quantities of_point(const MeasuredPoint& point) {
                    "total time simulated for dynamics, by all replicas"},
                   {"coupling_length", "ps", point.length_of_coupling,
                    "total time simulated at the stages of a coupling, by all replicas"},
+                  {"slab_length", "ps", point.length_of_slab,
+                   "total time simulated for the slabs, by all replicas"},
                   {"edge", "nm", point.edge, "box edge"},
                   {"properties", "", std::move(properties),
                    "properties measured at this state point", point.at.text()}};
@@ -203,6 +205,7 @@ std::string MeasuredPoint::conditions(const std::string& line_break) const {
   if (length_of_dynamics > 0) text += fmt::format("; {:.0f} ps for dynamics", length_of_dynamics);
   if (length_of_coupling > 0)
     text += fmt::format("; {:.0f} ps for the stages of a coupling", length_of_coupling);
+  if (length_of_slab > 0) text += fmt::format("; {:.0f} ps for the slabs", length_of_slab);
   return text;
 }
 

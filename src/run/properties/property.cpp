@@ -148,15 +148,27 @@ constexpr std::array all = {
     Property{"chemical-potential", "kJ/mol", In::coupling,
              "residual chemical potential of the first kind of molecule, relative to an ideal gas "
              "of the same density, by coupling one molecule to all others in stages",
-             "bennett1976", false, false, nullptr, At::constant_pressure},
+             "bennett1976", false, false},
     Property{"solvation-free-energy", "kJ/mol", In::coupling,
              "free energy of the transfer of one molecule, the solute, from an ideal gas into the "
              "liquid, at equal number densities of the solute",
-             "bennett1976", false, false, nullptr, At::constant_pressure},
+             "bennett1976", false, false},
     Property{"vapour-pressure", "bar", In::coupling,
              "pressure at which the vapour, with its second virial coefficient, has the chemical "
              "potential of the liquid; for pure substances far below the critical temperature",
              "bennett1976", false, false, nullptr, At::constant_pressure},
+    Property{"surface-tension", "mN/m", In::slab,
+             "tension of the two surfaces of a slab of the liquid in its vapour, from the "
+             "pressures normal and parallel to them",
+             "janecek2006", false, false},
+    Property{"saturated-liquid-density", "kg/m3", In::slab,
+             "density of the liquid in the middle of the slab, in coexistence with its vapour",
+             "janecek2006", false, false},
+    Property{"saturated-vapour-density", "kg/m3", In::slab,
+             "density of the vapour in coexistence with the slab", "janecek2006", false, false},
+    Property{"saturation-pressure", "bar", In::slab,
+             "pressure normal to the surfaces of the slab, which is the pressure of its vapour",
+             "janecek2006", false, false},
     Property{"second-virial-coefficient", "cm3/mol", In::pair,
              "integral of the Mayer function of two molecules, times −1/2, without a cutoff",
              "allen2017", false, false}};
@@ -213,6 +225,10 @@ std::string why_not(const Property& p, const Topology& topology, bool has_mesh) 
   if (std::string_view(p.name) == "vapour-pressure" && topology.parts.size() > 1)
     return "the vapour of a mixture differs in composition from the liquid";
   if (p.measured_in == MeasuredIn::coupling) return why_not_coupled(topology);
+  if (p.measured_in == MeasuredIn::slab && !has_mesh &&
+      any([](const Molecule& m) { return std::ranges::any_of(m.sites, &Site::charge); }))
+    return "charges attract each other across a surface beyond any cutoff; this property requires "
+           "electrostatics = \"pme\"";
   if (p.of_rotation && !any([](const Molecule& m) { return m.top != Top::atom; }))
     return "atoms do not rotate";
   if (p.measured_in == MeasuredIn::pair && topology.parts.size() > 1)

@@ -46,6 +46,7 @@ enum class MeasuredIn {
   dynamics,   ///< runs at the density found there, with a weak rescaling of all momenta
   elongated,  ///< the same in the long box of OrthoBoXY, with three times as many molecules
   coupling,   ///< runs in which a molecule is coupled to all others in stages
+  slab,       ///< runs of a slab of the liquid between its vapour, at constant volume
   pair        ///< no run: an integral over two molecules
 };
 

@@ -35,7 +35,6 @@
 namespace polhode {
 namespace {
 
-constexpr MinimisationSettings relaxed{.force = 100, .torque = 10};
 constexpr double first_step = 0.001;  // first step of the preparation [ps]
 constexpr double tenth_of_fs = 1e-4;  // 0.1 fs [ps]
 constexpr double max_ratio = 0.015;   // maximum R of the segments
@@ -86,12 +85,6 @@ std::optional<Trajectory> run_stage(Chain& chain, const Replica& replica, const 
   return chain.run(settings_of(chain, replica, stage, stream, step), watch);
 }
 
-void scale_to(State& state, double volume) {
-  const double factor = std::cbrt(volume / state.box.volume());
-  for (std::size_t i = 0; i < state.size(); ++i) state.q.set(i, factor * state.q[i]);
-  state.box = Box{factor * state.box.edge};
-}
-
 /// The density at which a replica of constant volume is melted. For a lattice it is not below the
 /// density of the liquid, because the forces of a dilute lattice give no information about
 /// collisions.
@@ -107,7 +100,7 @@ bool relax(Chain& chain, Replica& replica) {
   const ReplicaSettings& settings = chain.settings();
   const bool constant_volume = settings.at.constant_volume();
   if (constant_volume) scale_to(system.state, system.topology.mass() / first_density(settings));
-  check_separated(system, minimise(system, relaxed));
+  check_separated(system, minimise(system, relaxed_start));
   draw_momenta(system, derived_seed(settings.config.system.seed, replica.index));
   const double kT = units::boltzmann * settings.at.temperature;
   double step = first_step;
@@ -256,29 +249,6 @@ std::optional<BlockMeans::Block> displacements(Chain& chain, double whole_step, 
   return segment;
 }
 
-/// Relaxes the copies, which the scaling has deformed, with different momenta.
-bool relax_elongated(Chain& chain, const Replica& replica) {
-  constexpr std::size_t steps = 5000;
-  check_separated(chain.system(), minimise(chain.system(), relaxed));
-  draw_momenta(chain.system(), derived_seed(chain.settings().config.system.seed,
-                                            relaxing_elongated + replica.index));
-  TrajectorySettings t = chain.trajectory(
-      with_ends(), replica.step, replica.step * static_cast<double>(steps), relaxing_elongated);
-  t.ensemble.thermostat = Langevin{0.01 / replica.step, 0.01 / replica.step};
-  return chain.run(t).has_value();
-}
-
-/// Scales a state to the mean volume of a replica at constant pressure.
-/// @param from  first segment of averages that is in equilibrium
-void scale_to_mean(State& state, const Replica& replica, std::size_t from,
-                   const ReplicaSettings& settings) {
-  if (settings.at.constant_volume()) return;
-  double V = 0;
-  for (std::size_t k = from; k < replica.averages.size(); ++k)
-    V += replica.averages[k].sums.sum[volume] / replica.averages[k].sums.weight;
-  scale_to(state, V / static_cast<double>(replica.averages.size() - from));
-}
-
 }  // namespace
 
 Config configuration_of(const ReplicaSettings& settings) {
@@ -293,6 +263,33 @@ Config configuration_of(const ReplicaSettings& settings) {
     system.density = settings.liquid_density;
   }
   return config;
+}
+
+std::size_t length_of(const Replica& replica, MeasuredIn kind) {
+  switch (kind) {
+    case MeasuredIn::averages:
+      return replica.averages.size();
+    case MeasuredIn::dynamics:
+      return replica.dynamics.size();
+    case MeasuredIn::elongated:
+      return replica.elongated.segments.size();
+    case MeasuredIn::coupling:
+      return replica.coupled.segments.size();
+    case MeasuredIn::slab:
+      return replica.slab.segments.size();
+    case MeasuredIn::pair:
+      break;
+  }
+  return 0;
+}
+
+void shorten(Replica& replica, MeasuredIn kind, std::size_t segments) {
+  const auto cut = [&](auto& list) { list.resize(std::min(list.size(), segments)); };
+  if (kind == MeasuredIn::averages) cut(replica.averages);
+  if (kind == MeasuredIn::dynamics) cut(replica.dynamics);
+  if (kind == MeasuredIn::elongated) cut(replica.elongated.segments);
+  if (kind == MeasuredIn::coupling) cut(replica.coupled.segments);
+  if (kind == MeasuredIn::slab) cut(replica.slab.segments);
 }
 
 bool prepare(Replica& replica, const ReplicaSettings& settings) {
@@ -386,7 +383,7 @@ bool add_elongated(Replica& replica, const ReplicaSettings& settings, std::size_
   elongate(system);
   if (elongated.state)
     system.state = *elongated.state;
-  else if (!relax_elongated(chain, replica))
+  else if (!relax_copies(chain, replica, relaxing_elongated))
     return false;
   const std::size_t k = elongated.segments.size();
   const State start = system.state;

@@ -104,6 +104,31 @@ struct CoupledChains {
   std::optional<MeshChoice> meshes{};  ///< kept between segments to save time; not in the record
 };
 
+/// Averages of a segment of a slab. The mass in each bin of its profile follows [u].
+enum SlabAverageOf : std::size_t {
+  tension,          ///< surface tension of one surface [kJ/mol/nm²]
+  normal_pressure,  ///< pressure normal to the surfaces [kJ/mol/nm³]
+  liquid_mass,      ///< mass in the bins that are liquid [u]
+  vapour_mass,      ///< mass in the bins that are vapour [u]
+  slab_averages_count
+};
+/// Bins of the profile, from the middle of the slab to the middle of the vapour. The slab ends near
+/// their middle. The first ones are liquid and the last ones vapour, far from the surfaces.
+inline constexpr std::size_t bins_of_profile = 100, bins_of_liquid = 16, bins_of_vapour = 20;
+
+struct SlabSegment {
+  BlockMeans::Block sums;
+  std::vector<double> potentials{};  ///< means of U in parts of the segment, for its equilibrium
+  StepResponse response;             ///< time-step response of the averages, in one block
+};
+
+/// A chain of segments of a slab of the liquid.
+struct SlabChain {
+  std::optional<State> state;  ///< state at the end of the last segment; empty before the first
+  std::vector<SlabSegment> segments;
+  std::optional<MeshChoice> meshes{};  ///< kept between segments to save time; not in the record
+};
+
 struct Replica {
   std::uint64_t index = 0;
   double step = 0;             ///< time step of its segments [ps]; 0 until it is prepared
@@ -120,6 +145,7 @@ struct Replica {
   std::optional<MeshChoice> meshes{};   ///< kept between segments to save time; not in the record
   ElongatedChain elongated{};
   CoupledChains coupled{};
+  SlabChain slab{};
 
   bool prepared() const { return step > 0; }
 };
@@ -164,9 +190,15 @@ bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t
 /// relaxed.
 /// @param from  first segment of averages that is in equilibrium
 bool add_elongated(Replica& replica, const ReplicaSettings& settings, std::size_t from);
+/// The number of segments of a kind of run.
+std::size_t length_of(const Replica& replica, MeasuredIn kind);
+/// Removes the segments of a kind of run after the first ones.
+void shorten(Replica& replica, MeasuredIn kind, std::size_t segments);
 /// The first segment of averages in which both the potential energy and the volume are in
 /// equilibrium.
 std::size_t equilibrated(const Replica& replica);
+/// The first segment in equilibrium, from a quantity in parts of segments.
+std::size_t equilibrium_of(const std::vector<double>& parts, std::size_t parts_of_segment);
 
 /// The interval between lags of correlation functions of dynamics [ps].
 inline double lag_interval(const Replica& replica) {

@@ -108,6 +108,24 @@ CoupledChains coupled_of(const json& j) {
   return chains;
 }
 
+json slab_json(const SlabChain& slab) {
+  json segments = json::array();
+  for (const auto& [sums, potentials, response] : slab.segments)
+    segments.push_back(
+        {block_json(sums), potentials, response.first, block_json(response.blocks.blocks.front())});
+  return {{"state", state_json(*slab.state)}, {"segments", segments}};
+}
+
+SlabChain slab_of(const json& j) {
+  SlabChain slab{.state = state_of(j.at("state")), .segments = {}};
+  for (const json& segment : j.at("segments"))
+    slab.segments.push_back(
+        {block_of(segment.at(0)),
+         segment.at(1).get<std::vector<double>>(),
+         {segment.at(2).get<std::vector<double>>(), {{block_of(segment.at(3))}, 1}}});
+  return slab;
+}
+
 json replica_json(const Replica& replica) {
   json averages = json::array(), dynamics = json::array();
   for (const AveragesSegment& segment : replica.averages)
@@ -131,6 +149,7 @@ json replica_json(const Replica& replica) {
     e["paired"] = json::array();
     for (const auto& [of, half] : chain.paired) e["paired"].push_back({of, block_json(half)});
   }
+  if (replica.slab.state) j["slab"] = slab_json(replica.slab);
   if (!replica.coupled.path.empty()) j["coupled"] = coupled_json(replica.coupled);
   if (replica.prepared()) j["state"] = state_json(replica.state);
   if (replica.moving) j["moving"] = state_json(*replica.moving);
@@ -160,6 +179,7 @@ Replica replica_of(const json& j) {
     for (const json& paired : e.at("paired"))
       replica.elongated.paired.push_back({paired.at(0).get<std::size_t>(), block_of(paired.at(1))});
   }
+  if (j.contains("slab")) replica.slab = slab_of(j["slab"]);
   if (j.contains("coupled")) replica.coupled = coupled_of(j["coupled"]);
   if (j.contains("state")) replica.state = state_of(j["state"]);
   if (j.contains("moving")) replica.moving = state_of(j["moving"]);

@@ -7,38 +7,46 @@
 #include "run/properties/coupling.hpp"
 #include "run/properties/point_system.hpp"
 #include "run/properties/replica_file.hpp"
+#include "run/properties/slab.hpp"
 
 namespace polhode {
 
 bool extend_by_one(Replica& replica, const Target& target, const ReplicaSettings& settings) {
   if (!replica.prepared()) return prepare(replica, settings);
-  if (replica.averages.size() < target.averages) return add_averages(replica, settings);
-  if (replica.dynamics.size() < target.dynamics)
-    return add_dynamics(replica, settings, equilibrated(replica));
-  if (replica.elongated.segments.size() < target.elongated)
-    return add_elongated(replica, settings, equilibrated(replica));
-  return add_coupling(replica, settings);
+  const auto lacking = std::ranges::find_if(
+      kinds_of_run, [&](auto kind) { return length_of(replica, kind) < target[kind]; });
+  switch (*lacking) {
+    case MeasuredIn::averages:
+      return add_averages(replica, settings);
+    case MeasuredIn::dynamics:
+      return add_dynamics(replica, settings, equilibrated(replica));
+    case MeasuredIn::elongated:
+      return add_elongated(replica, settings, equilibrated(replica));
+    case MeasuredIn::coupling:
+      return add_coupling(replica, settings);
+    case MeasuredIn::slab:
+      return add_slab(replica, settings, equilibrated(replica));
+    case MeasuredIn::pair:
+      break;
+  }
+  return false;
 }
 
 ReplicaTask next_task(const Replica& replica, const Target& target, const ReplicaSettings& settings,
                       const std::string& identity) {
   constexpr std::size_t at_once = 8;
   ReplicaTask task{.replica = replica.index,
-                   .averages = replica.averages.size(),
-                   .dynamics = replica.dynamics.size(),
                    .step = settings.step,
                    .record = replica_bytes(replica, identity),
-                   .elongated = replica.elongated.segments.size(),
-                   .coupled = replica.coupled.segments.size(),
                    .path = settings.path};
-  if (task.averages < target.averages)
-    task.averages = std::min(target.averages, task.averages + at_once);
-  else if (task.dynamics < target.dynamics)
-    ++task.dynamics;
-  else if (task.elongated < target.elongated)
-    ++task.elongated;
-  else
-    ++task.coupled;
+  bool is_longer = false;
+  for (const MeasuredIn kind : kinds_of_run) {
+    const std::size_t now = length_of(replica, kind);
+    const bool extends = !is_longer && now < target[kind],
+               is_short = kind == MeasuredIn::averages || kind == MeasuredIn::slab;
+    task.segments.push_back(extends ? std::min(target[kind], now + (is_short ? at_once : 1)) : now);
+    is_longer = is_longer || extends;
+  }
   return task;
 }
 
@@ -49,7 +57,9 @@ std::string perform(const MeasureSettings& settings, const ReplicaTask& task) {
   Replica replica = task.record.empty() ? Replica{.index = task.replica}
                                         : parse_replica(task.record, "the record of a task",
                                                         task.replica, system.identity);
-  const Target target{task.averages, task.dynamics, task.elongated, task.coupled};
+  Target target;
+  std::copy_n(task.segments.begin(), std::min(task.segments.size(), target.of.size()),
+              target.of.begin());
   while (!has(replica, target)) extend_by_one(replica, target, system.common);
   return replica_bytes(replica, system.identity);
 }

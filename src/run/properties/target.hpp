@@ -3,18 +3,32 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include "run/properties/coupling.hpp"
 #include "run/properties/elongate.hpp"
 #include "run/properties/replica.hpp"
+#include "run/properties/slab.hpp"
 
 namespace polhode {
 
-/// Segments of each kind that a replica needs at least.
-struct Target {
-  std::size_t averages = 0, dynamics = 0, elongated = 0, coupled = 0;
+/// The kinds of run, in the order in which a replica performs them.
+inline constexpr std::array kinds_of_run{MeasuredIn::averages, MeasuredIn::dynamics,
+                                         MeasuredIn::elongated, MeasuredIn::coupling,
+                                         MeasuredIn::slab};
+
+/// A number for each kind of run.
+template <class Number>
+struct PerKind {
+  std::array<Number, kinds_of_run.size()> of{};
+  constexpr Number& operator[](MeasuredIn kind) { return of[static_cast<std::size_t>(kind)]; }
+  constexpr Number operator[](MeasuredIn kind) const { return of[static_cast<std::size_t>(kind)]; }
+  friend bool operator==(const PerKind&, const PerKind&) = default;
 };
+
+/// Segments of each kind that a replica needs at least.
+using Target = PerKind<std::size_t>;
 
 /// The work of a preparation, as steps of hoa2 with the same number of force evaluations.
 inline constexpr double steps_of_preparation = 8000;
@@ -23,60 +37,70 @@ inline constexpr double steps_of_dynamics = steps_of_lags * windows_in_segment;
 
 /// Segments and preparations that a replica still needs.
 inline std::size_t missing(const Replica& replica, const Target& target) {
-  const auto rest = [](std::size_t wanted, std::size_t there) {
-    return wanted - std::min(wanted, there);
-  };
-  return (replica.prepared() ? 0 : 1) + rest(target.averages, replica.averages.size()) +
-         rest(target.dynamics, replica.dynamics.size()) +
-         rest(target.elongated, replica.elongated.segments.size()) +
-         rest(target.coupled, replica.coupled.segments.size());
+  std::size_t sum = replica.prepared() ? 0 : 1;
+  for (const MeasuredIn kind : kinds_of_run)
+    sum += target[kind] - std::min(target[kind], length_of(replica, kind));
+  return sum;
 }
 
 inline bool has(const Replica& replica, const Target& target) {
   return missing(replica, target) == 0;
 }
 
-/// Steps of a number of segments at all stages of a coupling.
-inline double steps_of_coupled(std::size_t segments, std::size_t stages) {
-  return static_cast<double>(segments * stages * steps_of_coupling);
+/// Steps of segments of a kind of run. A step of several copies counts as a step of each.
+/// @param paired  segments that are repeated at half of the step
+/// @param stages  stages of a coupling
+inline double steps_of(MeasuredIn kind, std::size_t segments, std::size_t paired,
+                       std::size_t stages) {
+  const auto n = static_cast<double>(segments), repeated = static_cast<double>(2 * paired);
+  switch (kind) {
+    case MeasuredIn::averages:
+      return n * steps_of_averages;
+    case MeasuredIn::dynamics:
+      return (n + repeated) * steps_of_dynamics;
+    case MeasuredIn::elongated:
+      return (n + repeated) * steps_of_dynamics * elongated_copies;
+    case MeasuredIn::coupling:
+      return n * static_cast<double>(stages * steps_of_coupling);
+    case MeasuredIn::slab:
+      return n * steps_of_averages * slab_copies;
+    case MeasuredIn::pair:
+      break;
+  }
+  return 0;
 }
 
-/// Steps of a replica. A step of the long box counts as a step of each of its copies.
+/// Steps of segments of a kind of run that are still to be made, with their pairs.
+inline double steps_of_kind(MeasuredIn kind, std::size_t segments, std::size_t stages,
+                            bool paired_runs) {
+  const std::size_t paired = paired_runs ? (segments + paired_every - 1) / paired_every : 0;
+  return steps_of(kind, segments, paired, stages);
+}
+
+/// Steps of a replica.
 inline double steps_of(const Replica& replica) {
-  const auto segments = static_cast<double>(replica.dynamics.size() + 2 * replica.paired.size());
-  const auto elongated = static_cast<double>(
-      elongated_copies * (replica.elongated.segments.size() + 2 * replica.elongated.paired.size()));
-  return (replica.prepared() ? steps_of_preparation : 0) +
-         static_cast<double>(replica.averages.size()) * steps_of_averages +
-         steps_of_coupled(replica.coupled.segments.size(), replica.coupled.path.size()) +
-         (segments + elongated) * steps_of_dynamics;
-}
-
-/// Steps of a number of segments of dynamics, with their pairs at half of the step.
-inline double steps_of_dynamics_of(std::size_t segments, bool paired_runs) {
-  const std::size_t pairs = paired_runs ? (segments + paired_every - 1) / paired_every : 0;
-  return static_cast<double>(segments + 2 * pairs) * steps_of_dynamics;
-}
-/// The same in the long box.
-inline double steps_of_elongated(std::size_t segments, bool paired_runs) {
-  return elongated_copies * steps_of_dynamics_of(segments, paired_runs);
+  double sum = replica.prepared() ? steps_of_preparation : 0;
+  for (const MeasuredIn kind : kinds_of_run) {
+    const auto& paired = kind == MeasuredIn::elongated ? replica.elongated.paired : replica.paired;
+    sum += steps_of(kind, length_of(replica, kind), paired.size(), replica.coupled.path.size());
+  }
+  return sum;
 }
 
 /// Steps of a replica that has reached a target.
 /// @param stages  number of stages of a coupling
 inline double steps_at(const Target& target, std::size_t stages, bool paired_runs) {
-  return steps_of_preparation + static_cast<double>(target.averages * steps_of_averages) +
-         steps_of_dynamics_of(target.dynamics, paired_runs) +
-         steps_of_elongated(target.elongated, paired_runs) +
-         steps_of_coupled(target.coupled, stages);
+  double sum = steps_of_preparation;
+  for (const MeasuredIn kind : kinds_of_run)
+    sum += steps_of_kind(kind, target[kind], stages, paired_runs);
+  return sum;
 }
 /// Steps that a replica lacks until it reaches a target.
 inline double steps_missing(const Replica& replica, const Target& target, std::size_t stages,
                             bool paired_runs) {
-  const Target end{std::max(target.averages, replica.averages.size()),
-                   std::max(target.dynamics, replica.dynamics.size()),
-                   std::max(target.elongated, replica.elongated.segments.size()),
-                   std::max(target.coupled, replica.coupled.segments.size())};
+  Target end;
+  for (const MeasuredIn kind : kinds_of_run)
+    end[kind] = std::max(target[kind], length_of(replica, kind));
   return std::max(0.0, steps_at(end, stages, paired_runs) - steps_of(replica));
 }
 

@@ -142,6 +142,25 @@ TEST_CASE("acceptance ratios give the free energy of Gaussian stages, with a cal
   CHECK(squares / seeds == doctest::Approx(1.04).epsilon(0.35));
 }
 
+// Without its fluctuations the volume cancels between the first and the last stage.
+TEST_CASE("at constant volume the chemical potential is the free energy of the stages") {
+  const Topology topology{{{read_molecule("argon"), 64}}};
+  const Mixing mixing;
+  std::vector<Replica> replicas = made_up_replicas(3);
+  const StatePoint at{300, std::nan(""), 600};
+  const RequestedProperty request{&property("chemical-potential")};
+  const SeriesEstimate one = estimate(request, {topology, mixing, at, replicas}).value;
+  REQUIRE(one.known == Known::yes);
+  CHECK(one.value == doctest::Approx(made_up_potential(3).value).epsilon(1e-12));
+  for (Replica& replica : replicas)
+    for (std::vector<StageSegment>& segment : replica.coupled.segments) {
+      segment.front().sums.sum[2] /= 3;
+      segment.back().sums.sum[2] *= 3;
+    }
+  CHECK(estimate(request, {topology, mixing, at, replicas}).value.value ==
+        doctest::Approx(one.value).epsilon(1e-12));
+}
+
 // A vapour of density ρ with coefficient B has the chemical potential ln ρ + 2 B ρ [kT] and the
 // pressure ρ (1 + B ρ) [kT].
 TEST_CASE("the vapour pressure is that of a vapour with the chemical potential of the liquid") {
@@ -232,7 +251,8 @@ TEST_CASE("a molecule that cannot be coupled in stages is refused with the reaso
   Molecule bare = read_molecule("argon");
   bare.sites.front().epsilon = 0;
   CHECK(why_not(mu, Topology{{{bare, 64}}}, false).find("no short-range") != std::string::npos);
-  CHECK(!why_not(mu, StatePoint{300, std::nan(""), 600}).empty());
+  CHECK(why_not(mu, StatePoint{300, std::nan(""), 600}).empty());
+  CHECK(!why_not(property("vapour-pressure"), StatePoint{300, std::nan(""), 600}).empty());
 }
 
 TEST_CASE("the coupling of a replica has the same bits in one piece and in several") {
@@ -240,7 +260,7 @@ TEST_CASE("the coupling of a replica has the same bits in one piece and in sever
   settings.points = state_points("160 K, 500 bar");
   const CouplingPath path{{0, 0, 0.2}, {0.5, 0, 0.5}, {0.8, 0, 0.4}, {1, 0, 0}};
   const auto after = [&](std::size_t coupled, const std::string& record) {
-    return perform(settings, {0, 3, 3, 0, 0.01, record, 0, coupled, path});
+    return perform(settings, {0, 3, {3, 0, 0, coupled}, 0.01, record, path});
   };
   const std::string one = after(1, ""), both = after(2, "");
   CHECK(after(2, one) == both);

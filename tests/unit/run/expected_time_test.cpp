@@ -18,7 +18,7 @@ namespace {
 constexpr double year = 365.25 * 86400;
 
 /// A density of 1000 ± 1 kg/m3 after 2e6 steps of averages, of which 1000 take a second.
-constexpr WorkDone done{2e6, 5e6, 1e-3};
+constexpr WorkDone done{{{2e6, 5e6}}, 1e-3};
 
 MeasuredProperty found(const char* name, double value, double error, double requested) {
   return {.request = {&property(name), requested, true}, .value = {value, error, Known::yes, 35}};

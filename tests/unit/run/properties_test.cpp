@@ -45,7 +45,7 @@ MeasureRequest argon(std::vector<std::string> properties = {"density"}) {
 
 std::string bytes_after(const MeasureSettings& settings, std::size_t averages, std::size_t dynamics,
                         const std::string& record = "") {
-  return perform(settings, {0, 3, averages, dynamics, 0.01, record});
+  return perform(settings, {0, 3, {averages, dynamics}, 0.01, record});
 }
 
 std::string properties_table() {

@@ -72,6 +72,9 @@ struct ForceSettings {
   /// Whether to add the Lennard-Jones energy and pressure beyond the truncation, assuming a uniform
   /// density of sites.
   bool dispersion_correction = false;
+  /// Whether to add the same, with forces, for a density of sites that depends on z, as in a slab
+  /// of liquid with its surfaces normal to z.
+  bool slab_dispersion = false;
   /// External forces, which are added to all other forces; null if there are none.
   std::shared_ptr<const ExternalForces> external{};
 };

@@ -93,10 +93,10 @@ struct MeasuredProperty {
   bool reached() const;
 };
 
-/// A function measured in the dynamics, for figures.
+/// A function measured in the dynamics or the slab, for figures.
 struct MeasuredCurve {
   std::string title, axis, unit;      ///< `axis` is the name of x with its unit
-  std::vector<double> x;              ///< time lags [ps] or frequencies [1/ps]
+  std::vector<double> x;              ///< time lags [ps], frequencies [1/ps] or distances [nm]
   std::vector<SeriesEstimate> value;  ///< values in `unit`
 };
 
@@ -128,9 +128,11 @@ struct MeasuredPoint {
                                       ///< volume, without equilibration [ps]
   double length_of_dynamics = 0;      ///< total length of the dynamics of all replicas [ps]
   double length_of_coupling = 0;      ///< total length of all stages of a coupling [ps]
+  double length_of_slab = 0;          ///< total length of the slabs of all replicas [ps]
   double edge = 0;                    ///< box edge in the dynamics, or the mean edge at constant
                                       ///< pressure [nm]
-  std::vector<MeasuredCurve> curves;
+  std::vector<MeasuredCurve> curves;  ///< of the dynamics
+  std::vector<MeasuredCurve> profiles{};              ///< density of the slab along its normal
   std::vector<MeasuredDistribution> distributions{};  ///< of centres, then of sites
   std::vector<EquilibrationTrace> traces;             ///< traces of all replicas
   /// Values for curves over state points, with the time-step bias subtracted; not known without
@@ -202,7 +204,7 @@ struct MeasureReport {
 struct CouplingStage {
   double size = 0;    ///< factor of the distances in its short-range potentials; 0: it has none
   double charge = 0;  ///< factor of its charges
-  /// Estimated free energy of the next stage minus that of this stage [kT], which makes the
+  /// Estimated free energy of the next stage minus the one of this stage [kT], which makes the
   /// acceptance ratio efficient; 0 in the last stage.
   double next = 0;
   friend bool operator==(const CouplingStage&, const CouplingStage&) = default;
@@ -213,15 +215,14 @@ using CouplingPath = std::vector<CouplingStage>;
 
 /// A unit of work on a replica. Any process can do it with bitwise identical results.
 struct ReplicaTask {
-  std::size_t point = 0;                   ///< index of the state point in the settings
-  std::uint64_t replica = 0;               ///< number of the replica
-  std::size_t averages = 0, dynamics = 0;  ///< numbers of segments that the replica must have after
-                                           ///< the task
-  double step = 0;     ///< time step of all replicas [ps]; 0 for a pilot run, which chooses the
-                       ///< step
-  std::string record;  ///< record of the replica so far, as bytes; empty at the start
-  std::size_t elongated = 0;  ///< number of segments in the long box of OrthoBoXY after the task
-  std::size_t coupled = 0;    ///< number of segments of a coupling after the task
+  std::size_t point = 0;      ///< index of the state point in the settings
+  std::uint64_t replica = 0;  ///< number of the replica
+  /// Numbers of segments that the replica must have after the task: of averages, dynamics, the long
+  /// box of OrthoBoXY, a coupling, and a slab.
+  std::vector<std::size_t> segments{};
+  double step = 0;       ///< time step of all replicas [ps]; 0 for a pilot run, which chooses the
+                         ///< step
+  std::string record{};  ///< record of the replica so far, as bytes; empty at the start
   std::vector<CouplingStage> path{};  ///< stages of the coupling; empty without one
 };
 

@@ -35,7 +35,7 @@ std::string law_identity(const Site& site) {
 
 /// Settings that are not copied into the identity of a run, because it contains their values
 /// elsewhere, or because callers add the values as numbers.
-constexpr std::array<std::string_view, 27> stated = {
+constexpr std::array<std::string_view, 28> stated = {
     "system.temperature",
     "system.seed",
     "forces.truncation",
@@ -50,6 +50,7 @@ constexpr std::array<std::string_view, 27> stated = {
     "forces.coulomb_cutoff",
     "forces.mixing",
     "forces.dispersion_correction",
+    "forces.slab_dispersion",
     "forces.precision",
     "integrator.scheme",
     "integrator.step",
@@ -121,6 +122,7 @@ std::string identity(const Config& config, const System& system,
   if (f.coulomb_cutoff) id << " coulomb_cutoff " << *f.coulomb_cutoff;
   if (f.electrostatics == Electrostatics::damped_shifted_force) id << " damping " << f.damping;
   if (f.dispersion_correction) id << " dispersion";
+  if (f.slab_dispersion) id << " slab dispersion";
   if (f.external) id << " external " << f.external->name;
   if (const std::string mixing = description(system.forces.mixing); !mixing.empty())
     id << ' ' << mixing;

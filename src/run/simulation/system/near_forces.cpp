@@ -22,7 +22,7 @@ ForceSettings near_settings(const ForceSettings& whole, const InnerScheme& inner
   near.electrostatics = Electrostatics::coulomb;
   near.mesh.reset();
   near.coulomb_cutoff.reset();
-  near.dispersion_correction = false;
+  near.dispersion_correction = near.slab_dispersion = false;
   near.external.reset();  // external forces vary slowly, so only the outer scheme evaluates them
   near.switch_from = inner.switch_from;
   near.cutoff = inner.cutoff;

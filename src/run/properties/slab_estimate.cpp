@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "run/properties/slab_estimate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "io/files/with_error.hpp"
+#include "io/settings/quantity.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/measure/step_bias.hpp"
+#include "polhode/model/degrees_of_freedom.hpp"
+#include "run/properties/dynamics.hpp"
+#include "run/properties/slab.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double mN_per_m = units::avogadro * 1e-24;  // 1 mN/m [kJ/mol/nm²]
+const double bar = unit("bar", Dimension::pressure);
+
+/// Segments in equilibrium, with a run for each replica, or as one run if they are too short.
+std::vector<BlockMeans> runs_of(const Contributions& contributions) {
+  std::vector<std::vector<BlockMeans::Block>> runs;
+  for (const auto& [replica, from] : contributions.all) {
+    std::vector<BlockMeans::Block>& run = runs.emplace_back();
+    const std::vector<SlabSegment>& segments = replica->slab.segments;
+    for (std::size_t k = slab_from(*replica); k < segments.size(); ++k)
+      run.push_back(segments[k].sums);
+  }
+  return separate_or_joined(std::move(runs));
+}
+
+std::vector<StepResponse> responses_of_slab(const Contributions& contributions) {
+  std::vector<StepResponse> runs;
+  for (const auto& [replica, from] : contributions.all) {
+    std::vector<const StepResponse*> responses;
+    const std::vector<SlabSegment>& segments = replica->slab.segments;
+    for (std::size_t k = slab_from(*replica); k < segments.size(); ++k)
+      responses.push_back(&segments[k].response);
+    if (responses.empty()) continue;
+    const StepResponse run = response_of(responses);
+    runs.push_back(runs.empty() ? run : run.relative_to(runs.front().first));
+  }
+  return runs;
+}
+
+double degrees_of_freedom_of_slab(Topology topology) {
+  for (Topology::Part& part : topology.parts) part.count *= slab_copies;
+  return degrees_of_freedom(topology).all();
+}
+
+/// The bins of the profile as densities [kg/m³].
+struct Profile {
+  double height, width, per_mass;
+
+  explicit Profile(const State& state)
+      : height(height_of_bin(state)),
+        width(state.box.edge.x),
+        per_mass(1 / (2 * height * state.box.edge.x * state.box.edge.y) /
+                 unit("kg/m3", Dimension::density)) {}
+  double at(Means means, std::size_t bin) const {
+    return per_mass * means[slab_averages_count + bin];
+  }
+  double liquid(Means means) const { return per_mass * means[liquid_mass] / bins_of_liquid; }
+  double vapour(Means means) const { return per_mass * means[vapour_mass] / bins_of_vapour; }
+  /// The outermost distance at which the density has fallen to a share of the difference of liquid
+  /// and vapour.
+  double fall(Means means, double share) const {
+    const double level = vapour(means) + share * (liquid(means) - vapour(means));
+    for (std::size_t k = bins_of_profile - 1; k > 0; --k)
+      if (const double inner = at(means, k - 1), outer = at(means, k); inner >= level)
+        return height * (static_cast<double>(k) - 0.5 + (inner - level) / (inner - outer));
+    return 0;
+  }
+  double thickness(Means means) const { return fall(means, 0.1) - fall(means, 0.9); }
+};
+
+/// The profile in words.
+std::string remark_of(std::span<const BlockMeans> runs, const Profile& profile) {
+  const auto text = [&](const Statistic& f, const char* unit) {
+    return text_of(pooled_estimate(runs, f), unit);
+  };
+  return fmt::format("{:.2f} nm wide; {} in the middle, surfaces {} thick (10 to 90 %)",
+                     profile.width, text([&](Means all) { return profile.liquid(all); }, "kg/m3"),
+                     text([&](Means all) { return profile.thickness(all); }, "nm"));
+}
+
+}  // namespace
+
+std::size_t slab_from(const Replica& replica) {
+  std::vector<double> all;
+  for (const SlabSegment& segment : replica.slab.segments)
+    all.insert(all.end(), segment.potentials.begin(), segment.potentials.end());
+  return all.empty() ? 0 : equilibrium_of(all, parts_of_averages);
+}
+
+void estimate_slab(MeasuredProperty& m, const Contributions& contributions, const PointData& data) {
+  if (contributions.all.empty()) return;
+  const std::vector<BlockMeans> runs = runs_of(contributions);
+  if (runs.front().empty()) return;
+  const std::string_view name = m.request.property->name;
+  const Profile profile(*contributions.all.front().replica->slab.state);
+  const auto value = [&](Means means) {
+    if (name == "saturation-pressure") return means[normal_pressure] / bar;
+    if (name == "saturated-liquid-density") return profile.liquid(means);
+    if (name == "saturated-vapour-density") return profile.vapour(means);
+    return means[tension] / mN_per_m;
+  };
+  m.value = pooled_estimate(runs, value);
+  if (name == "surface-tension") m.remark = remark_of(runs, profile);
+  if (m.value.known != Known::yes) return;
+  const SeriesEstimate bias =
+      step_bias(responses_of_slab(contributions), degrees_of_freedom_of_slab(data.topology),
+                FixedMeans::kinetic_energy, value);
+  if (bias.known != Known::yes) return;
+  m.bias = bias;
+  m.value = without_bias(m.value, bias);
+}
+
+std::vector<MeasuredCurve> slab_profile(const PointData& data) {
+  const Contributions contributions(data, MeasuredIn::slab);
+  if (contributions.all.empty()) return {};
+  const std::vector<BlockMeans> runs = runs_of(contributions);
+  if (runs.front().empty()) return {};
+  const Profile profile(*contributions.all.front().replica->slab.state);
+  MeasuredCurve curve{"density of the slab", "distance from its middle (nm)", "kg/m3", {}, {}};
+  for (std::size_t k = 0; k < bins_of_profile; ++k) {
+    curve.x.push_back((static_cast<double>(k) + 0.5) * profile.height);
+    curve.value.push_back(pooled_estimate(runs, [&](Means all) { return profile.at(all, k); }));
+  }
+  return {curve};
+}
+
+}  // namespace polhode

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The surface tension and the coexistence of liquid and vapour, from the slabs of the replicas.
+#pragma once
+
+#include "run/properties/contributions.hpp"
+
+namespace polhode {
+
+/// The first segment of the slab of a replica in equilibrium, which its potential energy shows.
+std::size_t slab_from(const Replica& replica);
+
+/// Estimates the surface tension, the densities of both phases or their pressure.
+void estimate_slab(MeasuredProperty& m, const Contributions& contributions, const PointData& data);
+
+/// The density as a function of the distance from the middle of the slab; empty without a slab.
+std::vector<MeasuredCurve> slab_profile(const PointData& data);
+
+}  // namespace polhode
