@@ -16,7 +16,9 @@ from lib import runs, study
 HERE = Path(__file__).parent
 NAMES = {"density": "density", "potential-energy": "potential energy", "enthalpy-of-vaporization": "enthalpy of vaporization",
          "dielectric-constant": "dielectric constant", "second-virial-coefficient": "second virial coefficient",
-         "heat-capacity": "heat capacity", "rotational-relaxation": "rotational relaxation time"}
+         "heat-capacity": "heat capacity", "rotational-relaxation": "rotational relaxation time", "surface-tension": "surface tension",
+         "saturated-liquid-density": "saturated liquid density", "saturated-vapour-density": "saturated vapour density",
+         "saturation-pressure": "saturation pressure"}
 MARKS = {"yes": "", "no": "*", "experiment": "†"}  # of published values
 CENTRE = ":centre of mass"  # of pairs of molecular centres
 SHORT = {"density": "density", "enthalpy-of-vaporization": "ΔH", "diffusion": "D₀", "viscosity": "η", "dielectric-constant": "ε"}
@@ -49,6 +51,7 @@ def measured(o):
         def one(case):
             words = [word for pair in case["properties"].items() for word in pair]
             limit = ["--time-limit", o.time_limit] if o.time_limit else []
+            limit += ["--seed", case["seed"]] if "seed" in case else []
             asked = runs.asked(o, "measure", *system(case, folder), *words, "--at", case["at"], "--threads", o.threads, *limit, "--output", case["name"], folder=folder)
             return {"system": case["system"], "points": [without_curves(point) for point in asked["points"]]}
 

@@ -68,6 +68,8 @@ CASES = [
      ["run.toml", "molecule-switch", "no pair style of LAMMPS", "--pair-style polhode", "site-switch"]),
     ("an export for a pair style that does not exist", SMALL, ("export", "lammps", "run.toml", "--pair-style", "lj/cut"),
      ["--pair-style", "lj/cut", "table"]),
+    ("an export of the dispersion of a slab", SMALL.replace('cutoff = "1.0 nm"', 'cutoff = "1.0 nm"\nslab_dispersion = true'),
+     ("export", "lammps", "run.toml"), ["run.toml", "slab_dispersion has no counterpart", "pppm/disp"]),
     ("an export of particles with a mesh", '[system]\nmolecules = [{ model = "spce", count = 64 }]\ndensity = "1 g/cm3"\n[forces]\n'
      'electrostatics = "pme"\ncutoff = "0.6 nm"\n[integrator]\nscheme = "velocity-verlet"\nstep = "2 fs"\n[run]\nlength = "2 fs"\n',
      ("export", "lammps", "run.toml", "--pair-style", "polhode-particles"), ["run.toml", "does not support charges within particles", "--pair-style polhode"]),

@@ -10,8 +10,8 @@
 namespace polhode {
 namespace {
 
-/// The shortest wavelength [nm]. The transforms of shorter ones are below 0.1 % of v̂(0) at the usual
-/// cutoffs, and the density of a liquid hardly has them.
+/// The shortest wavelength [nm]. The transforms of shorter ones are below 0.1 % of v̂(0) at the
+/// usual cutoffs, and the density of a liquid hardly has them.
 constexpr double shortest_wave = 0.3;
 
 }  // namespace
@@ -149,8 +149,7 @@ void SlabDispersion::add_derivative(const State& state, const Vec3Column& dq,
     double curvature = 0;
     each_mode(z, [&](std::size_t n, Complex wave) {
       const auto number = static_cast<double>(n + 1);
-      curvature +=
-          number * number * (std::conj(wave) * potentials[kind * modes_ + n]).real();
+      curvature += number * number * (std::conj(wave) * potentials[kind * modes_ + n]).real();
     });
     curvature *= 2 * k1_ * k1_ / box_.volume();
     const Vec3<double> f{0, 0, -slope_at(potentials, kind, z)},

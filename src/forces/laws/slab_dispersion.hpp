@@ -14,8 +14,8 @@ namespace polhode {
 /// The energy of the short-range potentials that the switching function removes, for sites whose
 /// density depends on z alone:
 ///   E = 1/(2V) Σ_k Σ_ab v̂_ab(k) ρ_a(−k) ρ_b(k),  ρ_a(k) = Σ exp(ikz) over the sites of a kind,
-/// with the wavenumbers k = 2πn/L_z. The sum over planes of [janecek2006] is the same energy in real
-/// space. The mode k = 0 is dispersion_tail(), which is not included here. Forces are exact
+/// with the wavenumbers k = 2πn/L_z. The sum over planes of [janecek2006] is the same energy in
+/// real space. The mode k = 0 is dispersion_tail(), which is not included here. Forces are exact
 /// derivatives of the energy for any number of modes, so energy is conserved.
 class SlabDispersion {
  public:

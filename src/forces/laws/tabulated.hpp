@@ -67,7 +67,8 @@ struct Tabulated {
   /// @throws Error  always, because a table has no values beyond its end
   double integral_beyond(double) const {
     throw Error("a dispersion correction needs the potential at all distances, but table '" +
-                table->name() + "' has no values beyond its end; leave dispersion_correction and "
+                table->name() +
+                "' has no values beyond its end; leave dispersion_correction and "
                 "slab_dispersion out");
   }
 };

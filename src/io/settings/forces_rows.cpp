@@ -160,7 +160,7 @@ SettingTable forces_table() {
            "adds the energy and pressure that the truncation of the short-range potentials "
            "removes; not available with `\"site-shift\"` or tabulated potentials"),
        row("slab_dispersion", forces(&ForceSettings::slab_dispersion),
-           "the same, with forces, for [slabs normal to z](../theory-forces.md#slabs)"),
+           "adds the dispersion beyond the truncation to [slabs](../theory-forces.md#slabs)"),
        row("mixing", member(mixing_rule), "mixing rule of [σ and ε of unlike sites](#pair)",
            More{.fallback = "the rule in the molecule files, or else `\"lorentz-berthelot\"`"}),
        row("precision", forces(&ForceSettings::precision),

@@ -32,6 +32,10 @@ void check(const Config& config) {
   const auto refuse = [&](const std::string& what) { throw Error(what, config.source); };
   if (config.ensemble.hybrid_monte_carlo)
     refuse("hybrid Monte Carlo has no counterpart in LAMMPS; remove [hybrid_monte_carlo]");
+  if (config.forces.slab_dispersion)
+    refuse(
+        "slab_dispersion has no counterpart in pair styles; leave it out, and use pair_style "
+        "lj/long/coul/long with kspace_style pppm/disp in LAMMPS");
   const auto& thermostat = config.ensemble.thermostat;
   const auto& barostat = config.ensemble.barostat;
   if (barostat && !(std::holds_alternative<CellRescaling>(barostat->type) &&

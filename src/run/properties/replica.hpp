@@ -106,10 +106,10 @@ struct CoupledChains {
 
 /// Averages of a segment of a slab. The mass in each bin of its profile follows [u].
 enum SlabAverageOf : std::size_t {
-  tension,          ///< surface tension of one surface [kJ/mol/nm²]
-  normal_pressure,  ///< pressure normal to the surfaces [kJ/mol/nm³]
-  liquid_mass,      ///< mass in the bins that are liquid [u]
-  vapour_mass,      ///< mass in the bins that are vapour [u]
+  tension,        ///< surface tension of one surface [kJ/mol/nm²]
+  normal_virial,  ///< component of the virial normal to the surfaces [kJ/mol]
+  liquid_mass,    ///< mass in the bins that are liquid [u]
+  vapour_mass,    ///< mass in the bins that are vapour [u]
   slab_averages_count
 };
 /// Bins of the profile, from the middle of the slab to the middle of the vapour. The slab ends near

@@ -109,7 +109,7 @@ bool add_slab(Replica& replica, const ReplicaSettings& settings, std::size_t fro
   constexpr std::size_t samples_of_part = steps_of_averages / steps_of_sample / parts_of_averages;
   const auto load = [&](const State& state, const Load& forces) {
     x[tension] = tension_of(state, forces);
-    x[normal_pressure] = pressure_tensor(state, system.bodies, forces)[2].z;
+    x[normal_virial] = forces.virial[2].z;
   };
   const auto sample = [&](std::size_t steps, const State& state, const Energies& now) {
     if (steps == 0) return;  // the last sample of the previous segment

@@ -52,10 +52,12 @@ Replica made_up(std::uint64_t index, Random& random) {
   for (int k = 0; k < 24; ++k) {
     SlabSegment segment{.sums = {125, std::vector<double>(slab_averages_count)}, .response = {}};
     const double value = to_kJ_per_mol * (tension_of_model + noise * random.normal());
-    const double pressure = to_kJ_per_mol * 5e5 * 1e-9;  // 5 bar
+    const double V = edge * edge * height,
+                 virial = to_kJ_per_mol * 5e5 * 1e-9 * V -  // 5 bar
+                          200 * 1.380649e-26 * avogadro * 300;
     const double liquid = 2 * 16 * height / 200 * edge * edge * 1e-27 * 1000 * avogadro * 1e3,
                  vapour = 0.05 * 20 / 16 * liquid;
-    const std::vector<double> averages{value, pressure, liquid, vapour};
+    const std::vector<double> averages{value, virial, liquid, vapour};
     for (std::size_t n = 0; n < averages.size(); ++n) segment.sums.sum[n] = 125 * averages[n];
     for (std::size_t bin = 0; bin < bins_of_profile; ++bin) {
       const double h = height / 2 / bins_of_profile, z = (static_cast<double>(bin) + 0.5) * h;
@@ -110,6 +112,7 @@ TEST_CASE("the surface tension and the profile follow from the segments of slabs
   CHECK(std::abs(found.value.value - 60) < 4 * error);
   CHECK(found.remark.find("2.00 nm wide; 1000") != std::string::npos);
   CHECK(found.remark.find("surfaces 0.8") != std::string::npos);
+  CHECK(found.remark.find("give 500 molecules or more") != std::string::npos);
   const auto value_of = [&](const char* name) {
     return estimate({&property(name)}, data).value.value;
   };
