@@ -104,12 +104,13 @@ struct CoupledChains {
   std::optional<MeshChoice> meshes{};  ///< kept between segments to save time; not in the record
 };
 
-/// Averages of a segment of a slab. The mass in each bin of its profile follows [u].
+/// Averages of a segment of a slab. The density in each bin of its profile follows [u/nm³]. Slabs
+/// of replicas have different volumes, so all of them are intensive.
 enum SlabAverageOf : std::size_t {
-  tension,        ///< surface tension of one surface [kJ/mol/nm²]
-  normal_virial,  ///< component of the virial normal to the surfaces [kJ/mol]
-  liquid_mass,    ///< mass in the bins that are liquid [u]
-  vapour_mass,    ///< mass in the bins that are vapour [u]
+  tension,          ///< surface tension of one surface [kJ/mol/nm²]
+  normal_pressure,  ///< pressure normal to the surfaces [kJ/mol/nm³]
+  liquid_density,   ///< density in the bins that are liquid [u/nm³]
+  vapour_density,   ///< density in the bins that are vapour [u/nm³]
   slab_averages_count
 };
 /// Bins of the profile, from the middle of the slab to the middle of the vapour. The slab ends near

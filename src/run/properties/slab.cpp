@@ -27,26 +27,27 @@ double middle_of(const State& state, const Bodies& bodies) {
   return std::arg(wave) / k;
 }
 
-/// The masses of the bodies in bins of their distance from the middle of the slab [u].
+/// The density in bins of the distance from the middle of the slab [u/nm³].
 std::vector<double> profile_of(const State& state, const Bodies& bodies) {
   std::vector<double> bins(bins_of_profile);
   const double middle = middle_of(state, bodies), height = height_of_bin(state);
+  const double volume = 2 * height * state.box.edge.x * state.box.edge.y;  // of both sides
   for (std::size_t i = 0; i < state.size(); ++i) {
     const double z = state.box.minimum_image({0, 0, state.q[i].z - middle}).z;
     const auto bin = static_cast<std::size_t>(std::abs(z) / height);
-    bins[std::min(bin, bins.size() - 1)] += bodies.m[i];
+    bins[std::min(bin, bins.size() - 1)] += bodies.m[i] / volume;
   }
   return bins;
 }
 
 using SlabAverages = std::array<double, slab_averages_count>;
 
-void add_masses(SlabAverages& averages, std::span<const double> bins) {
-  const auto sum = [](std::span<const double> x) {
-    return std::accumulate(x.begin(), x.end(), 0.0);
+void add_densities(SlabAverages& averages, std::span<const double> bins) {
+  const auto mean = [](std::span<const double> x) {
+    return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
   };
-  averages[liquid_mass] = sum(bins.first(bins_of_liquid));
-  averages[vapour_mass] = sum(bins.last(bins_of_vapour));
+  averages[liquid_density] = mean(bins.first(bins_of_liquid));
+  averages[vapour_density] = mean(bins.last(bins_of_vapour));
 }
 
 /// The tension of one of the two surfaces [allen2017, section 14.1]. The kinetic parts of the
@@ -59,8 +60,7 @@ double tension_of(const State& state, const Load& load) {
 /// @throws RunError  if the middle of the vapour is nearly as dense as that of the slab
 void check_slab(std::span<const double> averages, const StatePoint& at) {
   constexpr double max_ratio = 0.4;
-  const double liquid = averages[liquid_mass] / bins_of_liquid,
-               vapour = averages[vapour_mass] / bins_of_vapour;
+  const double liquid = averages[liquid_density], vapour = averages[vapour_density];
   if (vapour < max_ratio * liquid) return;
   throw RunError(fmt::format(
       "at {}: the slab has evaporated: the vapour has {:.2g} times the density of the middle of "
@@ -104,18 +104,21 @@ bool add_slab(Replica& replica, const ReplicaSettings& settings, std::size_t fro
   SlabSegment segment{.sums = {0, std::vector<double>(slab_averages_count + bins_of_profile)},
                       .response = {}};
   if (!slab.segments.empty()) segment.response.first = slab.segments.front().response.first;
+  // All N molecules, because the centre of mass has no momentum, but is anywhere in the box.
+  const double ideal =
+      static_cast<double>(system.state.size()) * units::boltzmann * settings.at.temperature;
   SlabAverages x{};
   double part = 0;
   constexpr std::size_t samples_of_part = steps_of_averages / steps_of_sample / parts_of_averages;
   const auto load = [&](const State& state, const Load& forces) {
     x[tension] = tension_of(state, forces);
-    x[normal_virial] = forces.virial[2].z;
+    x[normal_pressure] = (ideal + forces.virial[2].z) / state.box.volume();
   };
   const auto sample = [&](std::size_t steps, const State& state, const Energies& now) {
     if (steps == 0) return;  // the last sample of the previous segment
     segment.sums.weight += 1;
     const std::vector<double> bins = profile_of(state, system.bodies);
-    add_masses(x, bins);
+    add_densities(x, bins);
     for (std::size_t k = 0; k < x.size(); ++k) segment.sums.sum[k] += x[k];
     for (std::size_t k = 0; k < bins.size(); ++k) segment.sums.sum[x.size() + k] += bins[k];
     part += now.potential() / samples_of_part;

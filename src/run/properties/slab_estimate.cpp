@@ -19,7 +19,7 @@ namespace polhode {
 namespace {
 
 constexpr double mN_per_m = units::avogadro * 1e-24;  // 1 mN/m [kJ/mol/nm²]
-const double bar = unit("bar", Dimension::pressure);
+const double bar = unit("bar", Dimension::pressure), kg_per_m3 = unit("kg/m3", Dimension::density);
 
 /// Segments in equilibrium, with a run for each replica, or as one run if they are too short.
 std::vector<BlockMeans> runs_of(const Contributions& contributions) {
@@ -54,18 +54,14 @@ double degrees_of_freedom_of_slab(Topology topology) {
 
 /// The bins of the profile as densities [kg/m³].
 struct Profile {
-  double height, width, per_mass;
+  double height, width;
 
-  explicit Profile(const State& state)
-      : height(height_of_bin(state)),
-        width(state.box.edge.x),
-        per_mass(1 / (2 * height * state.box.edge.x * state.box.edge.y) /
-                 unit("kg/m3", Dimension::density)) {}
+  explicit Profile(const State& state) : height(height_of_bin(state)), width(state.box.edge.x) {}
   double at(Means means, std::size_t bin) const {
-    return per_mass * means[slab_averages_count + bin];
+    return means[slab_averages_count + bin] / kg_per_m3;
   }
-  double liquid(Means means) const { return per_mass * means[liquid_mass] / bins_of_liquid; }
-  double vapour(Means means) const { return per_mass * means[vapour_mass] / bins_of_vapour; }
+  double liquid(Means means) const { return means[liquid_density] / kg_per_m3; }
+  double vapour(Means means) const { return means[vapour_density] / kg_per_m3; }
   /// The outermost distance at which the density has fallen to a share of the difference of liquid
   /// and vapour.
   double fall(Means means, double share) const {
@@ -102,14 +98,9 @@ void estimate_slab(MeasuredProperty& m, const Contributions& contributions, cons
   const std::vector<BlockMeans> runs = runs_of(contributions);
   if (runs.front().empty()) return;
   const std::string_view name = m.request.property->name;
-  const State& slab = *contributions.all.front().replica->slab.state;
-  const Profile profile(slab);
-  // All N molecules, because the centre of mass has no momentum, but is anywhere in the box.
-  const double volume = slab.box.volume(),
-               ideal = static_cast<double>(slab_copies * data.topology.size()) * units::boltzmann *
-                       data.at.temperature;
+  const Profile profile(*contributions.all.front().replica->slab.state);
   const auto value = [&](Means means) {
-    if (name == "saturation-pressure") return (ideal + means[normal_virial]) / volume / bar;
+    if (name == "saturation-pressure") return means[normal_pressure] / bar;
     if (name == "saturated-liquid-density") return profile.liquid(means);
     if (name == "saturated-vapour-density") return profile.vapour(means);
     return means[tension] / mN_per_m;

@@ -43,26 +43,24 @@ double density(double z) { return 50 + 950 * std::min(1.0, std::max(0.0, 2.5 - z
 
 Replica made_up(std::uint64_t index, Random& random) {
   constexpr double to_kJ_per_mol = avogadro * 1e-3 * 1e-18;  // of 1 N/m in an area of 1 nm²
+  // Slabs of different sizes, as those of replicas at constant pressure.
+  const double scale = 1 + 0.01 * static_cast<double>(index);
   Replica replica{.index = index, .step = 0.003, .state = State{1, Box{{edge, edge, edge}}}};
   replica.averages.assign(30, {.sums = {1, std::vector<double>(averages_count, 1.0)},
                                .potentials = std::vector<double>(parts_of_averages, 1.0),
                                .volumes = std::vector<double>(parts_of_averages, 1.0),
                                .response = {}});
-  replica.slab.state = State{1, Box{{edge, edge, height}}};
+  replica.slab.state = State{1, Box{{scale * edge, scale * edge, scale * height}}};
   for (int k = 0; k < 24; ++k) {
     SlabSegment segment{.sums = {125, std::vector<double>(slab_averages_count)}, .response = {}};
     const double value = to_kJ_per_mol * (tension_of_model + noise * random.normal());
-    const double V = edge * edge * height,
-                 virial = to_kJ_per_mol * 5e5 * 1e-9 * V -  // 5 bar
-                          200 * 1.380649e-26 * avogadro * 300;
-    const double liquid = 2 * 16 * height / 200 * edge * edge * 1e-27 * 1000 * avogadro * 1e3,
-                 vapour = 0.05 * 20 / 16 * liquid;
-    const std::vector<double> averages{value, virial, liquid, vapour};
+    constexpr double to_u_per_nm3 = avogadro * 1e3 * 1e-27;  // of 1 kg/m³
+    const double pressure = to_kJ_per_mol * 5e5 * 1e-9;      // 5 bar
+    const std::vector<double> averages{value, pressure, 1000 * to_u_per_nm3, 50 * to_u_per_nm3};
     for (std::size_t n = 0; n < averages.size(); ++n) segment.sums.sum[n] = 125 * averages[n];
     for (std::size_t bin = 0; bin < bins_of_profile; ++bin) {
       const double h = height / 2 / bins_of_profile, z = (static_cast<double>(bin) + 0.5) * h;
-      const double volume = 2 * h * edge * edge * 1e-27;  // of both sides [m³]
-      segment.sums.sum.push_back(125 * density(z) * volume * avogadro * 1e3);  // [u]
+      segment.sums.sum.push_back(125 * density(z) * to_u_per_nm3);
     }
     for (std::size_t part = 0; part < parts_of_averages; ++part)
       segment.potentials.push_back(random.normal());
