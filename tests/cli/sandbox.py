@@ -11,10 +11,12 @@ import struct
 import subprocess
 import tempfile
 import termios
+import threading
 import unittest
 from pathlib import Path
 
 PROGRAM = None  # the built program, from the command line
+END = b"\x03"  # ends what is read from a terminal; the program prints none
 LONGEST = 120  # seconds for one run of the program
 KILLS = 8  # number of kills at random moments, and of bits flipped in checkpoints; long campaigns use more
 FLIPS = 3
@@ -82,16 +84,21 @@ class Sandbox(unittest.TestCase):
         ours, its = pty.openpty()
         fcntl.ioctl(its, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
         environment = {name: value for name, value in os.environ.items() if name != "COLUMNS"}
-        with subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdin=its, stdout=its, stderr=error or its, env=environment) as process:
-            os.close(its)
-            text = b""
-            try:
-                while part := os.read(ours, 4096):
-                    text += part
-            except OSError:  # how Linux shows the end
-                pass
+        text = bytearray()
+
+        def read():
+            while not text.endswith(END):
+                text.extend(os.read(ours, 4096))
+
+        # A terminal whose last writer has gone may lose what nobody has read yet: it stays open, and a mark says where the text ends.
+        reader = threading.Thread(target=read)
+        reader.start()
+        subprocess.run([PROGRAM, *arguments], cwd=self.folder, stdin=its, stdout=its, stderr=error or its, env=environment)
+        os.write(its, END)
+        reader.join()
+        os.close(its)
         os.close(ours)
-        return text.decode().replace("\r\n", "\n")
+        return text.removesuffix(END).decode().replace("\r\n", "\n")
 
     def limited(self, what, maximum, *arguments):
         """The finished process of `polhode ARGUMENTS` under a soft limit of the system."""

@@ -3,7 +3,7 @@
 
 Most of its time goes into headers of libraries. So sources are examined in groups, each as one file that includes
 them; no name of an anonymous namespace is used in two sources of a group. Sources with errors in a group are
-examined alone. A group without findings is not examined again until one of its sources, a header or .clang-tidy
+examined alone as well. A group without findings is not examined again until one of its sources, a header or .clang-tidy
 changes."""
 
 import argparse
@@ -29,6 +29,7 @@ DECLARED = re.compile(r"^(?:struct|class|enum class|union|using) (\w+)"
                       r"|^\w[\w:<>,&* ]*[&*> ](\w+)(?:\(|\{|\[\d| =|;)", re.M)
 NOT_A_USE = re.compile(r'"(?:\\.|[^"\\\n])*"|(?:\.|->|::)\w+')  # text and members
 FAILED = re.compile(r"^(/.+?):\d+:\d+: error: ", re.M)
+LOCATED = re.compile(r"^(/.+?):\d+:\d+: ")
 INCLUDED = re.compile(r'^#include "([^"]+)"', re.M)
 
 
@@ -112,16 +113,28 @@ def examine(root, cache, group):
         return ""
     unit.write_text(text)
     run = subprocess.run(["clang-tidy", "--quiet", f"--config-file={root / '.clang-tidy'}",
-                          f"--header-filter=^{re.escape(str(root))}/({'|'.join(HEADERS)})/", unit, "--", *options],
+                          f"--header-filter=^{re.escape(str(root))}/({'|'.join(HEADERS)})/", unit, "--", "-ferror-limit=0", *options],
                          text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
-    if run.returncode or run.stdout:
+    found = run.stdout
+    if len(group) > 1 and "[clang-diagnostic-error]" in found:  # perhaps because names collide
+        found = apart(root, cache, group, found)
+    elif run.returncode:
+        found = found or f"{group[0].path}:1:1: error: clang-tidy failed with exit code {run.returncode}"
+    if found:
         unit.unlink()
-    if len(group) > 1 and "[clang-diagnostic-error]" in run.stdout:  # perhaps because names collide
-        named = {Path(path) for path in FAILED.findall(run.stdout)}
-        apart = [[source] for source in group if source.path in named] or [group[:len(group) // 2]]
-        rest = [source for source in group if not any(source in part for part in apart)]
-        return "".join(examine(root, cache, part) for part in (rest, *apart) if part)
-    return run.stdout
+    return found
+
+
+def apart(root, cache, group, found):
+    """What is found in a group with errors, whose sources with errors are examined alone; all others were examined."""
+    named = {Path(path) for path in FAILED.findall(found) if Path(path).is_relative_to(root)}
+    alone = [source for source in group if source.path in named]
+    if not alone or len(alone) < len(named):  # errors in headers: of any source
+        half = len(group) // 2
+        return examine(root, cache, group[:half]) + examine(root, cache, group[half:])
+    places = [(LOCATED.match(line), line) for line in found.splitlines(True)]
+    others = "".join(line for at, line in places if at and Path(at[1]).is_relative_to(root) and Path(at[1]) not in named)
+    return others + "".join(examine(root, cache, [source]) for source in alone)
 
 
 def check(root):
