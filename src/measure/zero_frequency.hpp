@@ -51,6 +51,9 @@ class ZeroFrequency {
   /// Mean of the highest mode numbers in the fits. If this number is small, the spectrum changes
   /// within the lowest modes, so the series are too short compared with their correlation time.
   double max_mode() const { return max_mode_; }
+  /// Whether the fits reach modes that are high enough. With a fit of degree 2 up to half of its
+  /// cutoff, the half must contain three modes.
+  bool is_resolved() const { return max_mode_ >= 6; }
 
  private:
   /// A fit whose value contributes.

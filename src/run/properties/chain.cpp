@@ -68,6 +68,41 @@ double Chain::max_stable_step(const TrajectorySettings& t) {
   return polhode::max_stable_step(*system_, system_->state, t);
 }
 
+TrajectorySettings segment_of_dynamics(const Chain& chain, double whole_step, std::size_t parts,
+                                       std::uint64_t stream) {
+  TrajectorySettings t = chain.trajectory(
+      with_ends(), whole_step / static_cast<double>(parts),
+      whole_step * static_cast<double>(steps_of_lags * windows_in_segment), stream);
+  t.ensemble.thermostat = Rescaling{std::max(2.0, 500 * whole_step)};
+  return t;
+}
+
+bool extend(DynamicsChain& segments, Chain& chain, std::uint64_t stream,
+            std::uint64_t stream_of_pairs, const SegmentOfDynamics& simulate) {
+  const std::size_t k = segments.segments.size();
+  State& state = chain.system().state;
+  const State start = state;
+  const auto segment = simulate(1, stream + k);
+  if (!segment) return false;
+  const State end = state;
+  if (chain.settings().paired_runs && k % paired_every == 0) {
+    state = start;
+    const auto paired = simulate(2, stream_of_pairs + k);
+    if (!paired) return false;
+    segments.paired.push_back({k, *paired});
+  }
+  segments.state = end;
+  segments.segments.push_back(*segment);
+  return true;
+}
+
+ForceSettings Chain::force_settings() {
+  ForceField forces(system_->topology, system_->forces, system_->state.box, Workers::serial(),
+                    std::exchange(meshes_, std::nullopt));
+  meshes_ = forces.mesh_choice();
+  return forces.settings();
+}
+
 Scheme with_ends() { return with_bath(scheme_of("hoa2"), BathPlace::ends, "hoa2 with a bath"); }
 
 void scale_to(State& state, double volume) {

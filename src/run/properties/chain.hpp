@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "polhode/ensemble/minimise.hpp"
@@ -24,7 +25,9 @@ enum Stream : std::uint64_t {
   coupling = 7u << 20,
   choosing_stages = 8u << 20,
   relaxing_slab = 9u << 20,
-  slab_averaging = 10u << 20
+  slab_averaging = 10u << 20,
+  conducting = 11u << 20,
+  conduction_pairing = 12u << 20
 };
 
 /// Minimisation of a configuration that is far from equilibrium.
@@ -52,6 +55,8 @@ class Chain {
   /// @throws RunError  if it blows up
   std::optional<Trajectory> run(const TrajectorySettings& t, Watch watch = {});
   double max_stable_step(const TrajectorySettings& t);
+  /// The force settings of a run, with the mesh for the box of the state.
+  ForceSettings force_settings();
 
  private:
   const ReplicaSettings& settings_;
@@ -70,6 +75,20 @@ bool relax_copies(Chain& chain, const Replica& replica, std::uint64_t stream);
 
 /// The scheme hoa2 with a bath at the ends of its steps.
 Scheme with_ends();
+
+/// The trajectory of a segment of dynamics.
+/// @param parts  of each step of the replica
+TrajectorySettings segment_of_dynamics(const Chain& chain, double whole_step, std::size_t parts,
+                                       std::uint64_t stream);
+/// Simulates a segment from the state of the system, with a number of parts of each step of the
+/// replica and a stream of random numbers; nothing if it was stopped.
+using SegmentOfDynamics =
+    std::function<std::optional<BlockMeans::Block>(std::size_t parts, std::uint64_t stream)>;
+/// Adds a segment from the state of the system and, if it is due, its pair at half of the step.
+/// @param stream, stream_of_pairs  the streams of the first segment and of its pair
+/// @return  false if it was stopped; the chain of segments is then unchanged
+bool extend(DynamicsChain& segments, Chain& chain, std::uint64_t stream,
+            std::uint64_t stream_of_pairs, const SegmentOfDynamics& simulate);
 
 /// The trajectory of a segment at the temperature, and at the pressure or the volume of the state
 /// point.

@@ -50,7 +50,7 @@ bool in_equilibrium(const PointData& data) {
 }
 
 const std::vector<BlockMeans::Block>& segments_of(const Replica& replica, MeasuredIn what) {
-  return what == MeasuredIn::elongated ? replica.elongated.segments : replica.dynamics;
+  return chain_of(replica, what)->segments;
 }
 
 Contributions::Contributions(const PointData& data, MeasuredIn kind) : what(kind) {
@@ -124,7 +124,7 @@ double edge_of(const Contributions& contributions) {
   double sum = 0, count = 0;
   for (const auto& [replica, from] : contributions.all) {
     if (!replica->prepared()) continue;
-    sum += std::cbrt((replica->moving ? *replica->moving : replica->state).box.volume());
+    sum += std::cbrt(replica->dynamics.state.value_or(replica->state).box.volume());
     ++count;
   }
   return count == 0 ? 0 : sum / count;

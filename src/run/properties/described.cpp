@@ -143,7 +143,9 @@ MeasuredPoint described(const PointData& data) {
     point.equilibration_max = std::max(point.equilibration_max, discarded * segment);
     point.length_of_averages +=
         (static_cast<double>(replica.averages.size()) - discarded) * segment;
-    const std::size_t segments = replica.dynamics.size() + replica.elongated.segments.size();
+    std::size_t segments = 0;
+    for (const MeasuredIn kind : kinds_of_run)
+      if (const DynamicsChain* chain = chain_of(replica, kind)) segments += chain->segments.size();
     point.length_of_coupling +=
         replica.step * steps_of(MeasuredIn::coupling, replica.coupled.segments.size(), 0,
                                 replica.coupled.path.size());

@@ -67,8 +67,7 @@ std::vector<StepPair> pairs_of(const Contributions& contributions, const PartOfS
   std::vector<StepPair> pairs;
   for (const auto& [replica, from] : contributions.all) {
     const std::vector<BlockMeans::Block>& segments = segments_of(*replica, contributions.what);
-    for (const auto& [of, half_step] :
-         contributions.what == MeasuredIn::elongated ? replica->elongated.paired : replica->paired)
+    for (const auto& [of, half_step] : chain_of(*replica, contributions.what)->paired)
       if (of < segments.size())
         pairs.push_back({selected(segments[of], part, size), selected(half_step, part, size)});
   }

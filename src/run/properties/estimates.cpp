@@ -17,12 +17,13 @@
 #include "polhode/math/fit.hpp"
 #include "polhode/measure/step_bias.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
+#include "run/properties/conduction.hpp"
 #include "run/properties/contributions.hpp"
 #include "run/properties/coupling_estimate.hpp"
 #include "run/properties/distances.hpp"
 #include "run/properties/dynamics.hpp"
+#include "run/properties/low_frequency_spectrum.hpp"
 #include "run/properties/orthoboxy.hpp"
-#include "run/properties/pressure_spectrum.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/second_virial.hpp"
 #include "run/properties/slab_estimate.hpp"
@@ -81,7 +82,7 @@ class Dynamics {
     edge_ = edge_of(contributions_);
     double segments = 0;
     for (const BlockMeans& run : runs_) segments += static_cast<double>(run.blocks().size());
-    spectrum_.emplace(which_.spectrum_in(overall(runs_)), PressureSpectrum::components * segments,
+    spectrum_.emplace(which_.spectrum_in(overall(runs_)), pressure_components * segments,
                       pressure_bins());
   }
   bool empty() const { return runs_.front().empty(); }
@@ -138,9 +139,7 @@ class Dynamics {
   /// Notes that the viscosity is not known if its spectrum changes within the lowest modes. More
   /// segments of the same length do not resolve it.
   void note_unresolved(MeasuredProperty& m) const {
-    // With a fit of degree 2 up to half of its cutoff, the half must contain three modes.
-    constexpr double min_mode = 6;
-    if (m.value.known != Known::yes || spectrum_->max_mode() >= min_mode) return;
+    if (m.value.known != Known::yes || spectrum_->is_resolved()) return;
     m.longer_helps = false;
     m.obstacle = fmt::format(
         "the pressure tensor relaxes too slowly for segments of {:.3g} ps, so its spectrum at zero "
@@ -243,6 +242,12 @@ void estimate_coupled(MeasuredProperty& m, const PointData& data) {
   note_contributions(m, contributions);
 }
 
+void estimate_conduction(MeasuredProperty& m, const PointData& data) {
+  const Contributions contributions(data, MeasuredIn::conduction);
+  thermal_conductivity(m, contributions, data.at.temperature);
+  note_contributions(m, contributions);
+}
+
 void estimate_surface(MeasuredProperty& m, const PointData& data) {
   const Contributions contributions(data, MeasuredIn::slab);
   estimate_slab(m, contributions, data);
@@ -287,6 +292,9 @@ MeasuredProperty estimate(const RequestedProperty& request, const PointData& dat
       break;
     case MeasuredIn::slab:
       estimate_surface(m, data);
+      break;
+    case MeasuredIn::conduction:
+      estimate_conduction(m, data);
       break;
     case MeasuredIn::pair:
       estimate_pair(m, data);

@@ -35,7 +35,7 @@ namespace {
 
 /// Numbers of segments of each replica before the first decision, which are enough for errors to be
 /// known. Lengths then grow by a factor. Frequent decisions would favour errors small by chance.
-constexpr PerKind<std::size_t> first_segments{{first_averages, 4, 4, 12, 24}};
+constexpr PerKind<std::size_t> first_segments{{first_averages, 4, 4, 12, 24, 4}};
 constexpr double growth = 1.5;
 /// Number of segments after which a replica that has not reached equilibrium is not continued.
 constexpr std::size_t max_equilibration = 600;

@@ -15,8 +15,9 @@ double Plan::steps() const {
 std::string Plan::text(double seconds) const {
   const double step = settings.step;
   const auto segments = [&](MeasuredIn kind) { return static_cast<double>(target[kind]); };
-  const double dynamics =
-      (segments(MeasuredIn::dynamics) + segments(MeasuredIn::elongated)) * steps_of_dynamics;
+  const double dynamics = (segments(MeasuredIn::dynamics) + segments(MeasuredIn::elongated) +
+                           segments(MeasuredIn::conduction)) *
+                          steps_of_dynamics;
   std::string text = fmt::format(
       "plan at {}: {} replicas of {} molecules, hoa2 at {:g} fs; first {:.0f} ps of each at "
       "constant {}",

@@ -127,6 +127,11 @@ constexpr std::array all = {
              "shear viscosity by the Green-Kubo relation, from the spectrum of five components of "
              "the molecular pressure tensor at zero frequency",
              "toraman2025", false, false},
+    Property{
+        "thermal-conductivity", "W/m/K", In::conduction,
+        "thermal conductivity of rigid molecules by the Green-Kubo relation, from the spectrum "
+        "of the heat flux at zero frequency; of a pure substance",
+        "evans1989", false, false},
     Property{"diffusion-orthoboxy", "1e-9 m2/s", In::elongated,
              "self-diffusion coefficient of an infinite system, from the mean-square displacements "
              "along the short axes of a box with Lz/Lx = Lz/Ly = 2.7933596497, where the "
@@ -224,6 +229,8 @@ std::string why_not(const Property& p, const Topology& topology, bool has_mesh) 
         topology.parts.front().count, topology.parts.front().molecule.name);
   if (std::string_view(p.name) == "vapour-pressure" && topology.parts.size() > 1)
     return "the vapour of a mixture differs in composition from the liquid";
+  if (p.measured_in == MeasuredIn::conduction && topology.parts.size() > 1)
+    return "the heat flux of a mixture needs the partial enthalpies of all kinds of molecules";
   if (p.measured_in == MeasuredIn::coupling) return why_not_coupled(topology);
   if (p.measured_in == MeasuredIn::slab && !has_mesh &&
       any([](const Molecule& m) { return std::ranges::any_of(m.sites, &Site::charge); }))

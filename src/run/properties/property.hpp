@@ -16,8 +16,9 @@ namespace polhode {
 
 /// Units that only properties have.
 inline constexpr double cm3_per_mol =
-    1e21 / units::avogadro;                 ///< 1 cm³/mol as a volume per molecule [nm³]
-inline constexpr double nm2_per_ns = 1e-3;  ///< 1e-9 m²/s [nm²/ps]
+    1e21 / units::avogadro;  ///< 1 cm³/mol as a volume per molecule [nm³]
+inline constexpr double W_per_m_K = units::avogadro * 1e-24;  ///< [kJ/mol/(nm ps K)]
+inline constexpr double nm2_per_ns = 1e-3;                    ///< 1e-9 m²/s [nm²/ps]
 
 /// Quantities of the whole system that are averaged at constant pressure.
 enum AverageOf : std::size_t {
@@ -42,12 +43,13 @@ struct PropertyConditions {
 
 /// The kind of run in which a property is measured.
 enum class MeasuredIn {
-  averages,   ///< runs at constant temperature, and at constant pressure or volume
-  dynamics,   ///< runs at the density found there, with a weak rescaling of all momenta
-  elongated,  ///< the same in the long box of OrthoBoXY, with three times as many molecules
-  coupling,   ///< runs in which a molecule is coupled to all others in stages
-  slab,       ///< runs of a slab of the liquid between its vapour, at constant volume
-  pair        ///< no run: an integral over two molecules
+  averages,    ///< runs at constant temperature, and at constant pressure or volume
+  dynamics,    ///< runs at the density found there, with a weak rescaling of all momenta
+  elongated,   ///< the same in the long box of OrthoBoXY, with three times as many molecules
+  coupling,    ///< runs in which a molecule is coupled to all others in stages
+  slab,        ///< runs of a slab of the liquid between its vapour, at constant volume
+  conduction,  ///< dynamics with the heat flux
+  pair         ///< no run: an integral over two molecules
 };
 
 /// The state points at which a property is defined.

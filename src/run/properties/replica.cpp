@@ -26,8 +26,8 @@
 #include "run/properties/chain.hpp"
 #include "run/properties/distances.hpp"
 #include "run/properties/elongate.hpp"
+#include "run/properties/low_frequency_spectrum.hpp"
 #include "run/properties/phases.hpp"
-#include "run/properties/pressure_spectrum.hpp"
 #include "run/properties/volume_moves.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/relaxation.hpp"
@@ -176,34 +176,24 @@ Vec3<double> total_dipole(const State& state, const System& system) {
   return M;
 }
 
-/// The trajectory of a segment of dynamics.
-/// @param parts  of each step of the replica
-TrajectorySettings dynamics_of(const Chain& chain, double whole_step, std::size_t parts,
-                               std::uint64_t stream) {
-  TrajectorySettings t = chain.trajectory(
-      with_ends(), whole_step / static_cast<double>(parts),
-      whole_step * static_cast<double>(steps_of_lags * windows_in_segment), stream);
-  t.ensemble.thermostat = Rescaling{std::max(2.0, 500 * whole_step)};
-  return t;
-}
-
 /// All correlation functions of a segment of dynamics, one after the other; nothing if it was
 /// stopped.
 /// @param parts  of each step of the replica, with the same samples
 std::optional<BlockMeans::Block> correlations(Chain& chain, double whole_step, std::size_t parts,
                                               std::uint64_t stream) {
   const System& system = chain.system();
-  TrajectorySettings t = dynamics_of(chain, whole_step, parts, stream);
+  TrajectorySettings t = segment_of_dynamics(chain, whole_step, parts, stream);
   constexpr std::size_t every = 2, frame = steps_of_lags / lags / every;  // intervals in samples
   t.sample = every * whole_step;
   Displacement displacement(system.topology, lags);
   Reorientation rotation(system.topology, lags);
-  PressureSpectrum spectrum(steps_of_lags * windows_in_segment / every, t.sample);
+  LowFrequencySpectrum<pressure_components> spectrum(steps_of_lags * windows_in_segment / every,
+                                                     t.sample);
   Distances distances = Distances::within(system.topology, system.state.box);
   constexpr std::size_t frames_of_distances = 10;  // distances change less than their pairs cost
   std::size_t samples = 0, frames = 0;
   const auto load = [&](const State& state, const Load& forces) {
-    spectrum.add(pressure_tensor(state, system.bodies, forces));
+    spectrum.add(independent_components(pressure_tensor(state, system.bodies, forces)));
     if (samples++ % frame != 0) return;
     if (frames++ % frames_of_distances == 0) distances.add(state);
     displacement.add(state);
@@ -233,7 +223,7 @@ std::optional<BlockMeans::Block> correlations(Chain& chain, double whole_step, s
 /// stopped.
 std::optional<BlockMeans::Block> displacements(Chain& chain, double whole_step, std::size_t parts,
                                                std::uint64_t stream) {
-  TrajectorySettings t = dynamics_of(chain, whole_step, parts, stream);
+  TrajectorySettings t = segment_of_dynamics(chain, whole_step, parts, stream);
   constexpr std::size_t steps_of_lag = steps_of_lags / lags;
   t.sample = whole_step * static_cast<double>(steps_of_lag);
   Displacement displacement(chain.system().topology, lags);
@@ -265,29 +255,31 @@ Config configuration_of(const ReplicaSettings& settings) {
   return config;
 }
 
-std::size_t length_of(const Replica& replica, MeasuredIn kind) {
+DynamicsChain* chain_of(Replica& replica, MeasuredIn kind) {
   switch (kind) {
-    case MeasuredIn::averages:
-      return replica.averages.size();
     case MeasuredIn::dynamics:
-      return replica.dynamics.size();
+      return &replica.dynamics;
     case MeasuredIn::elongated:
-      return replica.elongated.segments.size();
-    case MeasuredIn::coupling:
-      return replica.coupled.segments.size();
-    case MeasuredIn::slab:
-      return replica.slab.segments.size();
-    case MeasuredIn::pair:
-      break;
+      return &replica.elongated;
+    case MeasuredIn::conduction:
+      return &replica.conduction;
+    default:
+      return nullptr;
   }
+}
+
+std::size_t length_of(const Replica& replica, MeasuredIn kind) {
+  if (const DynamicsChain* const chain = chain_of(replica, kind)) return chain->segments.size();
+  if (kind == MeasuredIn::averages) return replica.averages.size();
+  if (kind == MeasuredIn::coupling) return replica.coupled.segments.size();
+  if (kind == MeasuredIn::slab) return replica.slab.segments.size();
   return 0;
 }
 
 void shorten(Replica& replica, MeasuredIn kind, std::size_t segments) {
   const auto cut = [&](auto& list) { list.resize(std::min(list.size(), segments)); };
+  if (DynamicsChain* const chain = chain_of(replica, kind)) cut(chain->segments);
   if (kind == MeasuredIn::averages) cut(replica.averages);
-  if (kind == MeasuredIn::dynamics) cut(replica.dynamics);
-  if (kind == MeasuredIn::elongated) cut(replica.elongated.segments);
   if (kind == MeasuredIn::coupling) cut(replica.coupled.segments);
   if (kind == MeasuredIn::slab) cut(replica.slab.segments);
 }
@@ -355,29 +347,18 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings) {
 
 bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
   Chain chain(settings, replica, replica.meshes);
-  System& system = chain.system();
-  system.state = replica.moving.value_or(replica.state);
-  if (!replica.moving) scale_to_mean(system.state, replica, from, settings);
-  const std::size_t k = replica.dynamics.size();
-  const State start = system.state;
-  const auto segment = correlations(chain, replica.step, 1, moving + k);
-  if (!segment) return false;
-  const State end = system.state;
-  if (settings.paired_runs && k % paired_every == 0) {
-    system.state = start;
-    const auto paired = correlations(chain, replica.step, 2, pairing + k);
-    if (!paired) return false;
-    replica.paired.push_back({k, *paired});
-  }
-  replica.moving = end;
-  replica.dynamics.push_back(*segment);
-  return true;
+  DynamicsChain& dynamics = replica.dynamics;
+  State& state = chain.system().state = dynamics.state.value_or(replica.state);
+  if (!dynamics.state) scale_to_mean(state, replica, from, settings);
+  return extend(dynamics, chain, moving, pairing, [&](std::size_t parts, std::uint64_t stream) {
+    return correlations(chain, replica.step, parts, stream);
+  });
 }
 
 bool add_elongated(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
   Chain chain(settings, replica, replica.elongated.meshes);
   System& system = chain.system();
-  ElongatedChain& elongated = replica.elongated;
+  DynamicsChain& elongated = replica.elongated;
   system.state = replica.state;
   if (!elongated.state) scale_to_mean(system.state, replica, from, settings);
   elongate(system);
@@ -385,20 +366,10 @@ bool add_elongated(Replica& replica, const ReplicaSettings& settings, std::size_
     system.state = *elongated.state;
   else if (!relax_copies(chain, replica, relaxing_elongated))
     return false;
-  const std::size_t k = elongated.segments.size();
-  const State start = system.state;
-  const auto segment = displacements(chain, replica.step, 1, elongating + k);
-  if (!segment) return false;
-  const State end = system.state;
-  if (settings.paired_runs && k % paired_every == 0) {
-    system.state = start;
-    const auto paired = displacements(chain, replica.step, 2, elongated_pairing + k);
-    if (!paired) return false;
-    elongated.paired.push_back({k, *paired});
-  }
-  elongated.state = end;
-  elongated.segments.push_back(*segment);
-  return true;
+  return extend(elongated, chain, elongating, elongated_pairing,
+                [&](std::size_t parts, std::uint64_t stream) {
+                  return displacements(chain, replica.step, parts, stream);
+                });
 }
 
 }  // namespace polhode

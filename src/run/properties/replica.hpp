@@ -54,7 +54,7 @@ struct CorrelationsOfDynamics {
   std::vector<std::vector<std::size_t>> rotation;
   std::size_t count = 0;
 
-  /// The correlation functions, followed by the spectrum of PressureSpectrum.
+  /// The correlation functions, followed by the spectrum of the pressure.
   PartOfSums functions() const;
   /// The spectrum among functions().
   std::span<const double> spectrum_in(std::span<const double> functions) const {
@@ -70,14 +70,12 @@ inline constexpr std::uint64_t pilot = 0xFFFFFFFF;
 /// A segment of dynamics again, from the same start at half of the step.
 struct PairedSegment {
   std::size_t of = 0;           ///< the segment of dynamics
-  BlockMeans::Block half_step;  ///< sums of CorrelationsOfDynamics
+  BlockMeans::Block half_step;  ///< the same sums
 };
 
-/// A chain of segments of dynamics in the long box of OrthoBoXY.
-struct ElongatedChain {
+/// A chain of segments of dynamics.
+struct DynamicsChain {
   std::optional<State> state;  ///< state at the end of the last segment; empty before the first
-  /// Sums of the mean-square displacements of the first kind of molecule along x, y and z [nm²],
-  /// each with `lags` values, for each segment.
   std::vector<BlockMeans::Block> segments;
   std::vector<PairedSegment> paired;   ///< in the order of the segments
   std::optional<MeshChoice> meshes{};  ///< kept between segments to save time; not in the record
@@ -139,12 +137,12 @@ struct Replica {
   Vec3Column start{};  ///< positions at the start of the first segment, in fractions of the edges;
                        ///< empty in records of earlier versions
   std::vector<AveragesSegment> averages;
-  std::optional<State> moving;  ///< state at the end of the last segment of dynamics
-  std::vector<BlockMeans::Block>
-      dynamics;  ///< sums of CorrelationsOfDynamics, with a block for each segment
-  std::vector<PairedSegment> paired{};  ///< in the order of the segments
-  std::optional<MeshChoice> meshes{};   ///< kept between segments to save time; not in the record
-  ElongatedChain elongated{};
+  std::optional<MeshChoice> meshes{};  ///< kept between segments to save time; not in the record
+  DynamicsChain dynamics{};            ///< sums of CorrelationsOfDynamics
+  /// Sums of the mean-square displacements of the first kind of molecule along x, y and z [nm²], in
+  /// the long box of OrthoBoXY, each with `lags` values.
+  DynamicsChain elongated{};
+  DynamicsChain conduction{};  ///< spectra of the heat flux in each of pressure_bins()
   CoupledChains coupled{};
   SlabChain slab{};
 
@@ -191,6 +189,14 @@ bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t
 /// relaxed.
 /// @param from  first segment of averages that is in equilibrium
 bool add_elongated(Replica& replica, const ReplicaSettings& settings, std::size_t from);
+/// Adds a segment of dynamics with its heat flux, from the same start as the first segment of
+/// dynamics.
+bool add_conduction(Replica& replica, const ReplicaSettings& settings, std::size_t from);
+/// The chain of a kind of dynamics; nothing for other kinds of run.
+DynamicsChain* chain_of(Replica& replica, MeasuredIn kind);
+inline const DynamicsChain* chain_of(const Replica& replica, MeasuredIn kind) {
+  return chain_of(const_cast<Replica&>(replica), kind);
+}
 /// The number of segments of a kind of run.
 std::size_t length_of(const Replica& replica, MeasuredIn kind);
 /// Removes the segments of a kind of run after the first ones.

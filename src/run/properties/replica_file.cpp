@@ -126,6 +126,27 @@ SlabChain slab_of(const json& j) {
   return slab;
 }
 
+json chain_json(const DynamicsChain& chain) {
+  json j{{"state", state_json(*chain.state)}, {"paired", json::array()}};
+  for (const BlockMeans::Block& block : chain.segments) j["segments"].push_back(block_json(block));
+  for (const auto& [of, half] : chain.paired) j["paired"].push_back({of, block_json(half)});
+  return j;
+}
+
+std::vector<PairedSegment> paired_of(const json& j) {
+  std::vector<PairedSegment> list;
+  for (const json& paired : j)
+    list.push_back({paired.at(0).get<std::size_t>(), block_of(paired.at(1))});
+  return list;
+}
+
+DynamicsChain chain_of(const json& j) {
+  DynamicsChain chain{
+      .state = state_of(j.at("state")), .segments = {}, .paired = paired_of(j.at("paired"))};
+  for (const json& block : j.at("segments")) chain.segments.push_back(block_of(block));
+  return chain;
+}
+
 json replica_json(const Replica& replica) {
   json averages = json::array(), dynamics = json::array();
   for (const AveragesSegment& segment : replica.averages)
@@ -134,25 +155,21 @@ json replica_json(const Replica& replica) {
                         {"volumes", segment.volumes},
                         {"first", segment.response.first},
                         {"response", block_json(segment.response.blocks.blocks.front())}});
-  for (const BlockMeans::Block& block : replica.dynamics) dynamics.push_back(block_json(block));
+  for (const BlockMeans::Block& block : replica.dynamics.segments)
+    dynamics.push_back(block_json(block));
   json j{{"index", replica.index},
          {"step", replica.step},
          {"compressibility", replica.compressibility},
          {"averages", averages},
          {"dynamics", dynamics}};
-  for (const PairedSegment& paired : replica.paired)
+  for (const PairedSegment& paired : replica.dynamics.paired)
     j["paired"].push_back({paired.of, block_json(paired.half_step)});
-  if (const ElongatedChain& chain = replica.elongated; chain.state) {
-    json& e = j["elongated"] = {{"state", state_json(*chain.state)}};
-    for (const BlockMeans::Block& block : chain.segments)
-      e["segments"].push_back(block_json(block));
-    e["paired"] = json::array();
-    for (const auto& [of, half] : chain.paired) e["paired"].push_back({of, block_json(half)});
-  }
+  if (replica.elongated.state) j["elongated"] = chain_json(replica.elongated);
+  if (replica.conduction.state) j["conduction"] = chain_json(replica.conduction);
   if (replica.slab.state) j["slab"] = slab_json(replica.slab);
   if (!replica.coupled.path.empty()) j["coupled"] = coupled_json(replica.coupled);
   if (replica.prepared()) j["state"] = state_json(replica.state);
-  if (replica.moving) j["moving"] = state_json(*replica.moving);
+  if (replica.dynamics.state) j["moving"] = state_json(*replica.dynamics.state);
   if (replica.start.size() > 0) j["start"] = vectors_json(replica.start);
   return j;
 }
@@ -167,22 +184,14 @@ Replica replica_of(const json& j) {
                                 segment.at("volumes").get<std::vector<double>>(),
                                 {segment.at("first").get<std::vector<double>>(),
                                  {{block_of(segment.at("response"))}, 1}}});
-  for (const json& block : j.at("dynamics")) replica.dynamics.push_back(block_of(block));
-  if (j.contains("paired"))
-    for (const json& paired : j["paired"])
-      replica.paired.push_back({paired.at(0).get<std::size_t>(), block_of(paired.at(1))});
-  if (j.contains("elongated")) {
-    const json& e = j["elongated"];
-    replica.elongated.state = state_of(e.at("state"));
-    for (const json& block : e.at("segments"))
-      replica.elongated.segments.push_back(block_of(block));
-    for (const json& paired : e.at("paired"))
-      replica.elongated.paired.push_back({paired.at(0).get<std::size_t>(), block_of(paired.at(1))});
-  }
+  for (const json& block : j.at("dynamics")) replica.dynamics.segments.push_back(block_of(block));
+  if (j.contains("paired")) replica.dynamics.paired = paired_of(j["paired"]);
+  if (j.contains("elongated")) replica.elongated = chain_of(j["elongated"]);
+  if (j.contains("conduction")) replica.conduction = chain_of(j["conduction"]);
   if (j.contains("slab")) replica.slab = slab_of(j["slab"]);
   if (j.contains("coupled")) replica.coupled = coupled_of(j["coupled"]);
   if (j.contains("state")) replica.state = state_of(j["state"]);
-  if (j.contains("moving")) replica.moving = state_of(j["moving"]);
+  if (j.contains("moving")) replica.dynamics.state = state_of(j["moving"]);
   if (j.contains("start")) replica.start = column_of(j["start"].get<std::vector<double>>());
   return replica;
 }

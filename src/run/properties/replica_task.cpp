@@ -26,6 +26,8 @@ bool extend_by_one(Replica& replica, const Target& target, const ReplicaSettings
       return add_coupling(replica, settings);
     case MeasuredIn::slab:
       return add_slab(replica, settings, equilibrated(replica));
+    case MeasuredIn::conduction:
+      return add_conduction(replica, settings, equilibrated(replica));
     case MeasuredIn::pair:
       break;
   }

@@ -14,9 +14,9 @@
 namespace polhode {
 
 /// The kinds of run, in the order in which a replica performs them.
-inline constexpr std::array kinds_of_run{MeasuredIn::averages, MeasuredIn::dynamics,
+inline constexpr std::array kinds_of_run{MeasuredIn::averages,  MeasuredIn::dynamics,
                                          MeasuredIn::elongated, MeasuredIn::coupling,
-                                         MeasuredIn::slab};
+                                         MeasuredIn::slab,      MeasuredIn::conduction};
 
 /// A number for each kind of run.
 template <class Number>
@@ -34,6 +34,9 @@ using Target = PerKind<std::size_t>;
 inline constexpr double steps_of_preparation = 8000;
 /// Steps of a segment of dynamics.
 inline constexpr double steps_of_dynamics = steps_of_lags * windows_in_segment;
+
+/// The work of a step with its share of the heat flux, in steps.
+inline constexpr double work_of_heat_flux = 2.5;
 
 /// Segments and preparations that a replica still needs.
 inline std::size_t missing(const Replica& replica, const Target& target) {
@@ -64,6 +67,8 @@ inline double steps_of(MeasuredIn kind, std::size_t segments, std::size_t paired
       return n * static_cast<double>(stages * steps_of_coupling);
     case MeasuredIn::slab:
       return n * steps_of_averages * slab_copies;
+    case MeasuredIn::conduction:
+      return (n + repeated) * steps_of_dynamics * work_of_heat_flux;
     case MeasuredIn::pair:
       break;
   }
@@ -81,8 +86,9 @@ inline double steps_of_kind(MeasuredIn kind, std::size_t segments, std::size_t s
 inline double steps_of(const Replica& replica) {
   double sum = replica.prepared() ? steps_of_preparation : 0;
   for (const MeasuredIn kind : kinds_of_run) {
-    const auto& paired = kind == MeasuredIn::elongated ? replica.elongated.paired : replica.paired;
-    sum += steps_of(kind, length_of(replica, kind), paired.size(), replica.coupled.path.size());
+    const DynamicsChain* const chain = chain_of(replica, kind);
+    sum += steps_of(kind, length_of(replica, kind), chain ? chain->paired.size() : 0,
+                    replica.coupled.path.size());
   }
   return sum;
 }

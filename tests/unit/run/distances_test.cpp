@@ -70,9 +70,10 @@ std::vector<Replica> replicas_of(std::size_t segments) {
     Random random(8, k);
     const double a = 0.53 + 0.001 * static_cast<double>(k);
     Replica replica{.index = k, .step = 0.004, .state = lattice(a, random)};
-    replica.moving = replica.state;
-    for (std::size_t n = 0; n < segments; ++n) replica.dynamics.push_back(segment(a, random));
-    replica.paired = {{0, segment(a, random)}};
+    replica.dynamics.state = replica.state;
+    for (std::size_t n = 0; n < segments; ++n)
+      replica.dynamics.segments.push_back(segment(a, random));
+    replica.dynamics.paired = {{0, segment(a, random)}};
     replicas.push_back(replica);
   }
   return replicas;

@@ -310,8 +310,9 @@ Replica moving(std::uint64_t index, const std::vector<BlockMeans::Block>& segmen
   return {.index = index,
           .step = step,
           .state = State{1, Box{Vec3<double>{3, 3, 3}}},
-          .moving = State{1, Box{Vec3<double>{edge, edge, edge}}},
-          .dynamics = segments};
+          .dynamics = {.state = State{1, Box{Vec3<double>{edge, edge, edge}}},
+                       .segments = segments,
+                       .paired = {}}};
 }
 
 /// Replicas with the exact correlation functions.
@@ -392,7 +393,7 @@ TEST_CASE("the viscosity of sampled pressures agrees within its error, which has
 
 TEST_CASE("dynamics with too few segments, or with slopes that change, are not converged") {
   std::vector<Replica> short_ones = exact();
-  for (Replica& replica : short_ones) replica.dynamics.resize(2);
+  for (Replica& replica : short_ones) replica.dynamics.segments.resize(2);
   CHECK(measured("viscosity", short_ones).value.known != Known::yes);
   // A spectrum that falls by half within the first two modes.
   const std::vector<BlockMeans::Block> bent(
@@ -418,7 +419,7 @@ TEST_CASE("paired segments at half of the step bound the time-step bias of dynam
     std::vector<BlockMeans::Block> segments(12, scaled_by(1));
     segments[8] = scaled_by(1 + differences[k]);
     Replica replica = moving(k, segments);
-    replica.paired = {{8, scaled_by(1)}};
+    replica.dynamics.paired = {{8, scaled_by(1)}};
     return replica;
   });
   const MeasuredProperty m = measured("viscosity", replicas);
@@ -433,9 +434,9 @@ TEST_CASE("paired segments at half of the step bound the time-step bias of dynam
   CHECK(measured("diffusion", replicas).step_bound);
   CHECK(measured("rotational-relaxation", replicas).step_bound->difference.value == 0);
   // Segments that the data do not have yet, and fewer than three pairs, do not count.
-  replicas[0].dynamics.resize(8);
+  replicas[0].dynamics.segments.resize(8);
   CHECK(measured("viscosity", replicas).step_bound->pairs == 3);
-  replicas[1].dynamics.resize(8);
+  replicas[1].dynamics.segments.resize(8);
   CHECK(!measured("viscosity", replicas).step_bound);
 }
 

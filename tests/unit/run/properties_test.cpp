@@ -350,7 +350,7 @@ TEST_CASE("the replicas of a measurement that is stopped have the same length") 
     const Replica replica = read_replica(
         fmt::format("{}-160K-500bar-r{}.replica", settings.prefix, k), k, system.identity);
     pieces.push_back((replica.prepared() ? 1 : 0) + replica.averages.size() +
-                     replica.dynamics.size());
+                     replica.dynamics.segments.size());
   }
   const auto [shortest, longest] = std::ranges::minmax(pieces);
   CHECK(longest == stop_after / settings.replicas);

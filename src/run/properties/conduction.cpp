@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "run/properties/conduction.hpp"
+
+#include <cmath>
+
+#include "measure/convergence.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/forces/heat_flux.hpp"
+#include "run/properties/chain.hpp"
+#include "run/properties/dynamics.hpp"
+#include "run/properties/low_frequency_spectrum.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::size_t axes = 3;
+
+/// The spectrum of the heat flux times the root of the volume in a segment; nothing if it was
+/// stopped.
+std::optional<BlockMeans::Block> spectrum_of(Chain& chain, double whole_step, std::size_t parts,
+                                             std::uint64_t stream) {
+  const System& system = chain.system();
+  TrajectorySettings t = segment_of_dynamics(chain, whole_step, parts, stream);
+  // A product of two librations of water has a period of ten femtoseconds, as long as a sample.
+  constexpr std::size_t every = 2;
+  t.sample = every * whole_step;
+  HeatFlux flux(system.topology, chain.force_settings(), system.state.box);
+  const double root_of_volume = std::sqrt(system.state.box.volume());
+  LowFrequencySpectrum<axes> spectrum(steps_of_lags * windows_in_segment / every, t.sample);
+  const auto load = [&](const State& state, const Load&) {
+    const Vec3<double> J = flux(state) / root_of_volume;
+    spectrum.add({J.x, J.y, J.z});
+  };
+  if (!chain.run(t, {.load = load})) return std::nullopt;
+  return BlockMeans::Block{1, spectrum.means(pressure_bins())};
+}
+
+}  // namespace
+
+bool add_conduction(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
+  DynamicsChain& conduction = replica.conduction;
+  Chain chain(settings, replica, conduction.meshes);
+  State& state = chain.system().state = conduction.state.value_or(replica.state);
+  if (!conduction.state) scale_to_mean(state, replica, from, settings);
+  return extend(conduction, chain, conducting, conduction_pairing,
+                [&](std::size_t parts, std::uint64_t stream) {
+                  return spectrum_of(chain, replica.step, parts, stream);
+                });
+}
+
+void thermal_conductivity(MeasuredProperty& m, const Contributions& contributions,
+                          double temperature) {
+  const PartOfSums all = [](auto sums) { return sums; };
+  const std::vector<BlockMeans> runs = dynamics_of(contributions, all);
+  if (runs.front().empty()) return;
+  double segments = 0;
+  for (const BlockMeans& run : runs) segments += static_cast<double>(run.blocks().size());
+  const ZeroFrequency spectrum(overall(runs), axes * segments, pressure_bins());
+  const double per_spectrum = 1 / (2 * units::boltzmann * temperature * temperature * W_per_m_K);
+  const auto value = [&](Means means) { return per_spectrum * spectrum.value(means); };
+  m.value = pooled_estimate(runs, value);
+  m.step_bound = step_bound(step_difference(pairs_of(contributions, all), value));
+  if (m.value.known != Known::yes || spectrum.is_resolved()) return;
+  m.longer_helps = false;
+  m.obstacle =
+      "the heat flux changes too slowly for the length of a segment, so its spectrum at zero "
+      "frequency, which gives the thermal conductivity, is not resolved";
+}
+
+}  // namespace polhode

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The thermal conductivity by the Green-Kubo relation.
+#pragma once
+
+#include "polhode/run/properties/measure.hpp"
+#include "run/properties/contributions.hpp"
+
+namespace polhode {
+
+/// Estimates the thermal conductivity: the spectrum of the heat flux J at zero frequency is twice
+/// the integral of its autocorrelation function, so λ = V S(0)/(2 k T²) [evans1989].
+void thermal_conductivity(MeasuredProperty& m, const Contributions& contributions,
+                          double temperature);
+
+}  // namespace polhode
