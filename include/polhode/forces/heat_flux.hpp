@@ -24,7 +24,7 @@ class HeatFlux {
  public:
   /// @param settings  force settings, with the mesh that is used, see ForceField::settings()
   /// @param share     part of the energy of a pair that belongs to its first molecule. The thermal
-  ///   conductivity does not depend on it [ercole2016]; the mesh always has equal parts
+  ///   conductivity does not depend on it [marcolongo2016]; the mesh always has equal parts
   /// @throws Error  if there is more than one kind of molecule, or if there are external forces or
   ///   the dispersion of a slab, or PME without a mesh
   HeatFlux(const Topology& topology, const ForceSettings& settings, const Box& box,
@@ -32,8 +32,8 @@ class HeatFlux {
   HeatFlux(HeatFlux&&) noexcept;
   ~HeatFlux();
 
-  /// The heat flux times the volume [kJ/mol nm/ps]. The box of the state must be that of the
-  /// constructor.
+  /// The heat flux times the volume [kJ/mol nm/ps]. The box of the state must be the box
+  /// given to the constructor.
   Vec3<double> operator()(const State& state);
 
  private:

@@ -48,6 +48,10 @@ bool add_conduction(Replica& replica, const ReplicaSettings& settings, std::size
                 });
 }
 
+double conductivity_per_spectrum(double temperature) {
+  return 1 / (2 * units::boltzmann * temperature * temperature * W_per_m_K);
+}
+
 void thermal_conductivity(MeasuredProperty& m, const Contributions& contributions,
                           double temperature) {
   const PartOfSums all = [](auto sums) { return sums; };
@@ -56,7 +60,7 @@ void thermal_conductivity(MeasuredProperty& m, const Contributions& contribution
   double segments = 0;
   for (const BlockMeans& run : runs) segments += static_cast<double>(run.blocks().size());
   const ZeroFrequency spectrum(overall(runs), axes * segments, pressure_bins());
-  const double per_spectrum = 1 / (2 * units::boltzmann * temperature * temperature * W_per_m_K);
+  const double per_spectrum = conductivity_per_spectrum(temperature);
   const auto value = [&](Means means) { return per_spectrum * spectrum.value(means); };
   m.value = pooled_estimate(runs, value);
   m.step_bound = step_bound(step_difference(pairs_of(contributions, all), value));

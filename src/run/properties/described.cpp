@@ -2,12 +2,14 @@
 // The conditions and curves of a state point, for figures.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string_view>
 #include <utility>
 
 #include "io/settings/quantity.hpp"
 #include "polhode/base/units.hpp"
+#include "run/properties/conduction.hpp"
 #include "run/properties/distances.hpp"
 #include "run/properties/dynamics.hpp"
 #include "run/properties/estimates.hpp"
@@ -48,27 +50,46 @@ std::vector<EquilibrationTrace> traces_of(const PointData& data) {
   return traces;
 }
 
-/// The spectrum of the pressure in units of the viscosity, up to a frequency where the spectrum of
-/// a liquid has decreased.
-MeasuredCurve spectrum_of_pressure(std::span<const BlockMeans> runs,
-                                   const CorrelationsOfDynamics& which, double interval,
-                                   double edge, const StatePoint& at) {
+/// A spectrum in units of the property that it is at zero frequency, up to a frequency where the
+/// spectrum of a liquid has decreased.
+/// @param length  length of a segment [ps]
+MeasuredCurve spectrum_of(const char* title, const char* unit, double length,
+                          const std::function<SeriesEstimate(std::size_t bin)>& value) {
   constexpr double max_mode = 200;
-  const double to_mPa_s = edge * edge * edge / (2 * units::boltzmann * at.temperature) /
-                          unit("mPa s", Dimension::viscosity);
-  const double length = interval * static_cast<double>(lags * windows_in_segment);
-  MeasuredCurve c{"spectrum of the pressure: at zero frequency it is the viscosity",
-                  "frequency (1/ps)",
-                  "mPa s",
-                  {},
-                  {}};
-  const ModeBins& bins = pressure_bins();
-  for (std::size_t b = 0; b < bins.size() && bins.middle(b) < max_mode; ++b) {
-    c.x.push_back(bins.middle(b) / length);
-    c.value.push_back(
-        pooled_estimate(runs, [&](auto all) { return to_mPa_s * which.spectrum_in(all)[b]; }));
+  MeasuredCurve c{title, "frequency (1/ps)", unit, {}, {}};
+  for (std::size_t b = 0; b < pressure_bins().size() && pressure_bins().middle(b) < max_mode; ++b) {
+    c.x.push_back(pressure_bins().middle(b) / length);
+    c.value.push_back(value(b));
   }
   return c;
+}
+
+double length_of_segment(const Contributions& contributions) {
+  return lag_interval(*contributions.all.front().replica) *
+         static_cast<double>(lags * windows_in_segment);
+}
+
+MeasuredCurve spectrum_of_pressure(const Contributions& contributions,
+                                   std::span<const BlockMeans> runs,
+                                   const CorrelationsOfDynamics& which, const StatePoint& at) {
+  const double to_mPa_s = std::pow(edge_of(contributions), 3) /
+                          (2 * units::boltzmann * at.temperature) /
+                          unit("mPa s", Dimension::viscosity);
+  return spectrum_of("spectrum of the pressure: at zero frequency it is the viscosity", "mPa s",
+                     length_of_segment(contributions), [&](std::size_t b) {
+                       return pooled_estimate(
+                           runs, [&](auto all) { return to_mPa_s * which.spectrum_in(all)[b]; });
+                     });
+}
+
+std::vector<MeasuredCurve> spectrum_of_heat_flux(const PointData& data) {
+  const Contributions contributions(data, MeasuredIn::conduction);
+  const std::vector<BlockMeans> runs = dynamics_of(contributions, [](auto all) { return all; });
+  if (runs.front().empty()) return {};
+  const double factor = conductivity_per_spectrum(data.at.temperature);
+  return {spectrum_of("spectrum of the heat flux: at zero frequency it is the thermal conductivity",
+                      "W/m/K", length_of_segment(contributions),
+                      [&](std::size_t b) { return scaled(mean_of(runs, b), factor); })};
 }
 
 /// The mean-square displacement of each kind of molecule, and the spectrum of the pressure.
@@ -94,7 +115,7 @@ std::vector<MeasuredCurve> curves_of(const PointData& data) {
   for (std::size_t part = 0; part < which.displacement.size(); ++part)
     curves.push_back(curve("mean-square displacement of " + data.topology.parts[part].molecule.name,
                            "nm2", which.displacement[part], 1));
-  curves.push_back(spectrum_of_pressure(runs, which, interval, edge_of(contributions), data.at));
+  curves.push_back(spectrum_of_pressure(contributions, runs, which, data.at));
   return curves;
 }
 
@@ -155,6 +176,7 @@ MeasuredPoint described(const PointData& data) {
   }
   point.traces = traces_of(data);
   point.curves = curves_of(data);
+  for (MeasuredCurve& curve : spectrum_of_heat_flux(data)) point.curves.push_back(std::move(curve));
   point.profiles = slab_profile(data);
   point.distributions = distributions(data);
   return point;

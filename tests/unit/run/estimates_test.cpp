@@ -15,7 +15,7 @@
 #include "polhode/base/units.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/math/random.hpp"
-#include "run/properties/pressure_spectrum.hpp"
+#include "run/properties/low_frequency_spectrum.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/replica.hpp"
 
@@ -360,14 +360,15 @@ TEST_CASE("the viscosity of sampled pressures agrees within its error, which has
     for (double& x : c) x = sigma * random.normal();
     std::vector<BlockMeans::Block> blocks;
     for (std::size_t segment = 0; segment < segments; ++segment) {
-      PressureSpectrum pressures(every * lags * windows_in_segment, sample);
+      LowFrequencySpectrum<pressure_components> pressures(every * lags * windows_in_segment,
+                                                          sample);
       for (std::size_t k = 0; k < every * lags * windows_in_segment; ++k) {
         for (double& x : c) x = decay * x + sigma * std::sqrt(1 - decay * decay) * random.normal();
         // Of independent_components(), the inverse, with a mean pressure that must not matter.
         const double a = c[0] * 2 / std::sqrt(3.0), mean = 5;
-        pressures.add({{mean + a, c[4], c[3]},
-                       {c[4], mean - a / 2 + c[1], c[2]},
-                       {c[3], c[2], mean - a / 2 - c[1]}});
+        pressures.add(independent_components({{mean + a, c[4], c[3]},
+                                              {c[4], mean - a / 2 + c[1], c[2]},
+                                              {c[3], c[2], mean - a / 2 - c[1]}}));
       }
       BlockMeans::Block block = correlations(water(), [](double) { return 0; });
       const std::vector<double> found = pressures.means(pressure_bins());
