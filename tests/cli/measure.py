@@ -275,6 +275,23 @@ epsilon = "1 kJ/mol"
         self.assertEqual(process.returncode, 0, process.err)
         self.assertNotIn("is repeated at half of the step", process.err)
 
+    def test_the_thermal_conductivity_of_a_pure_substance(self):
+        arguments = ("argon", "thermal-conductivity", "40 %", "--molecules", "32", "--at", "160 K, 500 bar", "--paired-runs", "no", "--output", "out")
+        process = self.polhode("measure", *arguments, "--json")
+        self.assertEqual(process.returncode, 0, process.err)
+        self.assertRegex(process.err, r"plan at .* and \d+ ps for dynamics")
+        point = json.loads(process.out)["points"][0]
+        found, = point["properties"]
+        self.assertEqual((found["name"], found["unit"], found["reached"]), ("thermal-conductivity", "W/m/K", True))
+        self.assertGreater(point["dynamics_length_ps"], 0)
+        # A box of 108 atoms has 0.089 +- 0.005 W/m/K; smaller systems differ by less than the error asked for here.
+        self.assertAlmostEqual(found["value"]["value"], 0.089, delta=4 * found["value"]["error"] + 0.01)
+        self.assertLess(found["value"]["error"], 0.03)
+        self.assertIn("spectrum of the heat flux", (self.folder / "out.html").read_text(encoding="utf-8"))
+        again = self.polhode("measure", *arguments, "--json")
+        self.assertEqual(json.loads(again.out)["points"], [point])
+        self.refused(("measure", "argon 32, n2 32", "thermal-conductivity", "40 %"), ["thermal-conductivity", "partial enthalpies"])
+
     def test_the_coordination_number_is_that_of_an_analysis(self):
         """Of a run of one trajectory with another scheme and thermostat, at the same density."""
         arguments = ("argon", "coordination-number", "3 %", "density", "1 %", "--paired-runs", "no", "--replicas", "2", "--molecules", "64", "--at", "160 K, 500 bar",

@@ -260,8 +260,6 @@ TEST_CASE("heat flux: the conductivity does not depend on the share of pair ener
   }
   const auto all = values(segments);
   const double difference = all[1] / all[0] - 1, error = jackknife_error(differences);
-  MESSAGE("ratio " << all[1] / all[0] << " error " << error << " squares "
-                   << square[1] / square[0]);
   CHECK(std::abs(difference) < 4 * error);
   CHECK(error < 0.03);
   CHECK(square[1] > 1.5 * square[0]);
