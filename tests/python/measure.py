@@ -26,6 +26,8 @@ if __name__ == "__main__":
 
 
 class Measure(unittest.TestCase):
+    here = None  # the records of CALL by threads, computed once
+
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
@@ -35,6 +37,12 @@ class Measure(unittest.TestCase):
 
     def records(self, prefix):
         return {path.name.removeprefix(prefix): path.read_bytes() for path in self.folder.glob(f"{prefix}*.replica")}
+
+    def records_here(self):
+        if Measure.here is None:
+            polhode.measure(**CALL, output="here", threads=1)
+            Measure.here = self.records("here")
+        return Measure.here
 
     def test_a_property_with_its_error(self):
         report = polhode.measure(**CALL)
@@ -47,10 +55,9 @@ class Measure(unittest.TestCase):
         self.assertEqual(merged["points"], report["points"])
 
     def test_an_executor_computes_the_same_bits(self):
-        polhode.measure(**CALL, output="here", threads=1)
         with ProcessPoolExecutor(2) as pool:
             polhode.measure(**CALL, output="pool", executor=pool)
-        self.assertEqual(self.records("pool"), self.records("here"))
+        self.assertEqual(self.records("pool"), self.records_here())
         self.assertNotIn("executor", pathlib.Path("pool.html").read_text(encoding="utf-8"))  # the recorded call has the same results without it
 
     def test_an_executor_couples_molecules_with_the_same_bits(self):
@@ -64,19 +71,17 @@ class Measure(unittest.TestCase):
     @unittest.skipUnless(importlib.util.find_spec("distributed"), "dask's distributed is not installed")
     def test_dask_computes_the_same_bits(self):
         from distributed import Client, LocalCluster
-        polhode.measure(**CALL, output="here", threads=1)
         with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
             polhode.measure(**CALL, output="dask", executor=client.get_executor())
-        self.assertEqual(self.records("dask"), self.records("here"))
+        self.assertEqual(self.records("dask"), self.records_here())
 
     @unittest.skipUnless(importlib.util.find_spec("mpi4py"), "mpi4py is not installed")
     def test_mpi_computes_the_same_bits(self):
         """Two processes compute replicas, a third gives them out."""
-        polhode.measure(**CALL, output="here", threads=1)
         pathlib.Path("on_mpi.py").write_text(ON_MPI.format(call=CALL), encoding="utf-8")
         mpiexec = pathlib.Path(sys.executable).parent / "mpiexec"
         subprocess.run([mpiexec, "-n", "3", sys.executable, "-m", "mpi4py.futures", "on_mpi.py"], check=True, timeout=600)
-        self.assertEqual(self.records("mpi"), self.records("here"))
+        self.assertEqual(self.records("mpi"), self.records_here())
 
     def test_paired_runs_can_be_left_out(self):
         call = {**CALL, "properties": {"viscosity": "50 %"}}
