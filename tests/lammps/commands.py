@@ -124,9 +124,21 @@ class Commands(RunTest):
         mixed = self.script("polhode", "gier4-fd", every=30, fix="lambda 1e-4").replace("precision double", "precision mixed")
         self.refused(mixed, ["lambda = 0.0001", "below 0.1, the minimum in mixed precision"])
 
+    def test_charges_that_change_during_a_run(self):
+        """Pair style polhode has read the charges before; pair styles of LAMMPS see the present ones."""
+        self.write("qeq.txt", "1 8 14 1 0 0\n2 4 14 1 0 0\n")
+        equilibrate = "fix q all qeq/point 1 8 1e-6 50 qeq.txt\n"
+        self.refuses(["fix q (qeq/point) changes them during a run", "change them between runs with 'set'"], "polhode", before=equilibrate)
+        charges = "compute qa all property/atom q\ncompute q all reduce sumsq c_qa\nthermo_style custom step pe c_q\n"
+        table = self.lammps(self.script(before=equilibrate).replace("run 60", charges + "run 60"))[0]
+        self.assertNotEqual(table["c_q"][0], table["c_q"][-1])
+
     def test_atoms_that_come_and_go_during_a_run(self):
+        self.write("one.txt", "water\n\n3 atoms\n\nCoords\n\n1 0 0 0\n2 1 0 0\n3 -0.3333 0.9428 0\n\nTypes\n\n1 1\n2 2\n3 2\n\n"
+                              "Charges\n\n1 -0.8476\n2 0.4238\n3 0.4238\n")
         for words, before in ((["fix swap (atom/swap) creates, deletes, moves or exchanges"], "fix swap all atom/swap 5 5 7 300 types 1 2\n"),
-                              (["fix gone (evaporate) creates, deletes"], "region all block INF INF INF INF INF INF\nfix gone all evaporate 5 3 all 7\n")):
+                              (["fix gone (evaporate) creates, deletes"], "region all block INF INF INF INF INF INF\nfix gone all evaporate 5 3 all 7\n"),
+                              (["fix mc (gcmc) creates, deletes"], "molecule one one.txt\nfix mc all gcmc 5 5 0 0 7 300 -1 0.1 mol one\n")):
             self.refuses(words, before=before)
         self.refuses(["was created during a run"], after="region all block 0 12 0 12 0 12\nfix new all deposit 3 1 20 7 region all near 0.01\n")
         gone = self.script(every=20, after="neigh_modify every 5 delay 0 check no\n", steps="20\ngroup one id 5\ndelete_atoms group one compress no\nrun 40 pre no")
