@@ -438,9 +438,8 @@ MeasureReport measure(const MeasureSettings& settings, const Callbacks& callback
                                     settings.shard.count),
                         callbacks);
   const Topology topology = build_topology(settings.config.system);
-  const bool has_mesh = settings.config.forces.electrostatics == Electrostatics::pme;
   for (const RequestedProperty& request : settings.properties) {
-    std::string why = why_not(*request.property, topology, has_mesh);
+    std::string why = why_not(*request.property, topology, settings.config.forces);
     for (const StatePoint& at : settings.points)
       if (why.empty()) why = why_not(*request.property, at);
     if (!why.empty())

@@ -212,7 +212,8 @@ const Property& property(std::string_view name) {
       near.empty() ? "; there are " + fmt::format("{}", fmt::join(names, ", ")) : near));
 }
 
-std::string why_not(const Property& p, const Topology& topology, bool has_mesh) {
+std::string why_not(const Property& p, const Topology& topology, const ForceSettings& forces) {
+  const bool has_mesh = forces.electrostatics == Electrostatics::pme;
   const auto any = [&](const auto& has) {
     return std::any_of(topology.parts.begin(), topology.parts.end(),
                        [&](const Topology::Part& part) { return has(part.molecule); });
@@ -229,6 +230,8 @@ std::string why_not(const Property& p, const Topology& topology, bool has_mesh) 
         topology.parts.front().count, topology.parts.front().molecule.name);
   if (std::string_view(p.name) == "vapour-pressure" && topology.parts.size() > 1)
     return "the vapour of a mixture differs in composition from the liquid";
+  if (p.measured_in == MeasuredIn::conduction && forces.slab_dispersion)
+    return "the heat flux does not include slab_dispersion; use dispersion_correction";
   if (p.measured_in == MeasuredIn::conduction && topology.parts.size() > 1)
     return "the heat flux of a mixture needs the partial enthalpies of all kinds of molecules";
   if (p.measured_in == MeasuredIn::coupling) return why_not_coupled(topology);

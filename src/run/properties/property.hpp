@@ -77,7 +77,8 @@ std::span<const Property> properties();
 const Property& property(std::string_view name);
 
 /// The reason why a system does not have a property; empty if it has the property.
-std::string why_not(const Property& property, const Topology& topology, bool has_mesh);
+std::string why_not(const Property& property, const Topology& topology,
+                    const ForceSettings& forces);
 /// The reason why a property is not defined at a state point; empty if it is.
 std::string why_not(const Property& property, const StatePoint& at);
 

@@ -87,10 +87,12 @@ TEST_CASE("segments with the heat flux have the same bits in one piece and in se
   for (const double power : replica.conduction.segments.front().sum) CHECK(power > 0);
 }
 
-TEST_CASE("the thermal conductivity of a mixture is refused") {
+TEST_CASE("the thermal conductivity of a mixture, or with the dispersion of a slab, is refused") {
   const Property& conductivity = property("thermal-conductivity");
   const Topology one{{{read_molecule("argon"), 64}}},
       mixture{{{read_molecule("argon"), 32}, {read_molecule("n2"), 32}}};
-  CHECK(why_not(conductivity, one, false).empty());
-  CHECK(why_not(conductivity, mixture, false).find("partial enthalpies") != std::string::npos);
+  CHECK(why_not(conductivity, one, {}).empty());
+  CHECK(why_not(conductivity, one, {.slab_dispersion = true}).find("dispersion_correction") !=
+        std::string::npos);
+  CHECK(why_not(conductivity, mixture, {}).find("partial enthalpies") != std::string::npos);
 }

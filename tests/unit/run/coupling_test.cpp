@@ -240,17 +240,18 @@ TEST_CASE("without a replica in equilibrium there is no free energy, and the rea
 TEST_CASE("a molecule that cannot be coupled in stages is refused with the reason") {
   const Property& mu = property("chemical-potential");
   const auto why = [&](const char* model, std::size_t count) {
-    return why_not(mu, Topology{{{read_molecule(model), count}}}, true);
+    return why_not(mu, Topology{{{read_molecule(model), count}}},
+                   {.electrostatics = Electrostatics::pme});
   };
   CHECK(why("spce", 64).empty());
   CHECK(why("spce", 1).find("no other molecule") != std::string::npos);
   CHECK(why("na-spce", 2).find("charge of 1 e") != std::string::npos);
   Molecule table = read_molecule("argon");
   table.sites.front().law = TabulatedLaw{};
-  CHECK(why_not(mu, Topology{{{table, 64}}}, false).find("tabulated") != std::string::npos);
+  CHECK(why_not(mu, Topology{{{table, 64}}}, {}).find("tabulated") != std::string::npos);
   Molecule bare = read_molecule("argon");
   bare.sites.front().epsilon = 0;
-  CHECK(why_not(mu, Topology{{{bare, 64}}}, false).find("no short-range") != std::string::npos);
+  CHECK(why_not(mu, Topology{{{bare, 64}}}, {}).find("no short-range") != std::string::npos);
   CHECK(why_not(mu, StatePoint{300, std::nan(""), 600}).empty());
   CHECK(!why_not(property("vapour-pressure"), StatePoint{300, std::nan(""), 600}).empty());
 }

@@ -154,7 +154,7 @@ TEST_CASE("a slab without surfaces is an error") {
 TEST_CASE("a slab of charges needs electrostatics without a cutoff") {
   const Property& tension = property("surface-tension");
   const Topology water{{{read_molecule("spce"), 64}}}, argon{{{read_molecule("argon"), 64}}};
-  CHECK(why_not(tension, water, true).empty());
-  CHECK(why_not(tension, argon, false).empty());
-  CHECK(why_not(tension, water, false).find("pme") != std::string::npos);
+  CHECK(why_not(tension, water, {.electrostatics = Electrostatics::pme}).empty());
+  CHECK(why_not(tension, argon, {}).empty());
+  CHECK(why_not(tension, water, {}).find("pme") != std::string::npos);
 }
