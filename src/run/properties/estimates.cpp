@@ -275,6 +275,15 @@ bool MeasuredProperty::reached() const {
   return value.known == Known::yes && obstacle.empty() && value.error <= requested_error();
 }
 
+std::optional<std::array<double, 2>> MeasuredProperty::interval(double probability) const {
+  if (value.known != Known::yes) return std::nullopt;
+  const double half = interval_factor(value, probability) * value.error;
+  if (!request.property->of_variance || value.value <= 0)
+    return std::array{value.value - half, value.value + half};
+  const double factor = std::exp(half / value.value);
+  return std::array{value.value / factor, value.value * factor};
+}
+
 MeasuredProperty estimate(const RequestedProperty& request, const PointData& data) {
   MeasuredProperty m{.request = request, .value = {std::nan("")}};
   switch (request.property->measured_in) {

@@ -21,9 +21,8 @@ std::string value_cell(const MeasuredProperty& m) {
 }
 
 std::string interval_cell(const MeasuredProperty& m) {
-  if (m.value.known != Known::yes) return "";
-  const double half = interval_factor(m.value, 0.95) * m.value.error;
-  return fmt::format("{:.5g} to {:.5g}", m.value.value - half, m.value.value + half);
+  const auto interval = m.interval(0.95);
+  return interval ? fmt::format("{:.5g} to {:.5g}", interval->front(), interval->back()) : "";
 }
 
 std::string row_of(const MeasuredProperty& m) {

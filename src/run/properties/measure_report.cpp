@@ -44,11 +44,9 @@ std::string remarks(const MeasuredProperty& m) {
   return text;
 }
 
-/// The interval that contains the true value with a probability; null if the error is not known.
 Value interval(const MeasuredProperty& m, double probability) {
-  if (m.value.known != Known::yes) return {};
-  const double half = interval_factor(m.value, probability) * m.value.error;
-  return std::vector{m.value.value - half, m.value.value + half};
+  const auto found = m.interval(probability);
+  return found ? Value(std::vector{found->front(), found->back()}) : Value();
 }
 
 Quantities of_property(const MeasuredProperty& m) {

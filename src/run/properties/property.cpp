@@ -100,24 +100,24 @@ constexpr std::array all = {
     Property{"heat-capacity", "J/mol/K", In::averages,
              "heat capacity at constant pressure of classical rigid molecules, from the "
              "fluctuations of the enthalpy",
-             "allen2017", false, false, heat_capacity, At::constant_pressure},
+             "allen2017", false, false, heat_capacity, At::constant_pressure, true},
     Property{"expansivity", "1e-6/K", In::averages,
              "isobaric thermal expansivity, from the covariance of volume and enthalpy",
              "allen2017", false, false, expansivity, At::constant_pressure},
     Property{"compressibility", "1e-6/bar", In::averages,
              "isothermal compressibility, from the fluctuations of the volume", "allen2017", false,
-             false, compressibility, At::constant_pressure},
+             false, compressibility, At::constant_pressure, true},
     Property{"pressure", "bar", In::averages,
              "mean pressure at constant volume, with the dispersion correction", "allen2017", false,
              false, pressure, At::constant_volume},
     Property{"isochoric-heat-capacity", "J/mol/K", In::averages,
              "heat capacity at constant volume of classical rigid molecules, from the fluctuations "
              "of the potential energy",
-             "allen2017", false, false, isochoric_heat_capacity, At::constant_volume},
+             "allen2017", false, false, isochoric_heat_capacity, At::constant_volume, true},
     Property{"dielectric-constant", "", In::averages,
              "static dielectric constant, from the fluctuations of the total dipole with "
              "conducting surroundings",
-             "neumann1983", true, false, dielectric_constant},
+             "neumann1983", true, false, dielectric_constant, At::any, true},
     Property{"diffusion", "1e-9 m2/s", In::dynamics,
              "self-diffusion coefficient of an infinite system, from the slope of the mean-square "
              "displacement; the Yeh-Hummer correction uses the viscosity of the same runs; in a "

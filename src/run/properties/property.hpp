@@ -67,6 +67,7 @@ struct Property {
   /// Computes the value in `unit` from the means of averages; null for properties of other runs.
   double (*value)(std::span<const double> means, const PropertyConditions& conditions) = nullptr;
   DefinedAt at = DefinedAt::any;
+  bool of_variance = false;  ///< whether the value is proportional to a variance, or nearly so
 };
 
 /// All properties, in the order of results.

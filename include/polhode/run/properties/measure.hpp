@@ -2,6 +2,7 @@
 // Measures properties of a model at state points, each to a requested error.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -91,6 +92,10 @@ struct MeasuredProperty {
   /// The requested standard error in the unit of the property.
   double requested_error() const;
   bool reached() const;
+  /// The interval that contains the true value with a probability; empty if the error is not known.
+  /// The error of a variance is proportional to the variance, so its interval is symmetric in the
+  /// logarithm. All other intervals are symmetric.
+  std::optional<std::array<double, 2>> interval(double probability) const;
 };
 
 /// A function measured in the dynamics or the slab, for figures.
