@@ -21,7 +21,8 @@ std::optional<BlockMeans::Block> spectrum_of(Chain& chain, double whole_step, st
                                              std::uint64_t stream) {
   const System& system = chain.system();
   TrajectorySettings t = segment_of_dynamics(chain, whole_step, parts, stream);
-  // A product of two librations of water has a period of ten femtoseconds, as long as a sample.
+  // The flux contains products of two motions. A step is about a tenth of the shortest period, so
+  // these products have no spectrum at the sampling frequency, which would be added to that at 0.
   constexpr std::size_t every = 2;
   t.sample = every * whole_step;
   HeatFlux flux(system.topology, chain.force_settings(), system.state.box);
