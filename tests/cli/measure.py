@@ -284,7 +284,7 @@ epsilon = "1 kJ/mol"
         found, = point["properties"]
         self.assertEqual((found["name"], found["unit"], found["reached"]), ("thermal-conductivity", "W/m/K", True))
         self.assertGreater(point["dynamics_length_ps"], 0)
-        # A box of 108 atoms has 0.089 +- 0.005 W/m/K; smaller systems differ by less than the error asked for here.
+        # 256 atoms have 0.0882 +- 0.0008 W/m/K when heat flows through them, and 32 atoms a tenth more.
         self.assertAlmostEqual(found["value"]["value"], 0.089, delta=4 * found["value"]["error"] + 0.01)
         self.assertLess(found["value"]["error"], 0.03)
         self.assertIn("spectrum of the heat flux", (self.folder / "out.html").read_text(encoding="utf-8"))
