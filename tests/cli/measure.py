@@ -284,6 +284,7 @@ epsilon = "1 kJ/mol"
         found, = point["properties"]
         self.assertEqual((found["name"], found["unit"], found["reached"]), ("thermal-conductivity", "W/m/K", True))
         self.assertGreater(point["dynamics_length_ps"], 0)
+        self.assertIn("fewer than 100 molecules", self.polhode("merge", *arguments).out)
         # 256 atoms have 0.0882 +- 0.0008 W/m/K when heat flows through them, and 32 atoms a tenth more.
         self.assertAlmostEqual(found["value"]["value"], 0.089, delta=4 * found["value"]["error"] + 0.01)
         self.assertLess(found["value"]["error"], 0.03)

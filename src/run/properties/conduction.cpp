@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/properties/conduction.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "measure/convergence.hpp"
@@ -54,16 +56,20 @@ double conductivity_per_spectrum(double temperature) {
 }
 
 void thermal_conductivity(MeasuredProperty& m, const Contributions& contributions,
-                          double temperature) {
+                          const PointData& data) {
   const PartOfSums all = [](auto sums) { return sums; };
   const std::vector<BlockMeans> runs = dynamics_of(contributions, all);
   if (runs.front().empty()) return;
   double segments = 0;
   for (const BlockMeans& run : runs) segments += static_cast<double>(run.blocks().size());
   const ZeroFrequency spectrum(overall(runs), axes * segments, pressure_bins());
-  const double per_spectrum = conductivity_per_spectrum(temperature);
+  const double per_spectrum = conductivity_per_spectrum(data.at.temperature);
   const auto value = [&](Means means) { return per_spectrum * spectrum.value(means); };
   m.value = pooled_estimate(runs, value);
+  constexpr std::size_t min_molecules = 100;
+  if (data.topology.size() < min_molecules)
+    m.remark = fmt::format("with fewer than {} molecules, the value depends on their number",
+                           min_molecules);
   m.step_bound = step_bound(step_difference(pairs_of(contributions, all), value));
   if (m.value.known != Known::yes || spectrum.is_resolved()) return;
   m.longer_helps = false;

@@ -13,6 +13,6 @@ double conductivity_per_spectrum(double temperature);
 /// Estimates the thermal conductivity: the spectrum of the heat flux J at zero frequency is twice
 /// the integral of its autocorrelation function, so λ = V S(0)/(2 k T²) [evans1989].
 void thermal_conductivity(MeasuredProperty& m, const Contributions& contributions,
-                          double temperature);
+                          const PointData& data);
 
 }  // namespace polhode

@@ -244,7 +244,7 @@ void estimate_coupled(MeasuredProperty& m, const PointData& data) {
 
 void estimate_conduction(MeasuredProperty& m, const PointData& data) {
   const Contributions contributions(data, MeasuredIn::conduction);
-  thermal_conductivity(m, contributions, data.at.temperature);
+  thermal_conductivity(m, contributions, data);
   note_contributions(m, contributions);
 }
 
