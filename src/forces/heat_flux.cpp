@@ -35,6 +35,7 @@ double range_of(const Topology& topology, const ForceSettings& settings) {
 }  // namespace
 
 struct HeatFlux::Parts {
+  Box box;
   Bodies bodies;
   InteractionSites sites;
   PairTables tables;
@@ -60,7 +61,7 @@ HeatFlux::HeatFlux(const Topology& topology, const ForceSettings& settings, cons
                    double share) {
   const ForceSettings& s = checked(topology, settings);
   const Molecule& molecule = topology.parts.front().molecule;
-  parts_ = std::make_unique<Parts>(Parts{Bodies(topology), InteractionSites(molecule),
+  parts_ = std::make_unique<Parts>(Parts{box, Bodies(topology), InteractionSites(molecule),
                                          PairTables(topology, s.mixing), PairLaws<double>(s),
                                          cutoff_treatment(s), range_of(topology, s), share,
                                          std::nullopt, Motion()});
@@ -74,6 +75,8 @@ HeatFlux::~HeatFlux() = default;
 
 Vec3<double> HeatFlux::operator()(const State& state) {
   Parts& p = *parts_;
+  if (state.box != p.box)
+    throw Error("the heat flux was set up for another box; make a HeatFlux for each box");
   p.set_motion(state);
   Vec3<double> flux = POLHODE_CURRENT_LOOPS(pair_heat_flux)(
       {p.tables(0, 0), p.laws, p.treatment, p.motion, state.box.edge, p.range, p.share});

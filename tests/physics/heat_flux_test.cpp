@@ -206,6 +206,8 @@ TEST_CASE("heat flux: what it is not defined for is an error") {
   settings.slab_dispersion = true;
   check_error([&] { HeatFlux(water, settings, scene.state.box); },
               {"slab_dispersion", "dispersion_correction"});
+  HeatFlux flux(water, {}, Box{Vec3<double>{3, 3, 3}});
+  check_error([&] { flux(State(10, Box{Vec3<double>{4, 4, 4}})); }, {"another box"});
 }
 
 // The thermal conductivity does not depend on which molecule of a pair has its energy: the heat

@@ -32,8 +32,8 @@ class HeatFlux {
   HeatFlux(HeatFlux&&) noexcept;
   ~HeatFlux();
 
-  /// The heat flux times the volume [kJ/mol nm/ps]. The box of the state must be the box
-  /// given to the constructor.
+  /// The heat flux times the volume [kJ/mol nm/ps].
+  /// @throws Error  if the box of the state is not the box given to the constructor
   Vec3<double> operator()(const State& state);
 
  private:
