@@ -170,10 +170,12 @@ void check_box(const LAMMPS& lammps, const Fix* own) {
     throw Error(
         "a shrink-wrapped boundary changes the box and would deform rigid molecules; replace the "
         "boundaries s and m");
-  if ((own->box_change & Fix::BOX_CHANGE_SIZE) != 0 && lammps.domain->nonperiodic != 0)
-    throw Error(
-        "the keyword pressure scales the whole box, so all boundaries must be periodic; set "
-        "'boundary p p p'");
+  constexpr int changes[] = {Fix::BOX_CHANGE_X, Fix::BOX_CHANGE_Y, Fix::BOX_CHANGE_Z};
+  for (std::size_t k = 0; k < 3; ++k)
+    if ((own->box_change & changes[k]) != 0 && lammps.domain->periodicity[k] == 0)
+      throw Error(std::string("the keyword pressure scales the edge ") + "xyz"[k] +
+                  ", so its boundaries must be periodic; set 'boundary p p p', or give the keyword "
+                  "edges the periodic directions alone");
 }
 
 void check_system(LAMMPS* lammps, const Fix* own, const CheckedScheme& scheme) {

@@ -71,6 +71,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   double compute_scalar() override;
   double compute_vector(int n) override;
   double memory_usage() override;
+  int modify_param(int count, char** arguments) override;
 
   struct Motion {
     Vec3<double> velocity{}, angular_velocity{};
@@ -181,7 +182,9 @@ class FixPolhode : public LAMMPS_NS::Fix {
   bool box_move_is_due() const;
   void measure_pressure();
   void move_box();
-  void scale_box(double factor);
+  const CoupledEdges& edges_of_move() const;
+  bool scales(std::size_t edge) const;
+  void scale_box(const CoupledEdges& edges, double factor);
   void begin_displacement(double xi);
   void end_displacement();
   void place_atoms();
@@ -202,7 +205,9 @@ class FixPolhode : public LAMMPS_NS::Fix {
   double heat_ = 0;                         // heat from the bath, for all processes [energy]
   double degrees_of_freedom_ = 0;           // of the bodies of this process
   LAMMPS_NS::Compute* pressure_ = nullptr;  // of LAMMPS, if there is a barostat
-  double measured_pressure_ = 0;            // at the end of the last step before a move of the box
+  // Pressure along the edges of the next move, at the end of the step before it.
+  double measured_pressure_ = 0;
+  Vec3<double> first_edges_{};  // edges of the box at the first move; 0 before it
   bool recognised_ = false;
   bool has_all_atoms_ = false;  // whether all atoms are in bodies, so that the bath conserves their
                                 // momentum

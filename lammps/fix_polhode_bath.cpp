@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // This part of fix polhode applies the bath, which holds the temperature of the bodies.
 #include <array>
+#include <string_view>
 
 #include "ensemble/velocity_rescaling.hpp"
+#include "error.h"
 #include "fix_polhode.hpp"
 #include "force.h"
 #include "polhode/ensemble/langevin.hpp"
@@ -20,6 +22,18 @@ double FixPolhode::bath_kT() const {
     T += (*bath.last - T) * static_cast<double>(update->ntimestep - update->beginstep) /
          static_cast<double>(update->endstep - update->beginstep);
   return force->boltz * T / force->mvv2e;
+}
+
+/// LAMMPS lets users give a thermostat or a barostat another compute for its measurements.
+int FixPolhode::modify_param(int, char** arguments) {
+  const std::string_view name = arguments[0];
+  if (name == "temp" || name == "press")
+    error->all(
+        FLERR,
+        "fix polhode measures the temperature and the pressure of its bodies itself, for all "
+        "of its bodies, so 'fix_modify {} {}' has no effect; remove it",
+        id, name);
+  return 0;
 }
 
 void FixPolhode::bath(double t, StageNumber at) {

@@ -3,8 +3,10 @@
 //
 // LAMMPS measures the pressure at the end of a step. The box is moved after the first kick of the
 // next step, so that every kick has the forces of the box in which it acts.
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "atom.h"
 #include "comm.h"
@@ -16,7 +18,9 @@
 #include "force.h"
 #include "kspace.h"
 #include "lammps_vectors.hpp"
+#include "model/coupled_edges.hpp"
 #include "modify.h"
+#include "polhode/ensemble/barostat.hpp"
 #include "polhode/ensemble/random_streams.hpp"
 #include "polhode/math/random.hpp"
 #include "update.h"
@@ -25,7 +29,9 @@ namespace polhode::lammps {
 
 /// Creates the compute of the pressure, with a temperature of its own, as barostats of LAMMPS do.
 void FixPolhode::create_pressure() {
-  box_change |= BOX_CHANGE_SIZE;
+  constexpr int changes[] = {BOX_CHANGE_X, BOX_CHANGE_Y, BOX_CHANGE_Z};
+  for (std::size_t k = 0; k < 3; ++k)
+    if (scales(k)) box_change |= changes[k];
   const std::string temperature = std::string(id) + "_temp";
   modify->add_compute(temperature + " all temp");
   pressure_ = modify->add_compute(std::string(id) + "_press all pressure " + temperature);
@@ -33,6 +39,18 @@ void FixPolhode::create_pressure() {
 
 void FixPolhode::delete_pressure() {
   for (const char* const end : {"_press", "_temp"}) modify->delete_compute(std::string(id) + end);
+}
+
+/// The group of edges that the next move scales.
+const CoupledEdges& FixPolhode::edges_of_move() const {
+  const BarostatArguments& b = *settings_.barostat;
+  return b.edges[cycles_ / b.every % b.edges.size()];
+}
+
+/// Whether the barostat scales an edge.
+bool FixPolhode::scales(std::size_t edge) const {
+  const auto& groups = settings_.barostat->edges;
+  return std::ranges::any_of(groups, [&](const CoupledEdges& group) { return group[edge]; });
 }
 
 /// Whether the next stage begins a step that moves the box.
@@ -54,7 +72,8 @@ void FixPolhode::request_pressure() {
 }
 
 void FixPolhode::measure_pressure() {
-  measured_pressure_ = pressure_->compute_scalar();
+  pressure_->compute_vector();
+  measured_pressure_ = mean_along(edges_of_move(), vector(pressure_->vector));
   pressure_->addstep(update->ntimestep +
                      static_cast<LAMMPS_NS::bigint>(settings_.barostat->every * program_.size()));
 }
@@ -78,30 +97,43 @@ void FixPolhode::move_box() {
                "factor {:.3g} in one move; equilibrate at constant volume, or give pressure a "
                "larger time constant or a smaller compressibility",
                measured_pressure_, moved * moved / V);
-  double factor = std::cbrt(moved * moved / V);
+  const CoupledEdges& edges = edges_of_move();
+  double factor = factor_of(edges, moved * moved / V);
   MPI_Bcast(&factor, 1, MPI_DOUBLE, 0, world);  // the same to the last bit
-  scale_box(factor);
+  const Vec3<double> now{domain->xprd, domain->yprd, domain->zprd};
+  if (first_edges_ == Vec3<double>{}) first_edges_ = now;
+  if (keeps_shape(b.edges, edges, factor, now, first_edges_, max_shape_change))
+    scale_box(edges, factor);
 }
 
-/// Scales the box about its centre, with the centres of mass and the atoms that are in no body, and
-/// momenta by the inverse factor. Atoms of bodies follow when they are placed.
-void FixPolhode::scale_box(double factor) {
+/// Scales edges of the box about its centre, with the centres of mass and the atoms that are in no
+/// body, and momenta by the inverse factor. Atoms of bodies follow when they are placed.
+void FixPolhode::scale_box(const CoupledEdges& edges, double factor) {
   const Vec3<double> low = vector(domain->boxlo), high = vector(domain->boxhi);
   const Vec3<double> centre = 0.5 * (low + high);
-  const auto scaled = [&](const Vec3<double>& x) { return centre + factor * (x - centre); };
+  Vec3<double> factors, inverse;
+  for (std::size_t k = 0; k < 3; ++k) {
+    factors[k] = edges[k] ? factor : 1;
+    inverse[k] = 1 / factors[k];
+  }
+  const auto scaled = [&](const Vec3<double>& x) {
+    return centre + componentwise(factors, x - centre);
+  };
   State& state = columns_->state;
   for (std::size_t i = 0; i < columns_->size(); ++i) {
     state.q.set(i, scaled(state.q[i]));
-    state.p.set(i, (1 / factor) * state.p[i]);
+    state.p.set(i, componentwise(inverse, state.p[i]));
   }
   for (int i = 0; i < atom->nlocal; ++i) {
     if (info(i).kind >= 0) continue;
     set(atom->x[i], scaled(vector(atom->x[i])));
-    set(atom->v[i], (1 / factor) * vector(atom->v[i]));
+    set(atom->v[i], componentwise(inverse, vector(atom->v[i])));
   }
   set(domain->boxlo, scaled(low));
   set(domain->boxhi, scaled(high));
-  for (double* const tilt : {&domain->xy, &domain->xz, &domain->yz}) *tilt *= factor;
+  domain->xy *= factors.x;
+  domain->xz *= factors.x;
+  domain->yz *= factors.y;
   domain->set_global_box();
   domain->set_local_box();
   for (GhostBody& ghost : ghosts_) ghost.shift = edges_of_box(ghost.image);

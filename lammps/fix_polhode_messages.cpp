@@ -220,9 +220,23 @@ int FixPolhode::size_restart(int i) {
 
 int FixPolhode::maxsize_restart() { return 1 + static_cast<int>(stored_size); }
 
+namespace {
+
+/// The first number of a restart file. In files of earlier versions, which have no edges of the
+/// first move, the first number is the number of force evaluations.
+constexpr double with_first_edges = -1;
+
+}  // namespace
+
 void FixPolhode::write_restart(FILE* file) {
-  std::vector<double> numbers = {static_cast<double>(program_.size()), static_cast<double>(phase_),
-                                 static_cast<double>(cycles_), heat_,
+  std::vector<double> numbers = {with_first_edges,
+                                 static_cast<double>(program_.size()),
+                                 static_cast<double>(phase_),
+                                 static_cast<double>(cycles_),
+                                 heat_,
+                                 first_edges_.x,
+                                 first_edges_.y,
+                                 first_edges_.z,
                                  static_cast<double>(kinds_.size())};
   for (const Kind& kind : kinds_) append(numbers, kind);
   if (comm->me != 0) return;
@@ -233,10 +247,16 @@ void FixPolhode::write_restart(FILE* file) {
 
 void FixPolhode::restart(char* buffer) {
   const auto* from = reinterpret_cast<const double*>(buffer);
+  const bool has_edges = *from == with_first_edges;
+  if (has_edges) ++from;
   const double evaluations = *from++;
   phase_ = static_cast<std::size_t>(*from++);
   cycles_ = static_cast<std::uint64_t>(*from++);
   heat_ = *from++;
+  if (has_edges) {
+    first_edges_ = vector(from);
+    from += 3;
+  }
   kinds_.clear();
   for (auto count = static_cast<std::size_t>(*from++); count-- > 0;)
     kinds_.push_back(read_kind(from));

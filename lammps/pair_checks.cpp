@@ -42,6 +42,9 @@ constexpr std::array charge_changers = {"electrode"sv, "qeq"sv};  // of the atom
 // Styles that replace the forces on atoms, which are zero.
 constexpr std::array force_changers = {"aveforce"sv, "freeze"sv, "lineforce"sv, "planeforce"sv,
                                        "setforce"sv};
+// Parts of the names of all pair styles that read charges of atoms.
+constexpr std::array words_of_charges = {"amoeba", "comb",  "coul",  "dipole", "hippo",
+                                         "reax",   "smtbq", "thole", "tip4p"};
 // Styles that change positions or charges of atoms for a moment and compute forces again.
 constexpr std::array perturbing = {"born/matrix"sv, "fep"sv, "numdiff"sv};
 
@@ -117,18 +120,24 @@ void PairPolhode::check_pairs_of_types() const {
                    "pair_style polhode computes all pairs of rigid molecules, but the hybrid style "
                    "leaves out atom types {} and {}; add 'pair_coeff {} {} polhode EPSILON SIGMA'",
                    i, j, i, j);
-  std::set<const Pair*> with_charges;  // LAMMPS gives a single style for every number
-  for (int k = 1; with_charges.insert(force->pair_match("coul", 0, k)).second;) ++k;
-  with_charges.erase(nullptr);
-  for (const Pair* const other : with_charges)
+  for (const char* const word : words_of_charges) check_charges_once(types, word);
+}
+
+/// Checks that no other style of a hybrid style computes charges of rigid molecules.
+/// @param word  part of the names of such styles
+void PairPolhode::check_charges_once(const std::set<int>& types, const char* word) const {
+  std::set<const Pair*> others;  // LAMMPS gives a single style for every number
+  for (int k = 1; others.insert(force->pair_match(word, 0, k)).second;) ++k;
+  others.erase(nullptr);
+  for (const Pair* const other : others)
     for (const int i : types)
       for (const int j : types)
         if (other->setflag[i][j] != 0)
           error->all(FLERR,
                      "the hybrid style has the charges of atom types {} and {} of rigid molecules "
-                     "twice, in pair_style polhode and in a style with 'coul'; give that style "
+                     "twice, in pair_style polhode and in a style with '{}'; give that style "
                      "only pairs with other atoms",
-                     i, j);
+                     i, j, word);
 }
 
 void PairPolhode::check_inputs() const {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "interactions.hpp"
@@ -38,6 +39,7 @@ class PairPolhode : public LAMMPS_NS::Pair {
   void check_inputs() const;
   void check_hybrid_style() const;
   void check_pairs_of_types() const;
+  void check_charges_once(const std::set<int>& types, const char* word) const;
   void check_other_commands() const;
   void check_not_perturbing(const char* command, const char* id, const char* name) const;
   void find_range();

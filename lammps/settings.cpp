@@ -13,6 +13,7 @@
 #include "atom.h"
 #include "error.h"
 #include "lammps.h"
+#include "model/coupled_edges.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/with_bath.hpp"
@@ -51,6 +52,7 @@ class Reader {
   void massless();
   void bath(BathType type);
   void barostat();
+  void edges();
   std::uint64_t whole_number(const std::string& meaning, double min);
   void check_together();
   void particle();
@@ -63,6 +65,7 @@ class Reader {
   std::string scheme_ = "velocity-verlet";
   std::optional<double> last_temperature_;
   std::optional<std::uint64_t> every_;
+  std::optional<std::vector<CoupledEdges>> edges_;
   FixSettings settings_ = default_settings();
 };
 
@@ -91,6 +94,24 @@ void Reader::barostat() {
   barostat.time_constant = arguments_.positive("the time constant of pressure");
   barostat.compressibility = arguments_.positive("the compressibility of pressure");
   settings_.barostat = barostat;
+}
+
+/// Reads groups of edges: "xy,z" scales x and y together, and z separately.
+void Reader::edges() {
+  const std::string text(arguments_.word("the groups of edges"));
+  std::vector<CoupledEdges> groups;
+  std::istringstream parts(text + ',');
+  for (std::string part; std::getline(parts, part, ',');) {
+    const auto group = coupled_edges(part);
+    if (!group)
+      throw Error("keyword edges has the group '" + part + "' in '" + text +
+                  "'; a group must be one or more of x, y and z: write for example xyz, or xy,z");
+    groups.push_back(*group);
+  }
+  if (overlap(groups))
+    throw Error("keyword edges has an edge in two groups of '" + text +
+                "'; each edge may be in at most one group");
+  edges_ = std::move(groups);
 }
 
 std::uint64_t Reader::whole_number(const std::string& meaning, double min) {
@@ -162,7 +183,10 @@ void Reader::check_together() {
         "rescale");
   if (every_ && !settings_.barostat)
     throw Error("keyword every is the interval of the moves of the box; add the keyword pressure");
+  if (edges_ && !settings_.barostat)
+    throw Error("keyword edges names the edges that a barostat scales; add the keyword pressure");
   if (every_) settings_.barostat->every = *every_;
+  if (edges_) settings_.barostat->edges = *edges_;
 }
 
 FixSettings Reader::settings() {
@@ -176,6 +200,7 @@ FixSettings Reader::settings() {
        {"rescale", [&] { bath(BathType::rescale); }},
        {"ramp", [&] { last_temperature_ = temperature("the last temperature of ramp"); }},
        {"pressure", [&] { barostat(); }},
+       {"edges", [&] { edges(); }},
        {"every", [&] { every_ = whole_number("the number of steps of every", 1); }}});
   check_together();
   const Scheme scheme = scheme_of(scheme_);

@@ -9,6 +9,7 @@
 
 #include "kinds.hpp"
 #include "polhode/integrate/scheme.hpp"
+#include "polhode/model/ensemble_settings.hpp"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -35,6 +36,8 @@ struct BarostatArguments {
   double time_constant = 0;
   double compressibility = 0;  ///< estimated isothermal compressibility
   std::uint64_t every = 10;    ///< steps of the scheme between two moves of the box
+  std::vector<CoupledEdges> edges = {
+      {true, true, true}};  ///< groups of coupled edges; each move scales one group, in turn
 };
 
 /// The arguments for particles of a type. Each particle is a molecule with the sites of a molecule

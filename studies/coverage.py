@@ -13,10 +13,10 @@ SYSTEMS = {  # model, state point, and errors requested of a call
     "argon": ("argon", "160 K, 500 bar", {"density": "0.6 %", "potential-energy": "1 %", "compressibility": "12 %", "heat-capacity": "8 %"}),
     "argon-dynamics": ("argon", "160 K, 500 bar", {"diffusion": "5 %", "viscosity": "15 %"}),
     "argon-coupling": ("argon", "160 K, 500 bar", {"chemical-potential": "0.2 kJ/mol"}),
-    "water": ("spce", "300 K, 1 bar", {"density": "0.4 %", "potential-energy": "0.3 %", "compressibility": "25 %", "heat-capacity": "15 %"}),
+    "water": ("spce", "300 K, 1 bar", {"density": "0.33 %", "potential-energy": "0.25 %", "compressibility": "20 %", "heat-capacity": "12 %"}),
 }
 KEPT = ("value", "interval_68", "interval_95", "reached")
-FIRST = 4 * 24 * 1250  # steps of averages of all replicas before the first decision, less where equilibration is discarded
+SEGMENTS = 36  # segments of averages of a replica before the first decision
 
 
 def values(o, words, seed, folder):
@@ -34,7 +34,7 @@ def measured(o):
     words = [word for pair in SYSTEMS[o.system][2].items() for word in pair]
     with runs.scratch(o) as folder:
         calls = runs.parallel(o, lambda seed: runs.kept(folder, f"call{seed}", lambda: values(o, words, seed, folder)), range(o.first, o.first + o.calls))
-    return {"system": o.system, "calls": calls}
+    return {"system": o.system, "segments": SEGMENTS, "calls": calls}
 
 
 def covered(calls, share):
@@ -53,8 +53,8 @@ def report(result):
         others = [(total - p["value"]["value"]) / max(1, len(known) - 1) for p in known]
         calls = list(zip(known, others))
         shares = [covered(calls, share) for share in (68, 95)]
-        if all("steps" in p for p in known):  # calls that stopped at the first decision have 24 segments in each replica
-            first = [call for call in calls if call[0]["steps"] <= FIRST]
+        if all("steps" in p for p in known):  # the first decision: fewer steps only where equilibration is discarded
+            first = [call for call in calls if call[0]["steps"] <= 4 * 1250 * result.get("segments", 24)]
             shares += [f"{len(first)}", *(covered(first, share) for share in (68, 95))]
         centre, error = mean([p["value"]["value"] for p in known])
         stated = rms([p["value"]["error"] for p in known])

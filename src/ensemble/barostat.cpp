@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/ensemble/barostat.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "ensemble/cell_rescaling.hpp"
+#include "model/coupled_edges.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/ensemble/random_streams.hpp"
 #include "polhode/math/random.hpp"
@@ -15,23 +14,11 @@
 namespace polhode {
 namespace {
 
-std::size_t count(const CoupledEdges& edges) {
-  return static_cast<std::size_t>(std::count(edges.begin(), edges.end(), true));
-}
-
 /// The pressure along the edges of a group of coupled edges [kJ/mol/nm³].
 double pressure_along(const CoupledEdges& edges, const State& state, const Bodies& bodies,
                       const Load& load) {
   const Mat3<double> tensor = pressure_tensor(state, bodies, load);
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (edges[k]) sum += tensor[k][k];
-  return sum / static_cast<double>(count(edges));
-}
-
-/// The factor that scales the edges of a group so that the volume changes by `volume_ratio`.
-double factor_of(const CoupledEdges& edges, double volume_ratio) {
-  return std::pow(volume_ratio, 1 / static_cast<double>(count(edges)));
+  return mean_along(edges, {tensor[0][0], tensor[1][1], tensor[2][2]});
 }
 
 void scale(Component& column, double factor) {
@@ -113,18 +100,11 @@ bool Barostat::try_move(const VolumeMoves&, State& state, Load& load, const Eval
   return decide(state, load, violation, work, random.uniform(), false);
 }
 
-/// Whether a move keeps the ratio of edges in different groups within max_shape_change.
+/// Whether a move keeps the shape of the box within bounds.
 bool Barostat::keeps_shape(const State& state, const CoupledEdges& edges, double factor) {
-  if (settings_.edges.size() == 1) return true;
-  double least = std::numeric_limits<double>::infinity(), most = 0;
-  for (const CoupledEdges& group : settings_.edges)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (group[k]) {
-        const double change = state.box.edge[k] * (edges[k] ? factor : 1) / memory_.edges[k];
-        least = std::min(least, change);
-        most = std::max(most, change);
-      }
-  if (most <= max_shape_change * least) return true;
+  if (polhode::keeps_shape(settings_.edges, edges, factor, state.box.edge, memory_.edges,
+                           max_shape_change))
+    return true;
   ++memory_.beyond_shape;
   return false;
 }

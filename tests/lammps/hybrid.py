@@ -93,13 +93,21 @@ class Hybrid(RunTest):
         two = self.lammps(tables + run)[0]["PotEng"][0]
         self.assertLess(abs(one - two), 0.04)
 
+    @staticmethod
+    def with_tip4p(script):
+        """With a style that has charges, but not 'coul' in its name."""
+        script = script.replace(" table spline", " tip4p/cut 1 2 1 1 0.1 5.8 table spline", 1)
+        script = script.replace("read_data", "angle_style zero\nread_data").replace("nocoeff", "nocoeff extra/angle/types 1\nangle_coeff *")
+        return script.replace("group argon", "pair_coeff * * tip4p/cut\ngroup argon", 1)
+
     def test_what_is_refused(self):
         script = self.script()
         for words, text in ((["hybrid/scaled does not scale"], self.script("hybrid/scaled 1.0").replace(" table spline", " 1.0 table spline")),
                             (["leaves out atom types 2 and 2"], re.sub(r"^pair_coeff 2 2 polhode .*$", "pair_coeff 2 2 none", script, flags=re.M)),
                             (["some atoms are in no body", "hybrid/overlay"], self.bodies + self.integrated()),
                             (["charges of atom types", "twice"], script.replace(" table spline", " coul/cut 5.8 table spline", 1)
-                             .replace("group argon", "pair_coeff * * coul/cut\ngroup argon", 1))):
+                             .replace("group argon", "pair_coeff * * coul/cut\ngroup argon", 1)),
+                            (["charges of atom types", "a style with 'tip4p'"], self.with_tip4p(script))):
             with self.subTest(words=words):
                 self.refused(text, words)
 

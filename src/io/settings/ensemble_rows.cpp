@@ -4,6 +4,7 @@
 
 #include "io/settings/ensemble_names.hpp"
 #include "io/settings/ensemble_text.hpp"
+#include "model/coupled_edges.hpp"
 #include "setting_rows.hpp"
 
 namespace polhode {
@@ -62,36 +63,21 @@ void read_friction(TomlTable& table, const SettingRow& row, Config& config) {
   langevin.rotational_friction = langevin.friction;
 }
 
-/// Parses coupled edges: "xy" means the edges x and y.
-CoupledEdges edges_of(const std::string& text, const TomlTable& table) {
-  CoupledEdges edges{};
-  for (const char c : text) {
-    const bool known = c >= 'x' && c <= 'z' && !edges[static_cast<std::size_t>(c - 'x')];
-    table.require(known, "edges",
-                  fmt::format("has the group \"{}\"; a group must be one or more of x, y and z: "
-                              "write for example [\"xyz\"], or [\"xy\", \"z\"]",
-                              text));
-    edges[static_cast<std::size_t>(c - 'x')] = true;
-  }
-  table.require(!text.empty(), "edges", "has an empty group; write for example [\"xyz\"]");
-  return edges;
-}
-
 void read_edges(TomlTable& table, const SettingRow& row, Config& config) {
   const auto texts = table.texts(row.key);
   if (!texts) return;
   auto& groups = config.ensemble.barostat->edges;
   groups.clear();
-  CoupledEdges used{};
   for (const std::string& text : *texts) {
-    const CoupledEdges edges = edges_of(text, table);
-    for (std::size_t k = 0; k < 3; ++k) {
-      table.require(!(used[k] && edges[k]), row.key,
-                    "has an edge in two groups; each edge may be in at most one group");
-      used[k] = used[k] || edges[k];
-    }
-    groups.push_back(edges);
+    const auto edges = coupled_edges(text);
+    table.require(edges.has_value(), row.key,
+                  fmt::format("has the group \"{}\"; a group must be one or more of x, y and z: "
+                              "write for example [\"xyz\"], or [\"xy\", \"z\"]",
+                              text));
+    groups.push_back(*edges);
   }
+  table.require(!overlap(groups), row.key,
+                "has an edge in two groups; each edge may be in at most one group");
   table.require(!groups.empty(), row.key, "must name at least one group, for example \"xyz\"");
 }
 

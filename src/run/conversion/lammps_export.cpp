@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "io/files/write_file.hpp"
+#include "io/settings/ensemble_text.hpp"
 #include "io/settings/quantity.hpp"
 #include "io/settings/scheme_labels.hpp"
 #include "io/topology/lammps_export.hpp"
@@ -38,11 +39,10 @@ void check(const Config& config) {
         "lj/long/coul/long with kspace_style pppm/disp in LAMMPS");
   const auto& thermostat = config.ensemble.thermostat;
   const auto& barostat = config.ensemble.barostat;
-  if (barostat && !(std::holds_alternative<CellRescaling>(barostat->type) &&
-                    barostat->edges.size() == 1 && thermostat))
+  if (barostat && !(std::holds_alternative<CellRescaling>(barostat->type) && thermostat))
     refuse(
-        "the barostat of fix polhode is cell rescaling of all edges together, with a thermostat; "
-        "choose these, or remove [barostat]");
+        "the barostat of fix polhode is cell rescaling with a thermostat; choose these, or remove "
+        "[barostat]");
   const auto* const langevin = thermostat ? std::get_if<Langevin>(&*thermostat) : nullptr;
   if (thermostat && !std::holds_alternative<Rescaling>(*thermostat) &&
       !(langevin && langevin->friction == langevin->rotational_friction))
@@ -232,6 +232,11 @@ class Script {
     fmt::print(out_, " pressure {:.17g} {:.17g} {:.17g} every {:.0f}", b.pressure / atm,
                std::get<CellRescaling>(b.type).time_constant / fs, b.compressibility * atm,
                std::max(1.0, std::round(b.every / config_.integrator.step)));
+    if (b.edges != BarostatSettings{}.edges) {
+      std::string groups = edges_text(b.edges);
+      std::ranges::replace(groups, ' ', ',');
+      fmt::print(out_, " edges {}", groups);
+    }
   }
 
   // LAMMPS does not count the rotational energy of particles.
