@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Time per step of water in LAMMPS on one process, compared with polhode. The inputs are pair_style polhode with fix
-polhode, with atoms or with one particle per molecule, and fix polhode and fix rigid/nve/small with lj/cut/coul/cut. All
-runs have a reaction field or a plain cutoff of 1 nm, at 2 fs.
+polhode, with atoms or with one particle per molecule, and fix polhode and fix rigid/nve/small with pair styles of LAMMPS.
+The fastest of these is lj/cut for the pairs of oxygen alone, with a style for all charges, from the package OPENMP. All
+runs have a cutoff of 1 nm and a step of 2 fs, with a reaction field or a plain cutoff of charges, or with PPPM.
 
     bench/lammps/cost.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so
 
@@ -14,6 +15,7 @@ import argparse
 import datetime
 import sys
 import tempfile
+from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -30,8 +32,8 @@ bond_style zero
 special_bonds lj/coul 0 0 0
 read_data water.data nocoeff
 bond_coeff *
-pair_coeff 1 1 0.155 3.1536
-pair_coeff 2*3 2*3 0 0
+{coefficients}
+{mesh}
 replicate {copies} {copies} {copies}
 fix rigid all {fix}
 timestep 2
@@ -55,15 +57,43 @@ thermo 100
 run {steps}
 """
 
+ALL_PAIRS = "pair_coeff 1 1 0.155 3.1536\npair_coeff 2*3 2*3 0 0"
+OXYGEN_ALONE = "pair_coeff * * coul/{0}\npair_coeff 1 1 lj/cut 0.155 3.1536"
+OMP = ("-sf", "omp", "-pk", "omp", "1")  # styles of the package OPENMP, with one thread
+FIX, OTHER = "polhode massless 3", "rigid/nve/small molecule"
+PARTICLE = f"{FIX} particle 4 particles-1.molecule"
+
+
+@dataclass
+class Input:
+    """Pair style and fix of an input of LAMMPS."""
+    style: str
+    fix: str = FIX
+    coefficients: str = ALL_PAIRS
+    options: tuple = ()  # of the command line
+    mesh: bool = False
+
+    def script(self, plugin, copies, steps):
+        text = PARTICLES if self.fix == PARTICLE else SCRIPT
+        mesh = "kspace_style pppm 1e-5\npair_modify table 0" if self.mesh else ""
+        return text.format(plugin=plugin, copies=copies, steps=steps, **vars(self) | {"mesh": mesh})
+
+
 STYLES = {
-    "pair_style polhode, double": ("polhode 10 electrostatics reaction-field", "polhode massless 3"),
-    "pair_style polhode, mixed": ("polhode 10 electrostatics reaction-field precision mixed", "polhode massless 3"),
-    "one particle a molecule, double": ("polhode 10 electrostatics reaction-field",
-                                        "polhode massless 3 particle 4 particles-1.molecule"),
-    "one particle a molecule, mixed": ("polhode 10 electrostatics reaction-field precision mixed",
-                                       "polhode massless 3 particle 4 particles-1.molecule"),
-    "fix polhode, lj/cut/coul/cut": ("lj/cut/coul/cut 10", "polhode massless 3"),
-    "rigid/nve/small, lj/cut/coul/cut": ("lj/cut/coul/cut 10", "rigid/nve/small molecule"),
+    "pair_style polhode, double": Input("polhode 10 electrostatics reaction-field"),
+    "pair_style polhode, mixed": Input("polhode 10 electrostatics reaction-field precision mixed"),
+    "one particle a molecule, double": Input("polhode 10 electrostatics reaction-field", PARTICLE),
+    "one particle a molecule, mixed": Input("polhode 10 electrostatics reaction-field precision mixed", PARTICLE),
+    "fix polhode, lj/cut/coul/cut": Input("lj/cut/coul/cut 10"),
+    "rigid/nve/small, lj/cut/coul/cut": Input("lj/cut/coul/cut 10", OTHER),
+    "rigid/nve/small, lj/cut/coul/cut/omp": Input("lj/cut/coul/cut 10", OTHER, options=OMP),
+    "rigid/nve/small, lj/cut/omp and coul/cut/omp": Input("hybrid/overlay lj/cut 10 coul/cut 10", OTHER, OXYGEN_ALONE.format("cut"), OMP),
+    "pair_style polhode, double, PPPM": Input("polhode 10 electrostatics pme", mesh=True),
+    "pair_style polhode, mixed, PPPM": Input("polhode 10 electrostatics pme precision mixed", mesh=True),
+    "pair_style polhode, mixed, PPPM/omp": Input("polhode 10 electrostatics pme precision mixed", options=OMP, mesh=True),
+    "rigid/nve/small, lj/cut/coul/long, PPPM": Input("lj/cut/coul/long 10", OTHER, mesh=True),
+    "rigid/nve/small, lj/cut/coul/long/omp, PPPM/omp": Input("lj/cut/coul/long 10", OTHER, options=OMP, mesh=True),
+    "rigid/nve/small, lj/cut/omp and coul/long/omp, PPPM/omp": Input("hybrid/overlay lj/cut 10 coul/long 10", OTHER, OXYGEN_ALONE.format("long"), OMP, True),
 }
 
 
@@ -108,10 +138,9 @@ class Bench:
         self.write("run.toml", self.run_file(copies, steps, precision=precision))
         return self.run([self.program, "run", "run.toml", "--force", "--threads", "1"])
 
-    def lammps(self, copies, style, fix, steps):
-        script = PARTICLES if "particle" in fix else SCRIPT
-        self.write("run.in", script.format(plugin=self.options.plugin.resolve(), style=style, fix=fix, copies=copies, steps=steps))
-        return self.run([self.lmp, "-in", "run.in", "-log", "none"])
+    def lammps(self, copies, what, steps):
+        self.write("run.in", what.script(self.options.plugin.resolve(), copies, steps))
+        return self.run([self.lmp, "-in", "run.in", "-log", "none", *what.options])
 
     def step(self, work, copies):
         """Milliseconds."""
@@ -131,7 +160,7 @@ def main():
             own = {precision: bench.step(lambda steps, p=precision: bench.polhode(copies, p, steps), copies)
                    for precision in ("double", "mixed")}
             rows = [(f"polhode, {precision}", time, precision) for precision, time in own.items()]
-            rows += [(name, bench.step(lambda steps, s=style: bench.lammps(copies, *s, steps), copies),
+            rows += [(name, bench.step(lambda steps, s=style: bench.lammps(copies, s, steps), copies),
                       "mixed" if "mixed" in name else "double") for name, style in STYLES.items()]
             for name, time, precision in rows:
                 print(f"| {512 * copies**3} | {name} | {time:.3f} | {time / own[precision]:.2f} |", flush=True)

@@ -70,14 +70,11 @@ class Bench(cost.Bench):
         (folder / "particles.data").rename(folder / "one.data")
 
     def script(self, form, copies, steps):
-        style, fix = cost.STYLES[FORMS[form]]
-        if "particle" in fix:
+        what = cost.STYLES[FORMS[form]]
+        if what.fix == cost.PARTICLE:
             text, self.edge = replicated((self.folder / "one.data").read_text(), copies)
             self.write("particles.data", text)
-            script = cost.PARTICLES.format(plugin=self.options.plugin.resolve(), style=style, fix=fix, steps=steps)
-        else:
-            script = cost.SCRIPT.format(plugin=self.options.plugin.resolve(), style=style, fix=fix, copies=0, steps=steps)
-            script = script.replace("replicate 0 0 0", "replicate {} {} {}".format(*copies))
+        script = what.script(self.options.plugin.resolve(), 0, steps).replace("replicate 0 0 0", "replicate {} {} {}".format(*copies))
         return script.replace("thermo 100", "thermo 1000000")
 
     def sent(self, form, ranks, copies, steps):

@@ -30,7 +30,7 @@ FIGURES = {  # study: record, option of --figure, images in docs/
 BENCH = {  # kind of bench/figures.py: record in bench/results, argument, images in docs/
     "peers": ("2026-11-21-peers.json", "peers.svg", ("performance/peers.svg",)),
     "steps": ("2026-11-23-engine-xeon.json", "figure", ("performance/sizes.svg", "performance/threads.svg")),
-    "lammps": ("2026-11-23-lammps-equal-accuracy.json", "equal-accuracy.svg", ("lammps/equal-accuracy.svg",)),
+    "lammps": ("2026-11-27-lammps-equal-accuracy.json", "equal-accuracy.svg", ("lammps/equal-accuracy.svg",)),
 }
 NUMBER = re.compile(r"-?\d+\.\d+")
 NAME = re.compile(r'(?<=[#"])[a-zA-Z][0-9a-f]{10}\b')  # of a clip path or marker: a hash of its coordinates, to the last bit
