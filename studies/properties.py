@@ -112,8 +112,14 @@ def summary(result):
 def shown(p):
     if p is None:
         return ""
-    value, error = p["value"]["value"], p["value"]["error"]
-    return "not converged" if value is None else text(value, error) if error else f"{value:.3g}, error not known"
+    value, error = p["value"]["value"], p["value"].get("error")
+    if not is_converged(p):
+        return "not converged"
+    return text(value, error) if error else f"{value:.3g}, error not known"
+
+
+def is_converged(p):
+    return p["value"]["value"] is not None and not p.get("not_converged")
 
 
 def shells(case, point):
@@ -142,7 +148,7 @@ def tables(result):
         for point in case["points"]:
             rows = []
             for p in point["properties"]:
-                found = matching(entries, case["system"], point, p["name"]) if p["value"]["value"] is not None else []
+                found = matching(entries, case["system"], point, p["name"]) if is_converged(p) else []
                 for k, entry in enumerate(found or [None]):
                     own = [NAMES.get(p["name"], p["name"]), p["unit"], shown(p)] if k == 0 else ["", "", ""]
                     other = ["", "", ""] if entry is None else [text(entry["value"], entry["error"]) + MARKS[entry["read"]],
@@ -160,7 +166,7 @@ def large_deviations(result):
     """(system, property) of each deviation above 3."""
     entries = published()
     return {(case["system"], p["name"]) for case in result["cases"] for point in case["points"] for p in point["properties"]
-            if p["value"]["value"] is not None for entry in matching(entries, case["system"], point, p["name"])
+            if is_converged(p) for entry in matching(entries, case["system"], point, p["name"])
             if entry["read"] != "experiment" and abs(deviation(p["value"], entry)) > 3}
 
 

@@ -42,7 +42,7 @@ PropertyConditions conditions_of(const PointData& data) {
   return {.at = data.at,
           .molecules = data.topology.size(),
           .mass = data.topology.mass(),
-          .degrees_of_freedom = degrees_of_freedom(data.topology).all()};
+          .degrees_of_freedom = degrees_of_freedom(data.topology, TotalMomentum::free).all()};
 }
 
 void estimate_average(MeasuredProperty& m, const PointData& data) {
@@ -60,7 +60,7 @@ void estimate_average(MeasuredProperty& m, const PointData& data) {
   }
   const std::vector<StepResponse> responses = responses_of(contributions);
   const SeriesEstimate bias =
-      step_bias(responses, conditions.degrees_of_freedom,
+      step_bias(responses, degrees_of_freedom(data.topology).all(),
                 data.at.constant_volume() ? FixedMeans::kinetic_energy
                                           : FixedMeans::kinetic_energy_and_pressure,
                 statistic);

@@ -45,12 +45,17 @@ double molar_volume(Means m, const PropertyConditions& c) {
 double potential_energy(Means m, const PropertyConditions& c) {
   return per_molecule(m[potential], c);
 }
+/// The pressure at constant volume. In a run, the centre of mass is at rest, so the kinetic part
+/// lacks one of N molecules.
+double pressure_of_all(Means m, const PropertyConditions& c) {
+  return m[mean_pressure] + kT(c) / m[volume];
+}
 double enthalpy(Means m, const PropertyConditions& c) {
-  const double p = c.at.constant_volume() ? m[mean_pressure] : c.at.pressure;
+  const double p = c.at.constant_volume() ? pressure_of_all(m, c) : c.at.pressure;
   return per_molecule(m[potential] + c.degrees_of_freedom / 2 * kT(c) + p * m[volume], c);
 }
-double pressure(Means m, const PropertyConditions&) {
-  return m[mean_pressure] / unit("bar", Dimension::pressure);
+double pressure(Means m, const PropertyConditions& c) {
+  return pressure_of_all(m, c) / unit("bar", Dimension::pressure);
 }
 double enthalpy_of_vaporization(Means m, const PropertyConditions& c) {
   return kT(c) - per_molecule(m[potential] + c.at.pressure * m[volume], c);

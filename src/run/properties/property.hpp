@@ -37,8 +37,10 @@ enum AverageOf : std::size_t {
 struct PropertyConditions {
   StatePoint at;
   std::size_t molecules = 0;
-  double mass = 0;                ///< total mass [u]
-  double degrees_of_freedom = 0;  ///< degrees of freedom of all motions
+  double mass = 0;  ///< total mass [u]
+  /// Degrees of freedom of all motions of the molecules. The three of the centre of mass, which is
+  /// at rest in a run, are included, as in a large system.
+  double degrees_of_freedom = 0;
 };
 
 /// The kind of run in which a property is measured.
