@@ -24,7 +24,7 @@ int measure(const Options& o, const std::string& command, bool only_evaluate) {
   print_results(quantities(report), o);
   if (report.interrupted) log("interrupted; the same command resumes\n");
   if (report.out_of_time) log("the time limit is reached; the same command resumes\n");
-  return report.interrupted ? 130 : 0;
+  return report.interrupted ? 130 : report.failed ? 1 : 0;
 }
 
 Action declare(Command& command, bool only_evaluate) {

@@ -166,6 +166,7 @@ SeriesEstimate pooled_estimate(std::span<const BlockMeans> runs,
 }
 
 double interval_factor(const SeriesEstimate& estimate, double probability) {
+  if (estimate.modes == 0) return 0;  // of an exact value, whose error is 0
   return t_quantile((1 + probability) / 2, estimate.modes);
 }
 

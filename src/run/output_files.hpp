@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "polhode/io/files/table_file.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/run/outputs.hpp"
 
 namespace polhode {
@@ -19,8 +20,12 @@ Provenance provenance(const std::string& command, const std::string& config, std
 
 /// Checks, before anything is computed, the names of output files and whether their folders can be
 /// written to.
-/// @throws Error  if a file cannot be written, or exists and must not be replaced
-void check_outputs(const std::vector<std::string>& files, ExistingFiles existing);
+/// @param inputs  files that the job reads, and that must not be replaced
+/// @throws Error  if a file cannot be written, is an input, or exists and must not be replaced
+void check_outputs(const std::vector<std::string>& files, ExistingFiles existing,
+                   const std::vector<std::string>& inputs = {});
+/// The run file and the initial configuration of a run.
+std::vector<std::string> inputs_of(const Config& config);
 
 /// Checks a prefix of output files, and the lengths of their names.
 /// @throws Error  if the prefix is empty or ends in '/', so that file names would begin with '-',

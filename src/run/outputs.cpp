@@ -3,7 +3,9 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <sstream>
+#include <system_error>
 
 #include "base/instruction_set.hpp"
 #include "base/version.hpp"
@@ -18,8 +20,21 @@ Provenance provenance(const std::string& command, const std::string& config, std
   return {version(), command, config, name(current_instruction_set()), seed};
 }
 
-void check_outputs(const std::vector<std::string>& files, ExistingFiles existing) {
-  for (const std::string& file : files) refuse_existing(file, existing == ExistingFiles::replace);
+void check_outputs(const std::vector<std::string>& files, ExistingFiles existing,
+                   const std::vector<std::string>& inputs) {
+  for (const std::string& file : files) {
+    for (const std::string& input : inputs)
+      if (std::error_code error; std::filesystem::equivalent(file, input, error))
+        throw Error(fmt::format(
+            "'{}' is an input of this command and would be overwritten by an output; give another "
+            "prefix of the output",
+            file));
+    refuse_existing(file, existing == ExistingFiles::replace);
+  }
+}
+
+std::vector<std::string> inputs_of(const Config& config) {
+  return {config.source, config.system.initial_configuration};
 }
 
 void check_prefix(const std::string& prefix, const std::vector<std::string>& files) {

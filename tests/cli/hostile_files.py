@@ -145,6 +145,23 @@ class HostileFiles(Sandbox):
         self.write("in.pdb", CRYST + "MODEL        1\n" + atom(1) + "MODEL        2\n" + atom(1, x=6) + "END\n")
         self.assertIn("2 frames", self.converted("in.pdb", "out.gro").out)
 
+    def test_a_pdb_file_that_ends_within_a_model_is_refused(self):
+        model = "MODEL        {}\n" + atom(1) + atom(2, x=9)
+        for title, text in (("the only model", model.format(1)), ("the second model", model.format(1) + "ENDMDL\n" + model.format(2)[:-81])):
+            self.write("in.pdb", CRYST + text)
+            self.refused(["convert", "in.pdb", "out.gro"], ["in.pdb:", "ends within a MODEL", "cut off"], title)
+
+    def test_an_input_is_not_replaced_by_an_output(self):
+        self.write("self.toml", SMALL.replace('prefix = "out"', 'prefix = "self"'))
+        self.assertEqual(self.polhode("run", "self.toml").returncode, 0)
+        final = (self.folder / "self-final.gro").read_bytes()
+        self.write("again.toml", (self.folder / "self.toml").read_text().replace('box = "2.5 nm"', 'initial_configuration = "self-final.gro"'))
+        self.write("self-prepared.toml", SMALL.replace('prefix = "out"', 'prefix = "self"'))
+        (self.folder / "self-checkpoint.bin").unlink()
+        for command, name in ((["run", "again.toml", "--force"], "self-final.gro"), (["prepare", "self-prepared.toml", "--force"], "self-prepared.toml")):
+            self.refused(command, [f"'{name}' is an input of this command", "another prefix"])
+        self.assertEqual((self.folder / "self-final.gro").read_bytes(), final)
+
     def test_a_byte_order_mark_loses_nothing(self):
         mark = b"\xef\xbb\xbf"
         self.write("in.pdb", mark + (atom(1) + CRYST + atom(2, residue=2, x=9) + "END\n").encode())

@@ -377,6 +377,10 @@ plot = "none"
                 (("argon", "density", "--shard", "3"), ["--shard", "2/8"]),
                 (("argon", "density", "--paired-runs", "some"), ["--paired-runs", "yes or no"]),
                 (("argon", "density", "--time-limit", "5"), ["--time-limit", "unit"]),
+                (("argon 4", "density"), ["has 4 molecules", "at least 8"]),
+                (("argon", "density", "--at", "160 K, 1e7 bar"), ["--at", "from -100000 to 1e+06 bar"]),
+                (("argon", "density", "--at", "160 K to 160.0002 K, 2 points, 500 bar"), ["--at", "two state points '160 K, 500 bar'", "first six digits"]),
+                (("na-spce", "second-virial-coefficient"), ["decays as 1/r", "diverges"]),
                 (("argon",), ["no property is requested"])):
             self.refused(("measure", *arguments), words)
         self.refused(("merge", "argon", "density"), ["no record"])
@@ -391,6 +395,32 @@ plot = "none"
             self.assertEqual(process.returncode, 1, process.err)
             for word in (f"error: at {at} the molecules", *words):
                 self.assertIn(word, process.err)
+
+    def test_points_without_results_do_not_withhold_the_others(self):
+        points = "300 K, 1 bar; 160 K, 500 bar"
+        process = self.polhode("measure", "argon", "density", "9 %", "--molecules", "32", "--at", points, "--replicas", "2", "--output", "two", "--json")
+        self.assertEqual(process.returncode, 1, process.err)
+        self.assertIn("molecules evaporate", process.err)
+        found = json.loads(process.out)
+        self.assertEqual([p["temperature_K"] for p in found["points"]], [160])
+        self.assertTrue(found["points"][0]["properties"][0]["reached"])
+        self.assertFalse(found["reached"])
+        self.assertEqual([p["temperature_K"] for p in found["missing_points"]], [300])
+        self.assertIn("evaporate", found["missing_points"][0]["reason"])
+        process = self.polhode("measure", "argon", "density", "9 %", "--molecules", "32", "--at", "160 K, 500 bar; 170 K, 500 bar", "--replicas", "2",
+                               "--time-limit", "0.001 s", "--output", "two")
+        self.assertEqual(process.returncode, 0, process.err)
+        self.assertRegex(process.out, r"170 K, 500 bar +the measurement ended before it")
+        # An unsuitable point is refused before the others are simulated.
+        self.refused(("measure", "argon", "pressure", "--molecules", "32", "--at", "160 K, 1200 kg/m3; 160 K, 1 kg/m3", "--output", "early"),
+                     ["too low for a liquid"])
+        self.assertFalse(list(self.folder.glob("early*")))
+
+    def test_a_second_virial_coefficient_ends_at_the_time_limit(self):
+        process = self.polhode("measure", "spce", "second-virial-coefficient", "1e-7 %", "--at", "300 K", "--time-limit", "0.5 s", "--json")
+        self.assertEqual(process.returncode, 0, process.err)
+        self.assertIn("time limit is reached", process.err)
+        self.assertFalse(json.loads(process.out)["reached"])
 
 
 if __name__ == "__main__":

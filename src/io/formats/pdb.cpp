@@ -33,10 +33,16 @@ class PdbReader : public FrameReader {
     residue_field_.clear();
     location_ = ' ';
     AtomKinds kinds(frame.kinds);
-    bool ended = false;
+    bool ended = false, in_model = false;
     while (!ended) {
       const auto line = lines_.next();
-      if (!line) break;
+      if (!line) {
+        if (in_model && !frame.atoms.empty() && !without_ends_)
+          lines_.refuse(
+              "the file ends within a MODEL, before its ENDMDL: the file is cut off; leave the "
+              "last model out, or add its missing lines");
+        break;
+      }
       const std::string_view record = trimmed(columns(*line, 1, 6));
       if (is_atom(*line))
         frame.atoms.push_back(atom(*line, kinds));
@@ -44,8 +50,9 @@ class PdbReader : public FrameReader {
         box_ = cell(*line);
       else if (record == "TITLE")
         take_title(frame, columns(*line, 11, line->size()));
-      else if (record == "ENDMDL" || record == "END" || record == "MODEL")
-        ended = !frame.atoms.empty();  // a MODEL line, where the previous model has no ENDMDL
+      in_model |= record == "MODEL";
+      if (record == "ENDMDL" || record == "END" || record == "MODEL") ended = !frame.atoms.empty();
+      without_ends_ |= ended && record == "MODEL";  // some programs write no ENDMDL
     }
     if (frame.atoms.empty()) return false;
     if (!(box_.volume() > 0))
@@ -166,7 +173,8 @@ class PdbReader : public FrameReader {
   std::string title_, residue_field_;
   double time_ = 0;
   int residue_ = 0;
-  char location_ = ' ';  // alternate location of the atoms of the residue, if they have one
+  bool without_ends_ = false;  // whether a model ended with the MODEL line of the next one
+  char location_ = ' ';        // alternate location of the atoms of the residue, if they have one
   Box box_{};
   double angstrom_ = unit("A", Dimension::length);
 };

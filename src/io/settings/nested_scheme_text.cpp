@@ -116,8 +116,8 @@ NamedScheme::NamedScheme(std::string given)
 Scheme single_scheme_of(const NamedScheme& scheme) {
   if (scheme.inner)
     throw Error(
-        fmt::format("scheme '{}' has an inner scheme, but error brackets and advice are available "
-                    "for single schemes only; give a single scheme, such as hoa2",
+        fmt::format("scheme '{}' has an inner scheme, but only single schemes are supported here; "
+                    "give a single scheme, such as hoa2",
                     scheme.text));
   return scheme.outer;
 }

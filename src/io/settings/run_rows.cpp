@@ -91,6 +91,8 @@ void read_formats(TomlTable& table, const SettingRow& row, Config& config) {
     table.require(std::find(known.begin(), known.end(), format) != known.end(), row.key,
                   fmt::format("has the unknown format '{}'{}; the formats are: {}", format,
                               did_you_mean(format, known), join_names(known)));
+    table.require(std::ranges::count(config.output.formats, format) == 1, row.key,
+                  fmt::format("has the format '{}' twice; give each format once", format));
     table.require(format != "h5md" || h5md_missing.empty(), row.key,
                   fmt::format("has the format 'h5md': {}", h5md_missing));
   }

@@ -29,6 +29,13 @@ namespace {
 // are smaller than the errors of polhode's mesh at the default accuracy.
 constexpr double kspace_accuracy = 1e-6;
 
+/// Whether a Langevin thermostat without friction is in effect none.
+bool has_no_friction(const Config& config) {
+  const auto& thermostat = config.ensemble.thermostat;
+  const auto* const langevin = thermostat ? std::get_if<Langevin>(&*thermostat) : nullptr;
+  return langevin && langevin->friction == 0;
+}
+
 void check(const Config& config) {
   const auto refuse = [&](const std::string& what) { throw Error(what, config.source); };
   if (config.ensemble.hybrid_monte_carlo)
@@ -43,6 +50,10 @@ void check(const Config& config) {
     refuse(
         "the barostat of fix polhode is cell rescaling with a thermostat; choose these, or remove "
         "[barostat]");
+  if (barostat && has_no_friction(config))
+    refuse(
+        "the barostat of fix polhode needs a thermostat, but the friction is 0; give a friction "
+        "above 0, or remove [barostat]");
   const auto* const langevin = thermostat ? std::get_if<Langevin>(&*thermostat) : nullptr;
   if (thermostat && !std::holds_alternative<Rescaling>(*thermostat) &&
       !(langevin && langevin->friction == langevin->rotational_friction))
@@ -55,6 +66,22 @@ void check(const Config& config) {
         "allow in file names; choose another prefix");
 }
 
+/// Whether the script can equilibrate: an equilibration at constant energy would need a thermostat.
+bool equilibrates(const Config& config) {
+  return config.run.equilibrate > 0 && config.ensemble.thermostat && !has_no_friction(config);
+}
+
+void note_preparation(const Config& config, const Callbacks& callbacks) {
+  const auto note = [&](const char* what) {
+    callbacks.note(
+        fmt::format("note: {} has no counterpart in the script, which begins with the initial "
+                    "configuration as it is; use 'polhode prepare' before the export",
+                    what));
+  };
+  if (config.run.minimise) note("minimise = true");
+  if (config.run.equilibrate > 0 && !equilibrates(config)) note("equilibrate without a thermostat");
+}
+
 void note_moves(const Config& config, const Callbacks& callbacks) {
   const auto& barostat = config.ensemble.barostat;
   if (barostat && std::get<CellRescaling>(barostat->type).metropolis)
@@ -65,6 +92,13 @@ void note_moves(const Config& config, const Callbacks& callbacks) {
 // The scheme of a run for LAMMPS, with finite differences in place of exact gradients.
 Scheme lammps_scheme(const Config& config, const Callbacks& callbacks) {
   const Scheme scheme = single_scheme_of(config.integrator.scheme);
+  if (scheme.has(Flow::bath))
+    throw Error(
+        fmt::format("the scheme '{}' has a thermostat within its steps, but the thermostats "
+                    "of fix polhode act at the ends of a step; choose a scheme without "
+                    "stages O, such as velocity-verlet, hoa2 or bcss3",
+                    scheme.name()),
+        config.source);
   if (!scheme.starts_with_kick() || !scheme.ends_with_kick())
     throw Error(
         fmt::format("the scheme '{}' does not begin with a kick, but a scheme of fix polhode must "
@@ -205,7 +239,7 @@ class Script {
       for (std::size_t part = 0; part < system_.topology.parts.size(); ++part)
         fmt::print(out_, " particle {} \"{}\"", types_.types().size() + part + 1,
                    molecule_file(config_.output.prefix, part));
-    if (config_.ensemble.thermostat) {
+    if (config_.ensemble.thermostat && !has_no_friction(config_)) {
       const auto* const rescaling = std::get_if<Rescaling>(&*config_.ensemble.thermostat);
       const double time = rescaling ? rescaling->time_constant
                                     : 1 / std::get<Langevin>(*config_.ensemble.thermostat).friction;
@@ -218,11 +252,15 @@ class Script {
                "\ntimestep {:.17g} # one force evaluation; a step of the scheme has {}\n"
                "{}"
                "thermo_modify format float %.15g\n"
-               "thermo {:.0f}\n"
-               "run {:.0f}\n",
+               "thermo {:.0f}\n",
                h / fs / static_cast<double>(evaluations), evaluations, thermo(),
-               samples * static_cast<double>(evaluations),
-               std::round(config_.run.length / h) * static_cast<double>(evaluations));
+               samples * static_cast<double>(evaluations));
+    const auto steps = [&](double t) {
+      return std::round(t / h) * static_cast<double>(evaluations);
+    };
+    if (equilibrates(config_))
+      fmt::print(out_, "run {:.0f} # equilibration\n", steps(config_.run.equilibrate));
+    fmt::print(out_, "run {:.0f}\n", steps(config_.run.length));
   }
 
   void barostat() const {
@@ -267,6 +305,7 @@ std::vector<std::string> export_to_lammps(const Config& config, LammpsPairStyle 
   const Scheme scheme = lammps_scheme(config, callbacks);
   const System system = build_system(config);
   note_molecules(system, callbacks);
+  note_preparation(config, callbacks);
   note_moves(config, callbacks);
   const LammpsTypes types(system.topology, system.forces.mixing.pairs.empty());
   std::vector<TextFile>
@@ -282,7 +321,7 @@ std::vector<std::string> export_to_lammps(const Config& config, LammpsPairStyle 
   std::vector<std::string> files = {data};
   for (const TextFile& file : texts) files.push_back(file.name);
   files.push_back(input);
-  check_outputs(files, options.existing);
+  check_outputs(files, options.existing, inputs_of(config));
   for (const TextFile& file : texts)
     write_file(file.name, [&](std::ostream& out) { out << file.text; });
   write_file(data, [&](std::ostream& out) {

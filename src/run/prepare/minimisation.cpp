@@ -45,7 +45,7 @@ MinimisationReport minimise_configuration(const Config& run_file,
   const std::string file = config.output.prefix + "-minimised.gro";
   check_prefix(config.output.prefix, {file});
   const OutputLock lock(config.output.prefix + "-minimise.lock", callbacks);
-  check_outputs({file}, options.existing);
+  check_outputs({file}, options.existing, inputs_of(run_file));
   System system = build_system(config);
   note_molecules(system, callbacks);
   note_forces(system, callbacks);

@@ -182,7 +182,7 @@ bool Preparation::find_checkpoint() {
                                   files_.checkpoint),
                       true);
   if (!resumes || !exists) {
-    check_outputs(files_.all(), options_.existing);
+    check_outputs(files_.all(), options_.existing, inputs_of(config_));
     if (resumes)
       callbacks_.note("note: there is no checkpoint; the preparation starts from the beginning");
     return false;

@@ -120,14 +120,15 @@ std::vector<StepResponse> responses_of(const Contributions& contributions) {
   return runs;
 }
 
-double edge_of(const Contributions& contributions) {
-  double sum = 0, count = 0;
+Box box_of(const Contributions& contributions) {
+  Vec3<double> sum{};
+  double count = 0;
   for (const auto& [replica, from] : contributions.all) {
     if (!replica->prepared()) continue;
-    sum += std::cbrt(replica->dynamics.state.value_or(replica->state).box.volume());
+    sum += replica->dynamics.state ? replica->dynamics.state->box.edge : replica->state.box.edge;
     ++count;
   }
-  return count == 0 ? 0 : sum / count;
+  return Box{count == 0 ? sum : sum / count};
 }
 
 }  // namespace polhode

@@ -17,6 +17,7 @@ struct PointData {
   const Mixing& mixing;
   StatePoint at;
   std::span<const Replica> replicas;
+  std::function<bool()> stop{};  ///< ends long integrals if it returns true
 };
 
 /// Whether each replica has at least as many segments in equilibrium as before it.
@@ -51,7 +52,8 @@ StepResponse response_of(const std::vector<const StepResponse*>& segments);
 std::vector<BlockMeans> averages_of(const Contributions& contributions);
 /// The step responses of the same segments, relative to a common first sample.
 std::vector<StepResponse> responses_of(const Contributions& contributions);
-/// The mean box edge of the dynamics, or at constant pressure without dynamics [nm].
-double edge_of(const Contributions& contributions);
+/// The box of the dynamics with its mean edges, or at constant pressure without dynamics. The edges
+/// are 0 before any preparation.
+Box box_of(const Contributions& contributions);
 
 }  // namespace polhode

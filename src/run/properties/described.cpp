@@ -72,8 +72,7 @@ double length_of_segment(const Contributions& contributions) {
 MeasuredCurve spectrum_of_pressure(const Contributions& contributions,
                                    std::span<const BlockMeans> runs,
                                    const CorrelationsOfDynamics& which, const StatePoint& at) {
-  const double to_mPa_s = std::pow(edge_of(contributions), 3) /
-                          (2 * units::boltzmann * at.temperature) /
+  const double to_mPa_s = box_of(contributions).volume() / (2 * units::boltzmann * at.temperature) /
                           unit("mPa s", Dimension::viscosity);
   return spectrum_of("spectrum of the pressure: at zero frequency it is the viscosity", "mPa s",
                      length_of_segment(contributions), [&](std::size_t b) {
@@ -150,11 +149,12 @@ bool MeasuredPoint::wants_distributions() const {
 }
 
 MeasuredPoint described(const PointData& data) {
-  MeasuredPoint point{.at = data.at,
-                      .molecules = data.topology.size(),
-                      .replicas = data.replicas.size(),
-                      .step_min = std::numeric_limits<double>::infinity(),
-                      .edge = edge_of(Contributions(data, MeasuredIn::dynamics))};
+  MeasuredPoint point{
+      .at = data.at,
+      .molecules = data.topology.size(),
+      .replicas = data.replicas.size(),
+      .step_min = std::numeric_limits<double>::infinity(),
+      .edge = std::cbrt(box_of(Contributions(data, MeasuredIn::dynamics)).volume())};
   for (const Replica& replica : data.replicas) {
     if (!replica.prepared()) continue;
     const double segment = replica.step * static_cast<double>(steps_of_averages);

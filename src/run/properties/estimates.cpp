@@ -12,6 +12,7 @@
 #include "io/settings/quantity.hpp"
 #include "measure/convergence.hpp"
 #include "measure/displacement.hpp"
+#include "measure/finite_size.hpp"
 #include "measure/reorientation.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/math/fit.hpp"
@@ -79,7 +80,10 @@ class Dynamics {
         runs_(dynamics_of(contributions_, which_.functions())) {
     if (empty()) return;
     interval_ = lag_interval(*contributions_.all.front().replica);
-    edge_ = edge_of(contributions_);
+    const Box box = box_of(contributions_);
+    const Vec3<double> mobility = image_mobility(box.edge);
+    volume_ = box.volume();
+    mobility_ = (mobility.x + mobility.y + mobility.z) / 3;
     double segments = 0;
     for (const BlockMeans& run : runs_) segments += static_cast<double>(run.blocks().size());
     spectrum_.emplace(which_.spectrum_in(overall(runs_)), pressure_components * segments,
@@ -133,7 +137,7 @@ class Dynamics {
   /// The viscosity. The spectrum at zero frequency is the integral of the autocorrelation function
   /// over all times, twice the integral of Green and Kubo.
   double eta(Means all) const {
-    return spectrum_->value(which_.spectrum_in(all)) * edge_ * edge_ * edge_ /
+    return spectrum_->value(which_.spectrum_in(all)) * volume_ /
            (2 * units::boltzmann * data_.at.temperature);
   }
   /// Notes that the viscosity is not known if its spectrum changes within the lowest modes. More
@@ -149,8 +153,9 @@ class Dynamics {
   double D(Means all, const FitWindow& fit) const {
     return slope_between(part(all, which_.displacement.front()), interval_, fit) / 6;
   }
+  /// The finite-size correction of D, the mean over the three axes of the box.
   double correction(Means all) const {
-    return yeh_hummer_correction(data_.at.temperature, eta(all), edge_);
+    return units::boltzmann * data_.at.temperature / eta(all) * mobility_;
   }
   double slowest_relaxation(Means all) const {
     double slowest = 0;
@@ -180,7 +185,8 @@ class Dynamics {
   CorrelationsOfDynamics which_;
   std::vector<BlockMeans> runs_;
   std::optional<ZeroFrequency> spectrum_;
-  double interval_ = 0, edge_ = 0;
+  double interval_ = 0, volume_ = 0;
+  double mobility_ = 0;  // image_mobility() of the box, mean over the axes
 };
 
 /// The number of neighbours within the first minimum of g(r) of the centres.
@@ -255,14 +261,14 @@ void estimate_surface(MeasuredProperty& m, const PointData& data) {
 }
 
 void estimate_pair(MeasuredProperty& m, const PointData& data) {
-  std::size_t points = 1024;
-  do {
+  for (std::size_t points = 1024; points <= 65536 && !m.reached(); points *= 4) {
     const Estimate B = second_virial(data.topology.parts.front().molecule, data.mixing,
-                                     data.at.temperature, points)
+                                     data.at.temperature, points, Workers::serial(), data.stop)
                            .value;
+    if (!std::isfinite(B.value)) break;
     m.value = {B.value / cm3_per_mol, B.error / cm3_per_mol, Known::yes, 15};
-    points *= 4;
-  } while (!m.reached() && points <= 65536);
+  }
+  if (m.value.known != Known::yes) m.obstacle = "the integral was not completed";
 }
 
 }  // namespace

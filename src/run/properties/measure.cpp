@@ -37,6 +37,7 @@ namespace {
 /// known. Lengths then grow by a factor. Frequent decisions would favour errors small by chance.
 constexpr PerKind<std::size_t> first_segments{{first_averages, 4, 4, 12, 24, 4}};
 constexpr double growth = 1.5;
+constexpr std::size_t min_of_liquid = 8;  // molecules of a system that is simulated
 /// Number of segments after which a replica that has not reached equilibrium is not continued.
 constexpr std::size_t max_equilibration = 600;
 /// Minimum time between two writes of a record [s], because a segment of a small system takes only
@@ -118,7 +119,7 @@ class PointMeasurement {
   void show(const std::vector<MeasuredProperty>& values, bool equilibrium) const;
   void warn_of_tension() const;
   PointData data(std::span<const Replica> replicas) const {
-    return {system_.topology, system_.mixing, at(), replicas};
+    return {system_.topology, system_.mixing, at(), replicas, [this] { return stopped(); }};
   }
 
   const MeasureSettings& settings_;
@@ -425,6 +426,7 @@ void PointMeasurement::warn_of_tension() const {
 }  // namespace
 
 bool MeasureReport::reached() const {
+  if (!missing.empty()) return false;
   return std::ranges::all_of(points, [](const MeasuredPoint& point) {
     return std::ranges::all_of(point.properties, &MeasuredProperty::reached);
   });
@@ -442,6 +444,10 @@ MeasureReport measure(const MeasureSettings& settings, const Callbacks& callback
     std::string why = why_not(*request.property, topology, settings.config.forces);
     for (const StatePoint& at : settings.points)
       if (why.empty()) why = why_not(*request.property, at);
+    if (why.empty() && request.property->measured_in != MeasuredIn::pair &&
+        topology.size() < min_of_liquid)
+      why = fmt::format("the system has {} molecules; a liquid needs at least {}", topology.size(),
+                        min_of_liquid);
     if (!why.empty())
       throw Error(fmt::format("{} cannot be measured: {}", request.property->name, why));
   }
@@ -450,13 +456,25 @@ MeasureReport measure(const MeasureSettings& settings, const Callbacks& callback
     report.system +=
         fmt::format("{}{} {}", report.system.empty() ? "" : ", ", part.count, part.molecule.name);
   const Stopwatch since;
+  if (settings.points.size() > 1)  // refuses an unsuitable point before others are simulated
+    for (const StatePoint& at : settings.points) PointSystem(settings, at);
   for (std::size_t k = 0; k < settings.points.size(); ++k) {
-    PointMeasurement point(settings, k, callbacks, workers, executor, since);
-    report.points.push_back(point.perform());
-    for (const std::string& file : point.files()) report.files.push_back(file);
+    try {
+      PointMeasurement point(settings, k, callbacks, workers, executor, since);
+      report.points.push_back(point.perform());
+      for (const std::string& file : point.files()) report.files.push_back(file);
+      report.out_of_time = point.out_of_time();
+    } catch (const RunError& e) {  // the other points have results nevertheless
+      report.missing.push_back({settings.points[k], e.what()});
+      report.failed = true;
+      if (report.missing.size() == settings.points.size()) throw;
+      callbacks.note(fmt::format("error: {}; this state point is left out", e.what()));
+    }
     report.interrupted = callbacks.stopped();
-    report.out_of_time = !report.interrupted && point.out_of_time();
-    if (report.interrupted || report.out_of_time) break;
+    if (report.interrupted) report.out_of_time = false;
+    if (!report.interrupted && !report.out_of_time) continue;
+    while (++k < settings.points.size())
+      report.missing.push_back({settings.points[k], "the measurement ended before it"});
   }
   report.curves = state_curves(report.points);
   const std::string page = settings.prefix + ".html";

@@ -139,6 +139,16 @@ Quantities of_point(const MeasuredPoint& point) {
   return list;
 }
 
+Quantities of_missing(const MissingPoint& point) {
+  return {{"temperature", "K", point.at.temperature, "temperature of the state point"},
+          {"pressure", "bar", pressure_of(point.at),
+           "pressure of the state point; null at constant volume"},
+          {"density", "kg/m3", density_of(point.at),
+           "density of a state point at constant volume; null at constant pressure"},
+          {"", "", point.at.text(), "", "state point"},
+          {"reason", "", point.reason, "why there are no results", "reason"}};
+}
+
 Quantities of_fit(const StateFit& fit) {
   return {{"degree", "", static_cast<std::int64_t>(fit.degree), "degree of the polynomial: 2 or 3"},
           {"chi_squared", "", fit.chi_squared,
@@ -212,8 +222,13 @@ Quantities quantities(const MeasureReport& report) {
   std::vector<Quantities> points;
   for (const MeasuredPoint& point : report.points) points.push_back(of_point(point));
   list.push_back({"points", "", std::move(points), "state points with their properties"});
+  std::vector<Quantities> missing;
+  for (const MissingPoint& point : report.missing) missing.push_back(of_missing(point));
+  list.push_back(
+      {"missing_points", "", std::move(missing), "state points without results", "not measured"});
   append_curves(list, report.curves);
-  list.push_back({"reached", "", report.reached(), "whether all requested errors were reached"});
+  list.push_back({"reached", "", report.reached(),
+                  "whether all requested errors were reached, at all state points"});
   list.push_back({"files", "", report.files, "names of the record files of the replicas"});
   return list;
 }

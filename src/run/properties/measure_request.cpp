@@ -246,6 +246,12 @@ MeasureSettings MeasureRequest::settings() const {
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   if (s.points.empty()) s.points = {own};
+  for (std::size_t k = 0; k < s.points.size(); ++k)
+    for (std::size_t l = 0; l < k; ++l)
+      if (s.points[k].file_text() == s.points[l].file_text())
+        refuse(at, fmt::format("has two state points '{}', which would have the same files; state "
+                               "points must differ in the first six digits",
+                               s.points[k].text()));
   s.properties = requested_properties(words);
   if (s.properties.empty())
     throw Error(

@@ -246,6 +246,9 @@ std::string why_not(const Property& p, const Topology& topology, const ForceSett
            "electrostatics = \"pme\"";
   if (p.of_rotation && !any([](const Molecule& m) { return m.top != Top::atom; }))
     return "atoms do not rotate";
+  if (p.measured_in == MeasuredIn::pair &&
+      any([](const Molecule& m) { return std::abs(m.charge()) > 1e-9; }))
+    return "the potential of two ions decays as 1/r, so the integral over their distance diverges";
   if (p.measured_in == MeasuredIn::pair && topology.parts.size() > 1)
     return "a mixture has one coefficient for each pair of molecules; measure each pair separately";
   // Half of the box edge is then below 1.65 mean distances of molecules.

@@ -119,8 +119,8 @@ Integral at_distance(const PairOfMolecules& pair, double r, double kT,
   return {sum.value / n, sum.slope / n};
 }
 
-Integral with_shift(const PairOfMolecules& pair, double kT, std::size_t points,
-                    std::uint64_t shift) {
+Integral with_shift(const PairOfMolecules& pair, double kT, std::size_t points, std::uint64_t shift,
+                    const std::function<bool()>& stop) {
   const EvenPoints even(shift);
   std::vector<Vec3<double>> directions;
   std::vector<std::vector<Vec3<double>>> orientations;
@@ -136,6 +136,7 @@ Integral with_shift(const PairOfMolecules& pair, double kT, std::size_t points,
       const double simpson = k == 0 || k == panel.intervals ? 1 : k % 2 == 1 ? 4 : 2;
       const double weight = -2 * units::pi * simpson * h / 3 * r * r;
       if (weight == 0) continue;
+      if (stop && stop()) return {std::nan(""), std::nan("")};
       const Integral f = at_distance(pair, r, kT, directions, orientations);
       sum.value += weight * f.value;
       sum.slope += weight * f.slope;
@@ -156,13 +157,14 @@ Integral tail(const Molecule& molecule, const PairOfMolecules& pair, double kT) 
 }  // namespace
 
 SecondVirial second_virial(const Molecule& molecule, const Mixing& mixing, double temperature,
-                           std::size_t points, Workers& workers) {
+                           std::size_t points, Workers& workers,
+                           const std::function<bool()>& stop) {
   const double kT = units::boltzmann * temperature;
   const PairOfMolecules pair(molecule, mixing);
   const Integral far = tail(molecule, pair, kT);
   std::vector<double> values(shifts), enthalpies(shifts);
   workers.each(shifts, [&](std::size_t k) {
-    const Integral near = with_shift(pair, kT, points, k + 1);
+    const Integral near = with_shift(pair, kT, points, k + 1, stop);
     values[k] = near.value + far.value;
     enthalpies[k] = near.value + far.value - near.slope - far.slope;
   });

@@ -2,6 +2,8 @@
 // The second virial coefficient of rigid molecules.
 #pragma once
 
+#include <functional>
+
 #include "polhode/base/workers.hpp"
 #include "polhode/forces/laws/mixing.hpp"
 #include "polhode/math/fit.hpp"
@@ -22,7 +24,9 @@ struct SecondVirial {
 /// longer distances, the leading terms of dipoles and of dispersion are integrated.
 /// @param temperature  temperature [K]
 /// @param points       number of orientations for each of 16 random shifts
+/// @param stop         ends the computation if it returns true; the values are then not finite
 SecondVirial second_virial(const Molecule& molecule, const Mixing& mixing, double temperature,
-                           std::size_t points = 4096, Workers& workers = Workers::serial());
+                           std::size_t points = 4096, Workers& workers = Workers::serial(),
+                           const std::function<bool()>& stop = {});
 
 }  // namespace polhode

@@ -16,6 +16,7 @@ namespace polhode {
 namespace {
 
 constexpr int max_points = 1000;
+constexpr double min_pressure = -1e5, max_pressure = 1e6;  // [bar]
 constexpr double max_temperature = 1e5;  // maximum temperature [K], far beyond the range of any
                                          // rigid molecule
 constexpr const char* example =
@@ -91,6 +92,15 @@ void check(const std::optional<Range>& temperature, const std::optional<Range>& 
       std::max(temperature->first, temperature->last) > max_temperature)
     throw Error(fmt::format("the temperature in '{}' must be above 0 K and at most {:g} K", text,
                             max_temperature));
+  if (pressure) {
+    const double bar = unit("bar", Dimension::pressure);
+    if (!(std::min(pressure->first, pressure->last) >= min_pressure * bar) ||
+        std::max(pressure->first, pressure->last) > max_pressure * bar)
+      throw Error(
+          fmt::format("the pressure in '{}' must be from {:g} to {:g} bar, the range of "
+                      "liquids of rigid molecules",
+                      text, min_pressure, max_pressure));
+  }
   if (density && pressure)
     throw Error(fmt::format(
         "'{}' has a pressure and a density; give the pressure at constant pressure, or the "

@@ -181,7 +181,7 @@ std::optional<FoundCheckpoint> Simulation::find_checkpoint(const RunFileNames& n
                       "start over",
                       names.checkpoints.newest),
           true);
-    check_outputs(names.all(), options.existing);
+    check_outputs(names.all(), options.existing, inputs_of(config_));
     return found;
   }
   if (!found->note.empty()) callbacks.note("note: " + found->note);

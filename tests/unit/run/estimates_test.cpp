@@ -11,7 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "io/settings/quantity.hpp"
 #include "measure/displacement.hpp"
+#include "measure/finite_size.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/math/random.hpp"
@@ -309,22 +311,39 @@ BlockMeans::Block correlations(const Topology& topology,
   return block;
 }
 
-Replica moving(std::uint64_t index, const std::vector<BlockMeans::Block>& segments) {
+Replica moving(std::uint64_t index, const std::vector<BlockMeans::Block>& segments,
+               const Box& box = {Vec3<double>{edge, edge, edge}}) {
   return {.index = index,
           .step = step,
           .state = State{1, Box{Vec3<double>{3, 3, 3}}},
-          .dynamics = {.state = State{1, Box{Vec3<double>{edge, edge, edge}}},
-                       .segments = segments,
-                       .paired = {}}};
+          .dynamics = {.state = State{1, box}, .segments = segments, .paired = {}}};
 }
 
 /// Replicas with the exact correlation functions.
-std::vector<Replica> exact() {
+std::vector<Replica> exact(const Box& box = {Vec3<double>{edge, edge, edge}}) {
   const std::vector<BlockMeans::Block> segments(12, correlations(water(), spectrum));
-  return four([&](std::uint64_t k) { return moving(k, segments); });
+  return four([&](std::uint64_t k) { return moving(k, segments, box); });
 }
 
 }  // namespace
+
+TEST_CASE("the finite-size correction of diffusion is the mean of the axes of a long box") {
+  const Box box{Vec3<double>{edge / 2, edge / 2, 4 * edge}};
+  const std::vector<Replica> replicas = exact(box);
+  const MeasuredProperty eta = measured("viscosity", replicas),
+                         diffusion = measured("diffusion", replicas),
+                         cubic = measured("diffusion", exact());
+  REQUIRE(diffusion.finite_size);
+  // The volume, and so the viscosity, is equal to the one of the cube.
+  const Vec3<double> of_axes =
+      finite_size_correction(T, eta.value.value * unit("mPa s", Dimension::viscosity), box.edge);
+  const double expected =
+      (of_axes.x + of_axes.y + of_axes.z) / 3 * 1e3;  // nm²/ps = 1e-6 m²/s, [1e-9 m²/s]
+  CHECK(*diffusion.finite_size == doctest::Approx(expected).epsilon(1e-9));
+  CHECK(*diffusion.finite_size < 0.5 * *cubic.finite_size);
+  CHECK(diffusion.value.value - cubic.value.value ==
+        doctest::Approx(*diffusion.finite_size - *cubic.finite_size).epsilon(1e-9));
+}
 
 TEST_CASE("dynamics have the viscosity, diffusion and relaxation of their correlation functions") {
   const std::vector<Replica> replicas = exact();

@@ -354,10 +354,9 @@ length = "0.02 ps"
 [output]
 plot = "none"
 trajectory_every = "0 ps"
-prefix = ")" + (folder / "out") +
-                           "\"\n";
-  const auto config = [&](const std::string& first) {
-    return parse_config("[system]\n" + first + keys, "run.toml");
+prefix = ")";
+  const auto config = [&](const std::string& first, const char* prefix = "out") {
+    return parse_config("[system]\n" + first + keys + (folder / prefix) + "\"\n", "run.toml");
   };
   const std::string hot = "density = \"0.9 g/cm3\"\ntemperature = \"300 K\"";
   Simulation(config(hot)).run();
@@ -366,7 +365,7 @@ prefix = ")" + (folder / "out") +
     std::string all;
     Callbacks callbacks;
     callbacks.message = [&](const std::string& line) { all += line + "\n"; };
-    Simulation(config(file + first)).run({.existing = ExistingFiles::replace}, callbacks);
+    Simulation(config(file + first, "again")).run({.existing = ExistingFiles::replace}, callbacks);
     return all;
   };
   const auto has = [](const std::string& text, const char* part) {

@@ -193,15 +193,24 @@ struct StateCurves {
 /// slope at each point between the first and the last where its property was requested.
 StateCurves state_curves(const std::vector<MeasuredPoint>& points);
 
+/// A state point without results, and the reason: the system cannot be simulated there, or the
+/// measurement ended before it.
+struct MissingPoint {
+  StatePoint at;
+  std::string reason;
+};
+
 struct MeasureReport {
   std::vector<MeasuredPoint> points;
+  std::vector<MissingPoint> missing{};
+  bool failed = false;  ///< whether the system cannot be simulated at one of the missing points
   StateCurves curves;
   bool interrupted = false;  ///< whether a callback interrupted the measurement
   bool out_of_time = false;
   std::vector<std::string> files;
   std::string system;  ///< molecules of the system and their numbers, as text
 
-  /// Whether all requested standard errors are reached.
+  /// Whether all requested standard errors are reached, at all state points.
   bool reached() const;
 };
 
