@@ -51,6 +51,7 @@ class Measure(Sandbox):
     def test_a_density_with_its_error(self):
         process = self.measured_before()
         self.assertIn("plan at 160 K, 500 bar: 4 replicas of 64 molecules", process.err)
+        self.assertRegex(process.err, r"note: the box of 64 molecules allows a cutoff of only 0.\d+ nm, .* 180 molecules have the usual cutoff of 0.9 nm")
         self.assertRegex(process.err, r"plan at .*, about \d+ s; longer")
         self.assertIn("density", process.out)
         self.assertIn("replicas of 64 molecules", process.out)
@@ -335,7 +336,7 @@ plot = "none"
         allowed = 4 * (found["error"]**2 + other["error"]**2)**0.5 + 0.01 * other["value"]
         self.assertLess(abs(found["value"] - other["value"]), allowed)
         self.assertLess(allowed, 0.15 * other["value"])
-        refused = self.polhode("measure", "argon", "coordination-number", "--molecules", "20")
+        refused = self.polhode("measure", "argon", "coordination-number", "--molecules", "32")
         self.assertEqual(refused.returncode, 2)
         self.assertIn("at least 36 molecules", refused.err)
 
@@ -377,7 +378,7 @@ plot = "none"
                 (("argon", "density", "--shard", "3"), ["--shard", "2/8"]),
                 (("argon", "density", "--paired-runs", "some"), ["--paired-runs", "yes or no"]),
                 (("argon", "density", "--time-limit", "5"), ["--time-limit", "unit"]),
-                (("argon 4", "density"), ["has 4 molecules", "at least 8"]),
+                (("argon 4", "density"), ["has 4 molecules", "at least 32"]),
                 (("argon", "density", "--at", "160 K, 1e7 bar"), ["--at", "from -100000 to 1e+06 bar"]),
                 (("argon", "density", "--at", "160 K to 160.0002 K, 2 points, 500 bar"), ["--at", "two state points '160 K, 500 bar'", "first six digits"]),
                 (("na-spce", "second-virial-coefficient"), ["decays as 1/r", "diverges"]),

@@ -37,7 +37,6 @@ namespace {
 /// known. Lengths then grow by a factor. Frequent decisions would favour errors small by chance.
 constexpr PerKind<std::size_t> first_segments{{first_averages, 4, 4, 12, 24, 4}};
 constexpr double growth = 1.5;
-constexpr std::size_t min_of_liquid = 8;  // molecules of a system that is simulated
 /// Number of segments after which a replica that has not reached equilibrium is not continued.
 constexpr std::size_t max_equilibration = 600;
 /// Minimum time between two writes of a record [s], because a segment of a small system takes only

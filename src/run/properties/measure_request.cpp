@@ -24,7 +24,8 @@ namespace {
 
 constexpr std::uint64_t usual_molecules = 256;  // default number of molecules of a pure substance
 constexpr std::uint64_t max_molecules = 1'000'000, max_replicas = 1000;
-constexpr double max_cutoff = 0.9;  // maximum cutoff [nm]
+constexpr double max_cutoff = 0.9;        // maximum cutoff [nm]
+constexpr double cutoff_per_edge = 0.45;  // of the box at its estimated density
 
 /// A model with its number of molecules; 0 if the number is not given.
 struct Component {
@@ -71,7 +72,7 @@ Config config_of(const std::string& system, const Given& molecules, const Given&
                  const Given& solute) {
   std::vector<Component> components = components_of(system);
   const std::uint64_t default_count =
-      molecules ? given_whole_number(molecules, 8, max_molecules) : usual_molecules;
+      molecules ? given_whole_number(molecules, min_of_liquid, max_molecules) : usual_molecules;
   if (components.size() > 1 && molecules)
     refuse(molecules, "has no meaning for a mixture: give the number of each kind of molecule");
   const bool is_mixture = components.size() > 1;
@@ -89,7 +90,9 @@ Config config_of(const std::string& system, const Given& molecules, const Given&
   }
   const Topology topology = build_topology(molecules_alone);
   const double edge = std::cbrt(topology.mass() / estimated_density(topology));
-  const double cutoff = std::min(max_cutoff, std::floor(0.45 * edge * 100) / 100);
+  // The rest is for the fluctuations of the volume, and for the error of the estimated density.
+  const double share = topology.size() < 64 ? 0.4 : cutoff_per_edge;
+  const double cutoff = std::min(max_cutoff, std::floor(share * edge * 100) / 100);
   Overlay overlay;
   if (mixing) overlay.settings = {{"forces.mixing", {mixing.text}, mixing.name}};
   Config config =
@@ -101,6 +104,21 @@ Config config_of(const std::string& system, const Given& molecules, const Given&
   config.system.molecules = molecules_alone.molecules;
   config.system.density.reset();
   return config;
+}
+
+/// A note if the box is too small for the usual cutoff, which this program has then chosen shorter.
+std::optional<std::string> short_cutoff(const Config& config) {
+  const double cutoff = config.forces.cutoff;
+  if (cutoff >= max_cutoff) return std::nullopt;
+  const Topology topology = build_topology(config.system);
+  const double volume = topology.mass() / estimated_density(topology);
+  const double needed =
+      static_cast<double>(topology.size()) * std::pow(max_cutoff / cutoff_per_edge, 3) / volume;
+  const double digit = std::pow(10, std::floor(std::log10(needed)) - 1);  // the second one
+  return fmt::format(
+      "note: the box of {} molecules allows a cutoff of only {:g} nm, so values differ from larger "
+      "systems; {:.0f} molecules have the usual cutoff of {:g} nm",
+      topology.size(), cutoff, digit * std::ceil(needed / digit), max_cutoff);
 }
 
 /// Adds a molecule of the solute to the molecules of a run file.
@@ -257,6 +275,11 @@ MeasureSettings MeasureRequest::settings() const {
     throw Error(
         "no property is requested; write for example density \"0.1 %\"; 'polhode help measure' "
         "lists all");
+  const bool simulates = std::ranges::any_of(s.properties, [](const RequestedProperty& p) {
+    return p.property->measured_in != MeasuredIn::pair;
+  });
+  if (!from_file && simulates)
+    if (const auto note = short_cutoff(config)) s.notes.push_back(*note);
   if (replicas) s.replicas = given_whole_number(replicas, 2, max_replicas);
   if (paired_runs && paired_runs.text != "yes" && paired_runs.text != "no")
     refuse(paired_runs, "must be yes or no");

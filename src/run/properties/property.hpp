@@ -33,6 +33,10 @@ enum AverageOf : std::size_t {
   averages_count_at_constant_volume
 };
 
+/// The smallest number of molecules of a system that is simulated. With fewer, fluctuations of the
+/// volume would make the box too small for a cutoff that is longer than the diameter of a molecule.
+inline constexpr std::size_t min_of_liquid = 32;
+
 /// The conditions that determine the value of a property, besides averages.
 struct PropertyConditions {
   StatePoint at;
