@@ -365,7 +365,7 @@ plot = "none"
         for arguments, words in (
                 (("argon", "densty"), ["no property 'densty'", "did you mean 'density'"]),
                 (("argn", "density"), ["argn"]),
-                (("argon", "density", "--at", "300"), ["--at", "300"]),
+                (("argon", "density", "--at", "300"), ["--at", "'300' in '300' has no unit", "298.15 K"]),
                 (("argon", "density", "--at", "90 K, 1400 kg/m3"), ["density cannot be measured", "constant pressure"]),
                 (("argon", "pressure", "--at", "90 K, 1 bar"), ["pressure cannot be measured", "give a density"]),
                 (("argon", "pressure", "--at", "90 K, 1 kg/m3"), ["too low for a liquid"]),

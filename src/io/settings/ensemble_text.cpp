@@ -78,7 +78,10 @@ std::string description(const EnsembleSettings& s) {
     text += fmt::format(", hybrid Monte Carlo with trajectories of {} steps",
                         s.hybrid_monte_carlo->steps);
   if (s.barostat)
-    text += fmt::format(", {} of the box to {:.12g} bar", title_of(s.barostat->type),
+    text += fmt::format(", {} of {} to {:.12g} bar", title_of(s.barostat->type),
+                        s.barostat->edges == BarostatSettings{}.edges
+                            ? "the box"
+                            : "the groups of edges " + edges_text(s.barostat->edges),
                         s.barostat->pressure / unit("bar", Dimension::pressure));
   return text;
 }

@@ -131,6 +131,8 @@ std::vector<StatePoint> state_points(std::string_view text) {
       points = count;
       continue;
     }
+    if (part.find_first_not_of("0123456789.eE+- ") == part.npos)
+      throw Error(fmt::format("'{}' in '{}' has no unit; write {}", part, text, example));
     const Dimension dimension = dimension_of(part);
     std::optional<Range>& pressure_or_density =
         dimension == Dimension::density ? density : pressure;
