@@ -18,7 +18,8 @@ NAMES = {"density": "density", "potential-energy": "potential energy", "enthalpy
          "dielectric-constant": "dielectric constant", "second-virial-coefficient": "second virial coefficient",
          "heat-capacity": "heat capacity", "rotational-relaxation": "rotational relaxation time", "surface-tension": "surface tension",
          "saturated-liquid-density": "saturated liquid density", "saturated-vapour-density": "saturated vapour density",
-         "saturation-pressure": "saturation pressure", "thermal-conductivity": "thermal conductivity"}
+         "saturation-pressure": "saturation pressure", "vapour-pressure": "vapour pressure",
+         "chemical-potential": "chemical potential", "thermal-conductivity": "thermal conductivity"}
 MARKS = {"yes": "", "no": "*", "experiment": "†"}  # of published values
 CENTRE = ":centre of mass"  # of pairs of molecular centres
 SHORT = {"density": "density", "enthalpy-of-vaporization": "ΔH", "diffusion": "D₀", "viscosity": "η", "dielectric-constant": "ε"}
