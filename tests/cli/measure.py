@@ -385,6 +385,8 @@ plot = "none"
                 (("argon",), ["no property is requested"])):
             self.refused(("measure", *arguments), words)
         self.refused(("merge", "argon", "density"), ["no record"])
+        self.write("mine.html", "<title>My page</title>")
+        self.refused(("measure", "argon", "second-virial-coefficient", "--output", "mine"), ["'mine.html' exists and is not a page of measure", "another output"])
 
     def test_a_state_that_is_no_liquid_is_said(self):
         for molecules, at, words in (

@@ -434,6 +434,8 @@ bool MeasureReport::reached() const {
 MeasureReport measure(const MeasureSettings& settings, const Callbacks& callbacks, Workers& workers,
                       const ReplicaExecutor& executor) {
   check_prefix(settings.prefix);
+  const std::string page = settings.prefix + ".html";
+  check_page(page);
   for (const std::string& note : settings.notes) callbacks.note(note);
   const OutputLock lock(fmt::format("{}-{}-of-{}.lock", settings.prefix, settings.shard.index + 1,
                                     settings.shard.count),
@@ -476,7 +478,6 @@ MeasureReport measure(const MeasureSettings& settings, const Callbacks& callback
       report.missing.push_back({settings.points[k], "the measurement ended before it"});
   }
   report.curves = state_curves(report.points);
-  const std::string page = settings.prefix + ".html";
   write_file(page, [&](std::ostream& out) { out << measure_page(report, settings.command); });
   report.files.push_back(page);
   return report;

@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <string_view>
 
 #include "base/version.hpp"
 #include "io/files/embedded.hpp"
 #include "io/files/with_error.hpp"
 #include "io/settings/quantity.hpp"
+#include "polhode/base/error.hpp"
 #include "polhode/run/properties/measure.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/svg_figure.hpp"
@@ -204,10 +207,24 @@ void replace(std::string& text, const std::string& mark, const std::string& by) 
   text.replace(text.find(mark), mark.size(), by);
 }
 
+constexpr std::string_view title = "Properties of ";
+
 }  // namespace
 
+void check_page(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) return;
+  std::string head(1000, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (head.find(fmt::format("<title>{}", title)) == head.npos)
+    throw Error(
+        fmt::format("'{}' exists and is not a page of measure, and would be overwritten; give "
+                    "another output, or delete the file",
+                    path));
+}
+
 std::string measure_page(const MeasureReport& report, const std::string& command) {
-  std::string body = fmt::format("<h1>Properties of {}</h1>\n<p><code>{}</code></p>\n",
+  std::string body = fmt::format("<h1>{}{}</h1>\n<p><code>{}</code></p>\n", title,
                                  html(report.system), html(command));
   body += of_curves(report);
   for (const MeasuredPoint& point : report.points) body += of_point(point);
@@ -217,7 +234,7 @@ std::string measure_page(const MeasureReport& report, const std::string& command
       "the manual names for each property.</footer>",
       version());
   std::string page(embedded_text("pages/measure.html").value());
-  replace(page, "@title@", "Properties of " + html(report.system));
+  replace(page, "@title@", std::string(title) + html(report.system));
   replace(page, "@body@", body);
   return page;
 }

@@ -142,6 +142,29 @@ Shard shard_of(const Given& given) {
   return {index - 1, count};
 }
 
+/// The state points of the option `at`, or a default one.
+std::vector<StatePoint> points_of(const Given& at, const StatePoint& own) {
+  std::vector<StatePoint> points;
+  std::string_view rest = at.text;
+  while (at && !rest.empty()) {
+    const auto end = std::min(rest.find(';'), rest.size());
+    try {
+      for (const StatePoint& point : state_points(rest.substr(0, end))) points.push_back(point);
+    } catch (const Error& e) {
+      throw e.at(at.name);
+    }
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (std::size_t l = 0; l < k; ++l)
+      if (points[k].file_text() == points[l].file_text())
+        refuse(at, fmt::format("has two state points '{}', which would have the same files; state "
+                               "points must differ in the first six digits",
+                               points[k].text()));
+  if (points.empty()) points = {own};
+  return points;
+}
+
 /// Parses the requested error of a property, which is a fraction or has the unit of the property.
 RequestedProperty with_error(const Property& property, const std::string& text) {
   RequestedProperty request{&property};
@@ -253,23 +276,7 @@ MeasureSettings MeasureRequest::settings() const {
                  config.ensemble.barostat
                      ? config.ensemble.barostat->pressure
                      : given_quantity({"1 bar", "pressure"}, Dimension::pressure)};
-  std::string_view rest = at.text;
-  while (at && !rest.empty()) {
-    const auto end = std::min(rest.find(';'), rest.size());
-    try {
-      for (const StatePoint& point : state_points(rest.substr(0, end))) s.points.push_back(point);
-    } catch (const Error& e) {
-      throw e.at(at.name);
-    }
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  if (s.points.empty()) s.points = {own};
-  for (std::size_t k = 0; k < s.points.size(); ++k)
-    for (std::size_t l = 0; l < k; ++l)
-      if (s.points[k].file_text() == s.points[l].file_text())
-        refuse(at, fmt::format("has two state points '{}', which would have the same files; state "
-                               "points must differ in the first six digits",
-                               s.points[k].text()));
+  s.points = points_of(at, own);
   s.properties = requested_properties(words);
   if (s.properties.empty())
     throw Error(

@@ -255,7 +255,8 @@ using ReplicaExecutor =
 /// errors or state points are requested.
 /// @throws Error     if a requested property is not defined for the system, or records belong to
 ///   another system
-/// @throws RunError  if a replica blows up, evaporates, separates into two phases or is a solid
+/// @throws RunError  if a replica blows up, evaporates, separates into two phases or is a solid, at
+///   all state points
 /// @param executor  performs the tasks instead of the workers; may be empty
 MeasureReport measure(const MeasureSettings& settings, const Callbacks& callbacks = {},
                       Workers& workers = Workers::serial(), const ReplicaExecutor& executor = {});
@@ -266,5 +267,9 @@ Quantities quantities(const MeasureReport& report);
 /// The results of a measurement as a self-contained HTML page, with figures of convergence,
 /// correlation functions and equilibration.
 std::string measure_page(const MeasureReport& report, const std::string& command);
+
+/// Checks that a page can be written: a file of the same name must be an earlier page.
+/// @throws Error  if it is another file
+void check_page(const std::string& path);
 
 }  // namespace polhode
