@@ -13,10 +13,10 @@ SYSTEMS = {  # model, state point, and errors requested of a call
     "argon": ("argon", "160 K, 500 bar", {"density": "0.6 %", "potential-energy": "1 %", "compressibility": "12 %", "heat-capacity": "8 %"}),
     "argon-dynamics": ("argon", "160 K, 500 bar", {"diffusion": "5 %", "viscosity": "15 %"}),
     "argon-coupling": ("argon", "160 K, 500 bar", {"chemical-potential": "0.2 kJ/mol"}),
-    "water": ("spce", "300 K, 1 bar", {"density": "0.33 %", "potential-energy": "0.25 %", "compressibility": "20 %", "heat-capacity": "12 %"}),
+    "water": ("spce", "300 K, 1 bar", {"density": "0.4 %", "potential-energy": "0.3 %", "compressibility": "25 %", "heat-capacity": "15 %"}),
 }
 KEPT = ("value", "interval_68", "interval_95", "reached")
-SEGMENTS = 36  # segments of averages of a replica before the first decision
+SEGMENTS = 24  # segments of averages of a replica before the first decision
 
 
 def values(o, words, seed, folder):

@@ -23,7 +23,8 @@ Equilibration equilibration(std::span<const double> series);
 
 /// The start of equilibrium in a series: the sample that equilibration() finds, or 0 if this sample
 /// is not significant. The sample is significant if the means before and after this sample differ
-/// by more than four standard errors of the difference. Without this condition, samples of a
+/// by more than five standard errors of the difference, or by more than four if the sample is in
+/// the second half. Without this condition, samples of a
 /// stationary series that happen to lie far from the mean would be discarded. Fluctuations and
 /// errors would then be too small.
 std::size_t equilibrium_start(std::span<const double> series);

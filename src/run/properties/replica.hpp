@@ -150,7 +150,7 @@ struct Replica {
 };
 
 /// Number of segments of averages of each replica before the first decision.
-inline constexpr std::size_t first_averages = 36;
+inline constexpr std::size_t first_averages = 24;
 /// One segment of dynamics in eight is repeated at half of the step, which is a quarter more work.
 inline constexpr std::size_t paired_every = 8;
 
