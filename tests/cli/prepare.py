@@ -88,6 +88,8 @@ class Prepare(Sandbox):
         energy = json.loads(self.done("energy", start, "--json").out)["potential_kJ_per_mol"]
         self.assertAlmostEqual(energy / 40, report["after"]["potential_kJ_per_mol"], places=5)
         self.assertNotIn("velocities come from", self.done("run", start).err)
+        self.refused(("minimise", "run.toml", "--force"), ["'out-minimised.gro' is an input of this command", "another prefix"])
+        self.write("run.toml", BENZENE)
         self.refused(("minimise", "run.toml"), ["out-minimised.gro", "--force"])
         text = self.done("minimise", BENZENE, "--max-steps", "3", "--force").out
         self.assertRegex(text, r"steps +3\nended +maximum number of steps\n")
