@@ -410,6 +410,7 @@ plot = "none"
         self.assertFalse(found["reached"])
         self.assertEqual([p["temperature_K"] for p in found["missing_points"]], [300])
         self.assertIn("evaporate", found["missing_points"][0]["reason"])
+        self.assertRegex((self.folder / "two.html").read_text(), r"<h2>Not measured</h2>\n<ul>\n<li>300 K, 1 bar: .*evaporate")
         process = self.polhode("measure", "argon", "density", "9 %", "--molecules", "32", "--at", "160 K, 500 bar; 170 K, 500 bar", "--replicas", "2",
                                "--time-limit", "0.001 s", "--output", "two")
         self.assertEqual(process.returncode, 0, process.err)
