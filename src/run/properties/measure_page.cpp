@@ -28,6 +28,13 @@ std::string interval_cell(const MeasuredProperty& m) {
   return interval ? fmt::format("{:.5g} to {:.5g}", interval->front(), interval->back()) : "";
 }
 
+std::string reached_cell(const MeasuredProperty& m) {
+  if (m.reached()) return "yes";
+  if (m.value.known != Known::yes && m.request.relative)
+    return fmt::format("no: {:.2g} % requested", 100 * m.request.error);
+  return fmt::format("no: ± {:.2g} requested", m.requested_error());
+}
+
 std::string row_of(const MeasuredProperty& m) {
   std::string corrections;
   if (m.bias)
@@ -50,8 +57,7 @@ std::string row_of(const MeasuredProperty& m) {
   return fmt::format(
       "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td>"
       "<td>{}</td></tr>\n",
-      html(m.request.property->name), html(value_cell(m)), interval_cell(m),
-      m.reached() ? "yes" : fmt::format("no: ± {:.2g} requested", m.requested_error()),
+      html(m.request.property->name), html(value_cell(m)), interval_cell(m), reached_cell(m),
       html(corrections));
 }
 
