@@ -76,9 +76,6 @@ struct BodyColumns {
     state.q.add(i, by);
     kept_q.add(i, by);
   }
-  void clear_pair_load() {
-    for (std::size_t i = 0; i < size(); ++i) pair_f.set(i, {}), pair_tau.set(i, {});
-  }
   Vec3<double> velocity(std::size_t i) const { return bodies.inverse_m[i] * state.p[i]; }
   Vec3<double> angular_velocity(std::size_t i) const {
     return angular_velocity_of(i, state.ell[i]);

@@ -67,7 +67,7 @@ void FixPolhode::init() {
   const bool amplifies = lambda_of_kicks().value_or(smallest_lambda) < smallest_lambda;
   guarded(error, "fix polhode", [&] { check_system(lmp, this, {program_.size(), amplifies}); });
   if (settings_.barostat) request_pressure();
-  sets_forces_ = force->pair_match("^polhode$", 0) != nullptr;
+  has_pair_style_ = force->pair_match("^polhode$", 0) != nullptr;
   half_step_velocities_ = needs_half_step_velocities(lmp, this);
   other_intervals_ = intervals_of_fixes(lmp, this);
 }
@@ -91,7 +91,7 @@ void FixPolhode::setup(int vflag) {
   collect_forces(columns_->load);
   tally_virial();
   if (box_move_is_due()) measure_pressure();
-  if (sets_forces_) set_forces();
+  if (has_pair_style_) set_forces();
 }
 
 // A rerun has this call after setup(), without initial_integrate(). The virial is out of date only
@@ -172,7 +172,7 @@ void FixPolhode::final_integrate() {
   set_velocities();
   if (vflag_either != 0) tally_virial();
   if (box_move_is_due()) measure_pressure();
-  if (sets_forces_ && output_is_due()) set_forces();
+  if (has_pair_style_ && output_is_due()) set_forces();
 }
 
 /// A run can end within a step of the scheme, for example at a time limit.
@@ -201,30 +201,63 @@ void FixPolhode::end_displacement() {
 void FixPolhode::place_atoms() {
   for (int i = 0; i < atom->nlocal; ++i) {
     if (owner(i).body < 0) continue;
-    const Pose p = pose(owner(i));
-    set(atom->x[i], p.q + to_lab(p.orientation, owner(i).site));
+    const Pose p = pose_of_origin(owner(i).body);
+    set(atom->x[i], centre(owner(i)) + to_lab(p.orientation, site_position(owner(i))));
   }
 }
 
 /// Collects the force Σ f and the torque Σ s × f of the sites of every body, and the forces that a
 /// pair style has added to bodies.
 void FixPolhode::collect_forces(Load& load) {
-  for (GhostBody& body : ghosts_) body.f = body.tau = {};
-  std::swap(load.f, columns_->pair_f);
-  std::swap(load.tau, columns_->pair_tau);
-  columns_->clear_pair_load();
+  begin_loads(load);
   collecting_ = &load;
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (owner(i).body < 0) continue;
     const Vec3<double> f = force->ftm2v * vector(atom->f[i]);
     if (f == Vec3<double>{}) continue;  // true for most inputs with pair_style polhode
-    add_load(owner(i).body, f, cross(vector(atom->x[i]) - pose(owner(i)).q, f));
+    if (owner(i).body < 0) continue;
+    add_load(owner(i).body, f, cross(vector(atom->x[i]) - centre(owner(i)), f));
   }
-  if (bodies_extend_over_atoms()) {
-    message_ = Message::loads;
-    comm->reverse_comm(this, 6);
-  }
+  if (bodies_extend_over_atoms() || (comm->nprocs > 1 && has_pair_style_))
+    reverse(Message::loads, 6);
   virial_is_old_ = false;
+}
+
+bool FixPolhode::computes_pairs_of(const GhostBody& ghost) const {
+  for (const int edges : ghost.image)
+    if (edges != 0) return edges > 0;
+  return ghost.process > comm->me;
+}
+
+void FixPolhode::begin_pair_loads() {
+  has_pair_loads_ = true;
+  each_used_ghost([](GhostBody& body) { body.pair_f = body.pair_tau = {}; });
+}
+
+/// Sets a load and the loads of ghosts to those from pair_style polhode, or to 0 if the pair style
+/// has computed none since the last call.
+void FixPolhode::begin_loads(Load& load) {
+  if (has_pair_loads_) {
+    std::swap(load.f, columns_->pair_f);
+    std::swap(load.tau, columns_->pair_tau);
+    each_used_ghost([](GhostBody& body) { body.f = body.pair_f, body.tau = body.pair_tau; });
+  } else {
+    for (Vec3Column* const column : {&load.f, &load.tau})
+      for (std::size_t d = 0; d < 3; ++d) std::ranges::fill(column->component(d), 0.0);
+    each_used_ghost([](GhostBody& body) { body.f = body.tau = {}; });
+  }
+  has_pair_loads_ = false;
+}
+
+void FixPolhode::add_pair_load_of_ghost(std::size_t index, const Vec3<double>& f,
+                                        const Vec3<double>& tau) {
+  const int body = origin(static_cast<int>(columns_->size() + index)).body;
+  if (is_ghost_body(body)) {
+    ghost(body).pair_f += f;
+    ghost(body).pair_tau += tau;
+  } else {
+    columns_->pair_f.add(static_cast<std::size_t>(body), f);
+    columns_->pair_tau.add(static_cast<std::size_t>(body), tau);
+  }
 }
 
 void FixPolhode::add_load(int body, const Vec3<double>& f, const Vec3<double>& tau) {
@@ -238,7 +271,7 @@ void FixPolhode::add_load(int body, const Vec3<double>& f, const Vec3<double>& t
 }
 
 FixPolhode::Motion FixPolhode::motion(int body) const {
-  const int from = origin(body).body;
+  const int from = is_ghost_body(body) ? origin(body).body : body;
   if (is_ghost_body(from)) return ghost(from).motion;
   const auto i = static_cast<std::size_t>(from);
   if (sends_accelerations_)
@@ -262,7 +295,7 @@ void FixPolhode::set_forces() {
   for (int i = 0; i < atom->nlocal; ++i) {
     if (owner(i).body < 0) continue;
     const Motion m = motion(owner(i).body);
-    const Vec3<double> s = vector(atom->x[i]) - pose(owner(i)).q;
+    const Vec3<double> s = vector(atom->x[i]) - centre(owner(i));
     const bool is_particle = kind(i).particle != 0;
     const double mass = is_particle ? kind(i).molecule.mass : mass_in_body(i);
     set(atom->f[i], (mass / force->ftm2v) * (m.velocity + cross(m.angular_velocity, s)));
@@ -281,7 +314,7 @@ void FixPolhode::set_velocities() {
     const bool here = !is_ghost_body(owner(i).body);
     const Motion m =
         here ? motions_[static_cast<std::size_t>(owner(i).body)] : ghost(owner(i).body).motion;
-    const Vec3<double> s = vector(atom->x[i]) - pose(owner(i)).q;
+    const Vec3<double> s = vector(atom->x[i]) - centre(owner(i));
     set(atom->v[i], m.velocity + cross(m.angular_velocity, s));
   }
 }
@@ -294,7 +327,7 @@ void FixPolhode::tally_virial() {
   forward(Message::motions, 6);
   for (int i = 0; i < atom->nlocal; ++i) {
     if (owner(i).body < 0) continue;
-    const Vec3<double> s = vector(atom->x[i]) - pose(owner(i)).q, f = vector(atom->f[i]);
+    const Vec3<double> s = vector(atom->x[i]) - centre(owner(i)), f = vector(atom->f[i]);
     const Vec3<double> u = vector(atom->v[i]) - motion(owner(i).body).velocity;
     const double m = force->mvv2e * mass_of_atom(i);
     const auto term = [&](std::size_t a, std::size_t b) {

@@ -80,6 +80,9 @@ class FixPolhode : public LAMMPS_NS::Fix {
   struct SitePlace {
     int kind, site;
   };
+  /// What a process uses a ghost for. The ghost of a body of which the process has atoms may also
+  /// be in pairs.
+  enum class Use { none, pairs, atoms };
   /// The body of a ghost owner atom.
   struct GhostBody {
     int kind = 0;
@@ -89,9 +92,12 @@ class FixPolhode : public LAMMPS_NS::Fix {
     int base = -1;               ///< index of the ghost of which this ghost is an image; −1 if
                                  ///< there is none
     // Set only for bodies of other processes that are not images of other ghosts:
+    Use use = Use::none;
     Pose pose{};
     Motion motion{};
     Vec3<double> f{}, tau{};
+    Vec3<double> pair_f{}, pair_tau{};  ///< from pair_style polhode, before they are added to f
+                                        ///< and tau
   };
   /// Finds the molecules. All processes must call this function together, at the beginning of each
   /// run.
@@ -109,6 +115,14 @@ class FixPolhode : public LAMMPS_NS::Fix {
   Pose pose_of_ghost(std::size_t ghost) const {
     return pose(static_cast<int>(columns_->size() + ghost));
   }
+  /// Whether this process computes the pairs of a ghost with local bodies. The process of the
+  /// ghost's body has the same pairs with the opposite image, and exactly one of both computes
+  /// them.
+  bool computes_pairs_of(const GhostBody& ghost) const;
+  /// Called by pair_style polhode before it sets the loads of its columns and of ghosts.
+  void begin_pair_loads();
+  /// Adds the force and the torque that local bodies exert on a ghost to the loads of its body.
+  void add_pair_load_of_ghost(std::size_t ghost, const Vec3<double>& f, const Vec3<double>& tau);
   /// A number that changes whenever the set of bodies and ghosts changes.
   std::uint64_t arrangement() const { return arrangement_; }
 
@@ -119,16 +133,35 @@ class FixPolhode : public LAMMPS_NS::Fix {
     int site = 0;            ///< site of the atom; −1 if the atom was created after recognise()
     std::int64_t owner = 0;  ///< id of the atom that owns the body
   };
-  /// The body of an atom: a local body, or a ghost that receives messages about the body. An Owner
-  /// also contains the shift by box edges that brings the body next to the atom, and the atom's
-  /// position in the body.
+  /// A shift by edges of the box.
+  struct Shift {
+    std::array<int, 3> edges{};
+    Vec3<double> by{};
+  };
+  /// A local body, or a ghost that receives messages about its body, and the shift to an image.
+  struct Origin {
+    int body = -1;
+    Shift shift{};
+  };
+  /// The origin and the site of an atom. There are few shifts and sites, so they are stored once.
   struct Owner {
     int body = -1;
-    std::array<int, 3> image{};  ///< the shift as numbers of edges
-    Vec3<double> shift{}, site{};
+    int shift = 0;  ///< index in shifts_
+    int site = 0;   ///< index in site_positions_
   };
   /// Motions may be accelerations: see set_forces().
-  enum class Message { owners, poses, motions, loads };
+  enum class Message { owners, uses, poses, motions, loads };
+  /// The bodies in the messages of one swap of LAMMPS with another process, in the order of the
+  /// messages. A swap is identified by its list of sent atoms, or by its first received ghost.
+  struct Swap {
+    const int* list = nullptr;
+    int first = -1;
+    std::vector<int> all, used, with_atoms;
+    const std::vector<int>& of(Message message) const {
+      return message == Message::uses ? all : message == Message::motions ? with_atoms : used;
+    }
+    void add(int body, Use use);
+  };
   struct Flows;
 
   AtomInfo& info(int i) { return info_[static_cast<std::size_t>(i)]; }
@@ -141,9 +174,19 @@ class FixPolhode : public LAMMPS_NS::Fix {
   }
   const Owner& owner(int i) const { return owners_[static_cast<std::size_t>(i)]; }
   Vec3<double> edges_of_box(const std::array<int, 3>& count) const;
-  Owner origin(int body) const;
+  Origin origin(int body) const;
+  int index_of(const Shift& shift);
+  std::vector<int> list_sites();
   Pose pose(int body) const;
-  Pose pose(const Owner& origin) const;
+  Pose pose_of_origin(int body) const {
+    return is_ghost_body(body) ? ghost(body).pose : columns_->pose(static_cast<std::size_t>(body));
+  }
+  Vec3<double> centre(const Owner& owner) const {
+    return pose_of_origin(owner.body).q + shifts_[static_cast<std::size_t>(owner.shift)].by;
+  }
+  Vec3<double> site_position(const Owner& owner) const {
+    return site_positions_[static_cast<std::size_t>(owner.site)];
+  }
   Motion motion(int body) const;
   BodyRecord record(int body) const;
   void add_arrival(int i, const BodyRecord& body);
@@ -164,12 +207,22 @@ class FixPolhode : public LAMMPS_NS::Fix {
   void rebuild_columns();
   void wrap_to_owner(int owner);
   void find_owners();
+  void find_uses();
   void forward(Message message, int size);
+  void reverse(Message message, int size);
   bool bodies_extend_over_atoms() const;
   double* pack_owner(int i, const std::array<int, 3>& image, double* to);
+  double* pack_owners(int count, const int* list, const std::array<int, 3>& image, double* to);
   const double* unpack_owner(int i, const double* from, bool from_itself);
-  bool stays_here(const int* list) const;
-  bool stays_here(int first) const;
+  void unpack_owners(int count, int first, const double* from);
+  /// Calls visit(ghost) for each ghost of a body of another process that this process uses.
+  template <class Visit>
+  void each_used_ghost(const Visit& visit) {
+    for (const Swap& swap : received_)
+      for (const int body : swap.used) visit(ghost(body));
+  }
+  Swap* swap_of(const int* list);
+  Swap* swap_of(int first);
 
   void play_stages(std::size_t first, std::size_t end);
   double bath_kT() const;
@@ -188,6 +241,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   void begin_displacement(double xi);
   void end_displacement();
   void place_atoms();
+  void begin_loads(Load& load);
   void collect_forces(Load& load);
   void set_velocities();
   bool output_is_due() const;
@@ -213,7 +267,8 @@ class FixPolhode : public LAMMPS_NS::Fix {
                                 // momentum
   bool half_step_velocities_ = false;        // whether another fix needs velocities of half steps
   bool is_run_ = false;                      // whether a step began since setup()
-  bool sets_forces_ = false;                 // whether set_forces() is called at output
+  bool has_pair_style_ = false;              // whether there is pair_style polhode
+  bool has_pair_loads_ = false;              // whether its loads are to be collected
   bool sends_accelerations_ = false;         // what motion() gives
   std::vector<int> other_intervals_;         // of fixes that act at the end of steps
   LAMMPS_NS::bigint atoms_ = 0, sites_ = 0;  // numbers of all atoms, and of atoms in bodies
@@ -227,17 +282,16 @@ class FixPolhode : public LAMMPS_NS::Fix {
   std::vector<BodyRecord> arrivals_;  // bodies of atoms that came since the columns were built
   std::vector<GhostBody> ghosts_;
   std::uint64_t arrangement_ = 0;
-  std::vector<Owner> owners_;    // body of each local atom; −1 if it does not belong to a body
-  std::vector<Motion> motions_;  // motions of the bodies, during set_velocities()
+  std::vector<Owner> owners_;                 // of each local atom; its body is −1 if it has none
+  std::vector<Shift> shifts_;                 // all shifts of owners; the first one is 0
+  std::vector<Vec3<double>> site_positions_;  // of the atoms of all kinds, in bodies
+  std::vector<Motion> motions_;               // motions of the bodies, during set_velocities()
   Message message_ = Message::owners;
-  // Communication swaps of a process with itself, which make periodic images in directions with
-  // only one process. own_lists_ holds the lists of atoms to send, and own_firsts_ the first
-  // received ghosts. Periodic images from such swaps are computed without messages.
-  std::vector<const int*> own_lists_;
-  std::vector<int> own_firsts_;
-  const double* packed_ = nullptr;  // buffer and list of the last message
-  const int* packed_list_ = nullptr;
-  Load* collecting_ = nullptr;  // load of the columns, during collect_forces()
+  // Swaps with other processes. In directions with only one process, LAMMPS swaps atoms of a
+  // process with itself. Periodic images from such swaps are computed without messages.
+  std::vector<Swap> sent_, received_;
+  const double* packed_ = nullptr;  // buffer of the last message
+  Load* collecting_ = nullptr;      // load of the columns, during collect_forces()
 };
 
 }  // namespace polhode::lammps

@@ -65,23 +65,22 @@ BodyRecord FixPolhode::record(int body) const {
 
 /// The body from which a periodic image is computed. The image of a local body is computed from the
 /// local body, and the image of a ghost from the ghost, without messages.
-FixPolhode::Owner FixPolhode::origin(int body) const {
+FixPolhode::Origin FixPolhode::origin(int body) const {
   if (!is_ghost_body(body)) return {body};
   const GhostBody& image = ghost(body);
-  if (image.process == comm->me) return {image.body, image.image, image.shift};
+  if (image.process == comm->me) return {image.body, {image.image, image.shift}};
   if (image.base < 0) return {body};
   const auto base = static_cast<std::size_t>(image.base);
   std::array<int, 3> between = image.image;
   for (std::size_t d = 0; d < 3; ++d) between[d] -= ghosts_[base].image[d];
-  return {static_cast<int>(columns_->size() + base), between, image.shift - ghosts_[base].shift};
+  return {static_cast<int>(columns_->size() + base), {between, image.shift - ghosts_[base].shift}};
 }
 
-Pose FixPolhode::pose(int body) const { return pose(origin(body)); }
-
-Pose FixPolhode::pose(const Owner& origin) const {
-  Pose shifted = is_ghost_body(origin.body) ? ghost(origin.body).pose
-                                            : columns_->pose(static_cast<std::size_t>(origin.body));
-  shifted.q += origin.shift;
+Pose FixPolhode::pose(int body) const {
+  if (!is_ghost_body(body)) return columns_->pose(static_cast<std::size_t>(body));
+  const Origin from = origin(body);
+  Pose shifted = pose_of_origin(from.body);
+  shifted.q += from.shift.by;
   return shifted;
 }
 
@@ -242,26 +241,24 @@ void FixPolhode::pre_neighbor() {
 
 /// Rebuilds the columns with the bodies of the atoms that are now on this process, sorted by kind.
 void FixPolhode::rebuild_columns() {
-  std::vector<std::pair<int, BodyRecord>> owners;
+  std::vector<int> owners;
   for (int i = 0; i < atom->nlocal; ++i)
-    if (body_of(i) >= 0) owners.emplace_back(i, record(body_of(i)));
-  std::stable_sort(owners.begin(), owners.end(), [&](const auto& a, const auto& b) {
-    return info(a.first).kind < info(b.first).kind;
-  });
+    if (body_of(i) >= 0) owners.push_back(i);
+  std::ranges::stable_sort(owners, {}, [&](int i) { return info(i).kind; });
   Topology topology;
   for (const Kind& kind : kinds_) topology.parts.push_back({kind.molecule, 0});
-  for (const auto& [i, body] : owners)
-    ++topology.parts[static_cast<std::size_t>(info(i).kind)].count;
-  columns_ = std::make_unique<BodyColumns>(topology);
+  for (const int i : owners) ++topology.parts[static_cast<std::size_t>(info(i).kind)].count;
+  auto columns = std::make_unique<BodyColumns>(topology);
   degrees_of_freedom_ = degrees_of_freedom(topology, TotalMomentum::free).all();
-  arrivals_.clear();
   for (std::size_t k = 0; k < owners.size(); ++k) {
-    const auto& [i, body] = owners[k];
-    columns_->set(k, body);
-    columns_->numbers[k] = static_cast<std::uint64_t>(atom->tag[i]);
+    const int i = owners[k];
+    columns->set(k, record(body_of(i)));
+    columns->numbers[k] = static_cast<std::uint64_t>(atom->tag[i]);
     body_of(i) = static_cast<int>(k);
-    wrap_to_owner(i);
   }
+  columns_ = std::move(columns);
+  arrivals_.clear();
+  for (const int i : owners) wrap_to_owner(i);
 }
 
 /// Shifts a body by whole box edges, so that it is at the periodic image of its wrapped owner atom.
@@ -273,31 +270,72 @@ void FixPolhode::wrap_to_owner(int owner) {
   if (norm2(shift) > 0) columns_->shift(body, shift);
 }
 
+/// The index of a shift in shifts_, which is extended if necessary.
+int FixPolhode::index_of(const Shift& shift) {
+  const auto found = std::ranges::find(shifts_, shift.edges, &Shift::edges);
+  const auto index = static_cast<int>(found - shifts_.begin());
+  if (found == shifts_.end()) shifts_.push_back(shift);
+  return index;
+}
+
+/// Lists the site positions of all kinds. Returns the index of the first site of each kind.
+std::vector<int> FixPolhode::list_sites() {
+  site_positions_.clear();
+  std::vector<int> first;
+  for (const Kind& kind : kinds_) {
+    first.push_back(static_cast<int>(site_positions_.size()));
+    for (std::size_t site = 0; site < kind.types.size(); ++site)
+      site_positions_.push_back(kind.atom(site));
+  }
+  return first;
+}
+
 /// Finds the image of the body that is next to each atom.
 void FixPolhode::find_owners() {
   ghosts_.clear();
   const int all = atom->nlocal + atom->nghost;
   for (int i = atom->nlocal; i < all; ++i) body_of(i) = -1;
-  own_lists_.clear();
-  own_firsts_.clear();
+  sent_.clear();
+  received_.clear();
   forward(Message::owners, 8);
   owners_.assign(static_cast<std::size_t>(atom->nlocal), {});
+  shifts_.assign(1, {});
+  const std::vector<int> first_site = list_sites();
   for (int i = 0; i < atom->nlocal; ++i) {
     if (info(i).kind < 0) continue;
-    const int any_image = atom->map(static_cast<LAMMPS_NS::tagint>(info(i).owner));
-    const int owner = any_image < 0 ? -1 : domain->closest_image(i, any_image);
     const double span = 1.001 * kind(i).span;  // tolerance that is larger than round-off
-    if (owner < 0 || body_of(owner) < 0 ||
-        norm2(vector(atom->x[i]) - vector(atom->x[owner])) > span * span)
+    const auto is_near = [&](int owner) {
+      return owner >= 0 && body_of(owner) >= 0 &&
+             norm2(vector(atom->x[i]) - vector(atom->x[owner])) <= span * span;
+    };
+    int owner = atom->map(static_cast<LAMMPS_NS::tagint>(info(i).owner));
+    if (owner >= 0 && !is_near(owner)) owner = domain->closest_image(i, owner);
+    if (!is_near(owner))
       error->one(FLERR,
                  "fix polhode: atom {} is not within {:.4g} of atom {} of the same rigid molecule; "
                  "the run has become unstable, or atoms were deleted or moved during the run",
                  atom->tag[i], span, info(i).owner);
-    Owner& found = owners_[static_cast<std::size_t>(i)];
-    found = origin(body_of(owner));
-    found.site = kind(i).atom(static_cast<std::size_t>(info(i).site));
+    const Origin found = origin(body_of(owner));
+    owners_[static_cast<std::size_t>(i)] = {
+        found.body, index_of(found.shift),
+        first_site[static_cast<std::size_t>(info(i).kind)] + info(i).site};
   }
+  if (comm->nprocs > 1) find_uses();
   forward(Message::poses, 7);
+}
+
+/// Finds what the ghosts are used for, and reports their use to the processes of their bodies.
+void FixPolhode::find_uses() {
+  const auto set = [&](int body, Use use) {
+    if (is_ghost_body(body)) ghost(body).use = std::max(ghost(body).use, use);
+  };
+  for (const Owner& owner : owners_)
+    if (owner.body >= 0) set(owner.body, Use::atoms);
+  if (has_pair_style_)
+    for (std::size_t g = 0; g < ghosts_.size(); ++g)
+      if (computes_pairs_of(ghosts_[g]))
+        set(origin(static_cast<int>(columns_->size() + g)).body, Use::pairs);
+  reverse(Message::uses, 1);
 }
 
 }  // namespace polhode::lammps

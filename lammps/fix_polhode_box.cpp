@@ -137,7 +137,7 @@ void FixPolhode::scale_box(const CoupledEdges& edges, double factor) {
   domain->set_global_box();
   domain->set_local_box();
   for (GhostBody& ghost : ghosts_) ghost.shift = edges_of_box(ghost.image);
-  for (Owner& owner : owners_) owner.shift = edges_of_box(owner.image);
+  for (Shift& shift : shifts_) shift.by = edges_of_box(shift.edges);
   if (force->kspace != nullptr) force->kspace->setup();
   ++arrangement_;
 }

@@ -77,11 +77,26 @@ void FixPolhode::forward(Message message, int size) {
   comm->forward_comm(this, size);
 }
 
-bool FixPolhode::stays_here(const int* list) const {
-  return std::find(own_lists_.begin(), own_lists_.end(), list) != own_lists_.end();
+void FixPolhode::reverse(Message message, int size) {
+  message_ = message;
+  comm->reverse_comm(this, size);
 }
-bool FixPolhode::stays_here(int first) const {
-  return std::find(own_firsts_.begin(), own_firsts_.end(), first) != own_firsts_.end();
+
+/// The swap with another process that sends a list; null if there is none.
+FixPolhode::Swap* FixPolhode::swap_of(const int* list) {
+  const auto found = std::ranges::find(sent_, list, &Swap::list);
+  return found == sent_.end() ? nullptr : &*found;
+}
+
+/// The swap with another process that receives a ghost as its first one; null if there is none.
+FixPolhode::Swap* FixPolhode::swap_of(int first) {
+  const auto found = std::ranges::find(received_, first, &Swap::first);
+  return found == received_.end() ? nullptr : &*found;
+}
+
+void FixPolhode::Swap::add(int body, Use use) {
+  if (use != Use::none) used.push_back(body);
+  if (use == Use::atoms) with_atoms.push_back(body);
 }
 
 /// Whether a process can have atoms that belong to bodies of other processes.
@@ -125,23 +140,46 @@ const double* FixPolhode::unpack_owner(int i, const double* from, bool from_itse
   return from;
 }
 
+/// Packs the owners of a swap and lists their bodies. unpack_owners() drops the swap if it turns
+/// out to be one of the process with itself.
+double* FixPolhode::pack_owners(int count, const int* list, const std::array<int, 3>& image,
+                                double* to) {
+  packed_ = to;
+  Swap& swap = sent_.emplace_back(Swap{.list = list});
+  for (int k = 0; k < count; ++k) {
+    if (body_of(list[k]) >= 0) swap.all.push_back(body_of(list[k]));
+    to = pack_owner(list[k], image, to);
+  }
+  return to;
+}
+
+void FixPolhode::unpack_owners(int count, int first, const double* from) {
+  const bool from_itself = from == packed_;
+  if (from_itself) sent_.pop_back();
+  Swap swap{.first = first};
+  for (int i = first; i < first + count; ++i) {
+    from = unpack_owner(i, from, from_itself);
+    if (body_of(i) >= 0) swap.all.push_back(body_of(i));
+  }
+  if (!from_itself && count > 0) received_.push_back(std::move(swap));
+}
+
 int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_flag, int* pbc) {
   double* to = buffer;
-  if (message_ != Message::owners && stays_here(list)) return 0;
-  packed_ = buffer, packed_list_ = list;
   std::array<int, 3> image{};  // image that the other process sees
   if (pbc_flag != 0) std::copy_n(pbc, 3, image.begin());
+  if (message_ == Message::owners)
+    return static_cast<int>(pack_owners(count, list, image, to) - buffer);
+  const Swap* const swap = swap_of(list);
+  if (swap == nullptr) return 0;
   const Vec3<double> shift = edges_of_box(image);
-  for (int k = 0; k < count; ++k) {
-    const int body = body_of(list[k]);
-    if (message_ == Message::owners) {
-      to = pack_owner(list[k], image, to);
-    } else if (body >= 0 && message_ == Message::poses) {
+  for (const int body : swap->of(message_)) {
+    if (message_ == Message::poses) {
       const Pose p = pose(body);
       to = put(to, p.q + shift);
       *to++ = p.orientation.w;
       to = put(to, p.orientation.vector());
-    } else if (body >= 0) {
+    } else {
       const Motion m = motion(body);
       to = put(put(to, m.velocity), m.angular_velocity);
     }
@@ -150,21 +188,12 @@ int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_
 }
 
 void FixPolhode::unpack_forward_comm(int count, int first, double* buffer) {
+  if (message_ == Message::owners) return unpack_owners(count, first, buffer);
+  const Swap* const swap = swap_of(first);
+  if (count == 0 || swap == nullptr) return;
   const double* from = buffer;
-  const bool owners = message_ == Message::owners;
-  const bool from_itself = owners ? buffer == packed_ : stays_here(first);
-  if (owners && from_itself && count > 0) {
-    own_lists_.push_back(packed_list_);
-    own_firsts_.push_back(first);
-  }
-  if (!owners && from_itself) return;
-  for (int i = first; i < first + count; ++i) {
-    if (owners) {
-      from = unpack_owner(i, from, from_itself);
-      continue;
-    }
-    if (body_of(i) < 0) continue;
-    GhostBody& body = ghost(body_of(i));
+  for (const int index : swap->of(message_)) {
+    GhostBody& body = ghost(index);
     if (message_ == Message::poses) {
       body.pose.q = take(from);
       body.pose.orientation.w = *from++;
@@ -179,19 +208,34 @@ void FixPolhode::unpack_forward_comm(int count, int first, double* buffer) {
 
 int FixPolhode::pack_reverse_comm(int count, int first, double* buffer) {
   double* to = buffer;
-  if (stays_here(first)) return 0;
-  for (int i = first; i < first + count; ++i)
-    if (body_of(i) >= 0) to = put(put(to, ghost(body_of(i)).f), ghost(body_of(i)).tau);
+  Swap* const swap = swap_of(first);
+  if (count == 0 || swap == nullptr) return 0;
+  for (const int body : swap->of(message_)) {
+    const GhostBody& of = ghost(body);
+    if (message_ == Message::uses) {
+      swap->add(body, of.use);
+      *to++ = static_cast<double>(of.use);
+    } else {
+      to = put(put(to, of.f), of.tau);
+    }
+  }
   return static_cast<int>(to - buffer);
 }
 
-void FixPolhode::unpack_reverse_comm(int count, int* list, double* buffer) {
+void FixPolhode::unpack_reverse_comm(int, int* list, double* buffer) {
   const double* at = buffer;
-  if (stays_here(list)) return;
-  for (int k = 0; k < count; ++k) {
-    if (body_of(list[k]) < 0) continue;
-    const Vec3<double> f = take(at), tau = take(at);
-    add_load(origin(body_of(list[k])).body, f, tau);
+  Swap* const swap = swap_of(list);
+  if (swap == nullptr) return;
+  for (const int body : swap->of(message_)) {
+    const int from = origin(body).body;
+    if (message_ == Message::uses) {
+      const auto use = static_cast<Use>(*at++);
+      swap->add(body, use);
+      if (is_ghost_body(from)) ghost(from).use = std::max(ghost(from).use, use);
+    } else {
+      const Vec3<double> f = take(at), tau = take(at);
+      add_load(from, f, tau);
+    }
   }
 }
 

@@ -213,7 +213,7 @@ void PairPolhode::arrange() {
   const auto is_needed = [&](const FixPolhode::GhostBody& ghost) {
     for (std::size_t d = 0; d < 3; ++d)
       if (edges[d] > 0 && ghost.image[d] != 0) return false;
-    return true;
+    return fix_->computes_pairs_of(ghost);
   };
   for (const std::size_t kind : fix_->columns().bodies.part) ++own.parts[kind].count;
   ghost_order_.clear();
@@ -257,9 +257,16 @@ void PairPolhode::place_bodies() {
 /// Sets the loads, as LAMMPS may compute the forces of a configuration again.
 void PairPolhode::set_loads() {
   BodyColumns& columns = fix_->columns();
+  const double unit = force->ftm2v;
+  fix_->begin_pair_loads();
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    columns.pair_f.set(i, force->ftm2v * units_.nm * load_.f[i]);
-    columns.pair_tau.set(i, force->ftm2v * load_.tau[i]);
+    columns.pair_f.set(i, unit * units_.nm * load_.f[i]);
+    columns.pair_tau.set(i, unit * load_.tau[i]);
+  }
+  for (std::size_t g = 0; g < ghost_order_.size(); ++g) {
+    const std::size_t i = columns.size() + g;
+    fix_->add_pair_load_of_ghost(ghost_order_[g], unit * units_.nm * load_.f[i],
+                                 unit * load_.tau[i]);
   }
 }
 

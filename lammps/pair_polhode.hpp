@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // pair_style polhode computes the forces of the library on the bodies of fix polhode, molecule by
-// molecule. Each process computes the forces on its own bodies. All nearby bodies exert these
-// forces. The forces on ghosts are computed by the processes of their owners. In directions that
-// are not divided among processes, the box is periodic, without ghosts.
+// molecule. A pair of bodies of two processes is computed by one of them, and fix polhode sends the
+// forces on ghosts to the processes of their bodies. In directions that are not divided among
+// processes, the box is periodic, without ghosts.
 #pragma once
 
 #include <cstdint>

@@ -22,6 +22,14 @@ struct Domain {
   std::vector<Vec3<double>> shifts;  // of their images
 };
 
+// Each pair of bodies of two domains, or of two images, is computed once: by the domain that has
+// the image with positive numbers of edges, or else by the earlier domain.
+bool computes(const Vec3<double>& cell, bool body_is_in_later_domain) {
+  for (std::size_t e = 0; e < 3; ++e)
+    if (cell[e] != 0) return cell[e] > 0;
+  return body_is_in_later_domain;
+}
+
 // Ghosts that may interact: images within the range of the domain's bounds.
 double range_of(const Topology& topology, const ForceSettings& settings) {
   double extent = 0;
@@ -60,7 +68,7 @@ Domain domain(const scenes::Scene& scene, double low, double high, double range,
       for (std::size_t e = 0; e < 3; ++e)
         near = near &&
                (period[e] > 0 ? cell[e] == 0 : at[e] > first[e] - range && at[e] < last[e] + range);
-      if (!near) continue;
+      if (!near || !computes(cell, (q + scaled(home, edge)).x >= high * edge.x)) continue;
       ++d.ghosts.parts[part].count;
       ghosts.push_back(i);
       ghost_shifts.push_back(shift);
@@ -71,7 +79,7 @@ Domain domain(const scenes::Scene& scene, double low, double high, double range,
   return d;
 }
 
-// Sums over the domains of the forces of each.
+// Sums over the domains of the forces on its bodies and ghosts.
 Load sum_of_domains(const scenes::Scene& scene, const ForceSettings& settings,
                     const std::vector<double>& bounds, const Vec3<double>& period = {}) {
   const double range = range_of(scene.topology, settings);
@@ -85,7 +93,7 @@ Load sum_of_domains(const scenes::Scene& scene, const ForceSettings& settings,
     }
     Load load;
     forces(load, true);
-    for (std::size_t i = 0; i < forces.own_bodies(); ++i) {
+    for (std::size_t i = 0; i < d.bodies.size(); ++i) {
       sum.f.add(d.bodies[i], load.f[i]);
       sum.tau.add(d.bodies[i], load.tau[i]);
     }
@@ -234,8 +242,9 @@ TEST_CASE("pairs of the Ewald sum together with the mesh of another program") {
       pairs += q * split.pair(norm(R + sites[b].r - sites[a].r)).u;
       if (a < b) within -= q * split.smooth(norm(sites[b].r - sites[a].r)).u;
     }
-  // Half of the pair with the ghost; the mesh has the self-energy, but not this correction.
-  CHECK(load.coulomb == doctest::Approx(pairs / 2 + within).epsilon(1e-11));
+  // The mesh has the self-energy, but not the correction within a molecule.
+  CHECK(load.coulomb == doctest::Approx(pairs + within).epsilon(1e-11));
+  CHECK(norm(load.f[0] + load.f[1]) <= 1e-14 * norm(load.f[0]));
   // A force field has its own mesh.
   Workers& workers = Workers::serial();
   CHECK_THROWS_WITH_AS(ForceField({{{water, 1}}}, settings, Box{{3, 3, 3}}, workers),

@@ -15,18 +15,17 @@ namespace polhode {
 
 struct AnyPairEngine;
 
-/// Computes the forces on the bodies of a domain. The forces are exerted by bodies of the domain
-/// and by ghosts. Ghosts are copies of bodies of other domains, or periodic images, at explicit
-/// positions. A caller can treat a direction as periodic if the domain extends over the whole box
-/// in this direction. Pairs of two ghosts and the forces on ghosts are not computed. The bodies of
-/// this domain are called local bodies. A pair of a local body and a ghost contributes half of its
-/// energy and virial, because the other domain adds the other half.
+/// Computes the forces of the pairs of a domain: pairs of two bodies of the domain, which are
+/// called local bodies, and pairs of a local body and a ghost. Ghosts are copies of bodies of other
+/// domains, or periodic images, at explicit positions. Pairs of two ghosts are left out. A caller
+/// can treat a direction as periodic if the domain extends over the whole box in this direction.
 ///
-/// The caller must supply every ghost that interacts with at least one local body. If the cutoff
-/// applies to sites, a ghost can interact if the distance of the centres is below the cutoff plus
-/// the extents of both molecules. Constant energies of local bodies are included. The self-energy
-/// of charges is omitted if another program computes the mesh and adds the self-energy, see
-/// ForceSettings::ewald_alpha.
+/// The caller must give each pair of bodies of different domains to exactly one of them. The domain
+/// has a ghost for the other body, and the caller adds the forces on the ghost to those of the
+/// body. If the cutoff applies to sites, a ghost can interact if the distance of the centres is
+/// below the cutoff plus the extents of both molecules. Constant energies of local bodies are
+/// included. The self-energy of charges is omitted if another program computes the mesh and adds
+/// the self-energy, see ForceSettings::ewald_alpha.
 class DomainForces {
  public:
   /// @param own, ghosts  kinds of molecules and their numbers, for local bodies and ghosts; some
@@ -53,9 +52,9 @@ class DomainForces {
   /// @pre  the same directions are periodic as before
   void set_period(const Vec3<double>& period);
 
-  /// Computes forces and torques of the local bodies, which are the first elements of the Load. If
-  /// `energies` is true, energies and virial are computed as well; otherwise they are 0. Does not
-  /// allocate memory, except when the list grows.
+  /// Computes the forces and torques on local bodies and ghosts, in the order of the state. If
+  /// `energies` is true, the energies and the virial of all pairs are computed as well; otherwise
+  /// they are 0. Does not allocate memory, except when the list grows.
   void operator()(Load& load, bool energies);
 
  private:

@@ -13,7 +13,7 @@
 // because their pairs need no truncation.
 //
 // Bodies of the last parts of a topology may be ghosts: copies of bodies of another list. Ghosts
-// are partners of other bodies and have no rows.
+// are partners of other bodies and have no rows, so pairs of ghosts are not listed.
 #pragma once
 
 #include <cstdint>
@@ -75,8 +75,7 @@ struct ListChunk {
   std::vector<Row> rows;               ///< indexed by [slot − first, partner part − part]
   std::vector<std::uint32_t> entries;  ///< words of Neighbour
   std::uint32_t max_row = 0;           ///< number of entries in the longest row
-  std::vector<SlotWindow> windows;     ///< for each part, the slots that occur in this
-                                       ///< chunk; empty for ghosts
+  std::vector<SlotWindow> windows;     ///< for each part, the slots that occur in this chunk
   const Row& row(std::size_t slot, std::size_t partner_part, std::size_t parts) const {
     return rows[(slot - first) * (parts - part) + (partner_part - part)];
   }
@@ -110,8 +109,8 @@ class NeighbourList {
   const Box& box() const { return box_; }
   const Slots& slots() const { return slots_; }
   const std::vector<ListChunk>& chunks() const { return chunks_; }
-  /// Whether the bodies of a part of the topology are ghosts.
-  bool is_ghost(std::size_t part) const { return part >= own_parts_; }
+  /// Number of parts of the topology that are not ghosts. Ghosts are in all later parts.
+  std::size_t own_parts() const { return own_parts_; }
 
   /// Largest squared displacement since the last build for which the list is still valid [nm²].
   double allowed2() const { return allowed2_; }
@@ -144,7 +143,6 @@ struct ListJob {
   const SlotTree& tree;                  ///< tree of the slots
   const std::vector<PairRange>& ranges;  ///< ranges, indexed by [part a, part b]
   std::size_t width;                     ///< number of pairs per pack
-  std::size_t own_parts;                 ///< number of topology parts that are not ghosts
 };
 
 POLHODE_DECLARE_LOOPS(

@@ -26,13 +26,6 @@ std::size_t lanes() {
   return POLHODE_CURRENT_OVERLOAD(pair_lanes, std::size_t(*)(const PairJob<T>*))(nullptr);
 }
 
-template <class T>
-void halve_energies(ChunkSums<T>& sums) {
-  sums.van_der_waals /= 2;
-  sums.coulomb /= 2;
-  for (std::size_t d = 0; d < 3; ++d) sums.virial[d] = 0.5 * sums.virial[d];
-}
-
 }  // namespace
 
 template <class T>
@@ -118,7 +111,7 @@ template <class T>
 void PairEngine<T>::sum_pairs(PairLoop loop, bool energies, const SiteRecords<T>* displacements,
                               Load& load) {
   workers_.each(sums_.size(), [&](std::size_t c) { sum_chunk(c, loop, energies, displacements); });
-  workers_.each(sums_.size(), [&](std::size_t c) { collect(c, load); });
+  collect_all(load);
   for (const ChunkSums<T>& sums : sums_) {
     load.van_der_waals += sums.van_der_waals;
     load.coulomb += sums.coulomb;
@@ -188,39 +181,43 @@ void PairEngine<T>::sum_chunk(std::size_t c, PairLoop loop, bool energies,
   std::fill_n(sums.values.data(), sums.values.size(), T{});
   sums.van_der_waals = sums.coulomb = 0;
   sums.virial = {};
-  const auto sum_partners = [&](std::size_t partner) {
+  for (std::size_t partner = chunk.part; partner < sites_.size(); ++partner)
     loop({tables_(chunk.part, partner), laws_, treatment_, energies, list_, chunk, partner,
           records_, sums, displacements});
-  };
-  const std::size_t parts = sites_.size();
-  for (std::size_t partner = parts; partner > 0 && list_.is_ghost(partner - 1); --partner)
-    sum_partners(partner - 1);
-  halve_energies(sums);  // at this point, these are the energies of pairs with ghosts
-  for (std::size_t partner = chunk.part; partner < parts && !list_.is_ghost(partner); ++partner)
-    sum_partners(partner);
 }
 
-/// Adds the forces from all chunks, in a fixed order, to the slots of chunk `c`.
+/// Adds the forces from all chunks to all slots.
 template <class T>
-void PairEngine<T>::collect(std::size_t c, Load& load) const {
+void PairEngine<T>::collect_all(Load& load) {
+  workers_.each(sums_.size(), [&](std::size_t c) {
+    const ListChunk& chunk = list_.chunks()[c];
+    collect(chunk.part, chunk.first, chunk.end, load);
+  });
+  for (std::size_t part = list_.own_parts(); part < sites_.size(); ++part)
+    collect(part, list_.slots().parts[part].first, list_.slots().parts[part].end(), load);
+}
+
+/// Adds the forces from all chunks, in a fixed order, to the slots first ≤ s < end of a part.
+template <class T>
+void PairEngine<T>::collect(std::size_t p, std::uint32_t first, std::uint32_t end,
+                            Load& load) const {
   constexpr std::uint32_t block = slot_block;
   constexpr std::size_t stride = ChunkSums<T>::stride;
-  const ListChunk& own = list_.chunks()[c];
   const Slots& slots = list_.slots();
-  const Slots::Part& part = slots.parts[own.part];
-  const bool turns = std::any_of(sites_[own.part].begin(), sites_[own.part].end(),
+  const Slots::Part& part = slots.parts[p];
+  const bool turns = std::any_of(sites_[p].begin(), sites_[p].end(),
                                  [](const Vec3<double>& r) { return norm2(r) > 0; });
-  for (std::uint32_t first = own.first; first < own.end; first += block) {
-    const std::uint32_t n = std::min(block, own.end - first);
+  for (; first < end; first += block) {
+    const std::uint32_t n = std::min(block, end - first);
     std::array<double, block * stride> total{};
     if (mesh_) std::copy_n(&mesh_sums_[first * stride], n * stride, total.begin());
     for (std::size_t k = 0; k < sums_.size(); ++k) {
       // Windows begin at block boundaries, so a block lies either entirely in a window or entirely
       // outside it.
-      const SlotWindow& window = list_.chunks()[k].windows[own.part];
+      const SlotWindow& window = list_.chunks()[k].windows[p];
       const std::uint32_t at = first - window.first + (first < window.first ? part.count : 0);
       if (at >= window.count) continue;
-      const T* const from = &sums_[k].values[(sums_[k].first[own.part] + at) * stride];
+      const T* const from = &sums_[k].values[(sums_[k].first[p] + at) * stride];
       for (std::size_t x = 0; x < n * stride; ++x) total[x] += from[x];
     }
     for (std::uint32_t i = 0; i < n; ++i) {

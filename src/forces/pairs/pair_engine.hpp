@@ -23,10 +23,8 @@ namespace polhode {
 template <class T>
 class PairEngine {
  public:
-  /// @param ghost_parts  number of parts at the end of the topology that are ghosts: copies of
-  ///   bodies whose forces another engine computes. Ghosts do not interact with each other, and the
-  ///   forces on them are not computed. The energy and the virial include half of the contribution
-  ///   of each pair with a ghost.
+  /// @param ghost_parts  number of parts at the end of the topology that are ghosts, which do not
+  ///   interact with each other
   PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
              Workers& workers, std::size_t ghost_parts = 0);
 
@@ -62,7 +60,8 @@ class PairEngine {
   void sum_pairs(PairLoop loop, bool energies, const SiteRecords<T>* displacements, Load& load);
   void sum_chunk(std::size_t chunk, PairLoop loop, bool energies,
                  const SiteRecords<T>* displacements);
-  void collect(std::size_t chunk, Load& load) const;
+  void collect(std::size_t part, std::uint32_t first, std::uint32_t end, Load& load) const;
+  void collect_all(Load& load);
 
   Workers& workers_;
   CutoffTreatment treatment_;

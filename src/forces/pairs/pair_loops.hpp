@@ -29,9 +29,9 @@ struct SiteRecords {
 };
 
 /// Sums of forces [kJ/mol/nm] and torques [kJ/mol] from one chunk of the list, for the slots in the
-/// windows of the chunk. Windows do not include ghosts. The sums over pairs have the precision of
-/// the pair loops. A sum over one chunk has only a few hundred terms, so the round-off errors of
-/// its terms exceed the round-off error of the summation. Sums over chunks are in double precision.
+/// windows of the chunk. The sums over pairs have the precision of the pair loops. A sum over one
+/// chunk has only a few hundred terms, so the round-off errors of its terms exceed the round-off
+/// error of the summation. Sums over chunks are in double precision.
 template <class T>
 struct ChunkSums {
   static constexpr std::size_t stride = 8;  ///< numbers per slot: force, torque, and two zeros

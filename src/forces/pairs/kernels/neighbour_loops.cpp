@@ -122,7 +122,7 @@ void find_partners(const ListJob& job, ListChunk& chunk) {
       Search& search = searches[partner - chunk.part];
       found.size = 0;
       if (job.slots.parts[partner].count > 0) search(slot, found);
-      if (slot % SlotTree::leaf == 0 && partner < job.own_parts) search.each_leaf(mark);
+      if (slot % SlotTree::leaf == 0) search.each_leaf(mark);
       write(slot, found, inside_of(job.ranges[chunk.part * parts + partner]),
             partner == chunk.part);
     }

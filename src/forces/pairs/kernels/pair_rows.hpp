@@ -63,8 +63,7 @@ class PairRows {
         partner_(window(job.partner_part)),
         numbers_((2 + 3 * shape_.sites_b + Real::width) / Real::width * Real::width),
         edge_(job.list.box().edge),
-        far_apart_(job.list.slots().size() > 8192 && job.list.slots().parts.size() == 1),
-        with_ghosts_(job.list.is_ghost(job.partner_part)) {
+        far_apart_(job.list.slots().size() > 8192 && job.list.slots().parts.size() == 1) {
     for (std::size_t d = 0; d < 3; ++d)
       unit_[d] = static_cast<T>(edge_[d] / static_cast<double>(fixed_point_edge));
   }
@@ -249,9 +248,8 @@ class PairRows {
   static Vec3<Real> value_or_slope(const Vec3<Dual<Real>>& v) { return slope(v); }
 
   // Adds the forces and torques on the partners of a pack to their sums. Before the first pack the
-  // forces to add are zero, so any partner may receive them. Ghosts have no sums.
+  // forces to add are zero, so any partner may receive them.
   [[gnu::noinline]] void add_up(std::size_t pack) {
-    if (with_ghosts_) return;
     const Stage& from = stage(pack);
     std::array<Real, 6> load;
     for (std::size_t k = 0; k < 6; ++k) load[k] = Real::load(from.loads + k * Real::width);
@@ -283,7 +281,6 @@ class PairRows {
   const std::size_t numbers_;  // numbers of a partner's record, rounded up to whole packs
   const Vec3<double> edge_;    // box edges [nm]
   const bool far_apart_;       // whether records and sums exceed the second-level cache
-  const bool with_ghosts_;     // whether the partners are ghosts
   Vec3<T> unit_;
   Stage stages_[4];
   Pack<double> van_der_waals_, coulomb_;
