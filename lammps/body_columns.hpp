@@ -43,8 +43,7 @@ struct BodyColumns {
   Load displaced_load;  ///< forces and torques at the last displaced positions
   Vec3Column kept_q;    ///< original positions during a gradient kick
   QuaternionColumn kept_orientation;
-  Vec3Column pair_f, pair_tau;    ///< forces and torques from pair_style polhode, before they are
-                                  ///< added to a load
+  Load pair_load;                 ///< the load from pair_style polhode, before it is collected
   Column<std::uint64_t> numbers;  ///< ids of the owner atoms, which select the random numbers of
                                   ///< the bodies
 
@@ -55,8 +54,7 @@ struct BodyColumns {
         displaced_load(topology.size()),
         kept_q(topology.size()),
         kept_orientation(topology.size()),
-        pair_f(topology.size()),
-        pair_tau(topology.size()),
+        pair_load(topology.size()),
         numbers(topology.size()) {}
   std::size_t size() const { return state.size(); }
 

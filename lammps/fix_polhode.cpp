@@ -215,7 +215,8 @@ void FixPolhode::collect_forces(Load& load) {
     const Vec3<double> f = force->ftm2v * vector(atom->f[i]);
     if (f == Vec3<double>{}) continue;  // true for most inputs with pair_style polhode
     if (owner(i).body < 0) continue;
-    add_load(owner(i).body, f, cross(vector(atom->x[i]) - centre(owner(i)), f));
+    add_load(owner(i).body, {f, cross(vector(atom->x[i]) - centre(owner(i)), f)}, load,
+             &GhostBody::load);
   }
   if (bodies_extend_over_atoms() || (comm->nprocs > 1 && has_pair_style_))
     reverse(Message::loads, 6);
@@ -230,43 +231,38 @@ bool FixPolhode::computes_pairs_of(const GhostBody& ghost) const {
 
 void FixPolhode::begin_pair_loads() {
   has_pair_loads_ = true;
-  each_used_ghost([](GhostBody& body) { body.pair_f = body.pair_tau = {}; });
+  each_used_ghost([](GhostBody& body) { body.pair_load = {}; });
 }
 
 /// Sets a load and the loads of ghosts to those from pair_style polhode, or to 0 if the pair style
 /// has computed none since the last call.
 void FixPolhode::begin_loads(Load& load) {
   if (has_pair_loads_) {
-    std::swap(load.f, columns_->pair_f);
-    std::swap(load.tau, columns_->pair_tau);
-    each_used_ghost([](GhostBody& body) { body.f = body.pair_f, body.tau = body.pair_tau; });
+    std::swap(load, columns_->pair_load);
+    each_used_ghost([](GhostBody& body) { body.load = body.pair_load; });
   } else {
     for (Vec3Column* const column : {&load.f, &load.tau})
       for (std::size_t d = 0; d < 3; ++d) std::ranges::fill(column->component(d), 0.0);
-    each_used_ghost([](GhostBody& body) { body.f = body.tau = {}; });
+    each_used_ghost([](GhostBody& body) { body.load = {}; });
   }
   has_pair_loads_ = false;
 }
 
-void FixPolhode::add_pair_load_of_ghost(std::size_t index, const Vec3<double>& f,
-                                        const Vec3<double>& tau) {
+void FixPolhode::add_pair_load_of_ghost(std::size_t index, const BodyLoad& load) {
   const int body = origin(static_cast<int>(columns_->size() + index)).body;
-  if (is_ghost_body(body)) {
-    ghost(body).pair_f += f;
-    ghost(body).pair_tau += tau;
-  } else {
-    columns_->pair_f.add(static_cast<std::size_t>(body), f);
-    columns_->pair_tau.add(static_cast<std::size_t>(body), tau);
-  }
+  add_load(body, load, columns_->pair_load, &GhostBody::pair_load);
 }
 
-void FixPolhode::add_load(int body, const Vec3<double>& f, const Vec3<double>& tau) {
+/// Adds forces and torques on a body to those of the columns, or of the ghost.
+void FixPolhode::add_load(int body, const BodyLoad& added, Load& own,
+                          BodyLoad GhostBody::*of_ghost) {
   if (is_ghost_body(body)) {
-    ghost(body).f += f;
-    ghost(body).tau += tau;
+    BodyLoad& to = ghost(body).*of_ghost;
+    to.f += added.f;
+    to.tau += added.tau;
   } else {
-    collecting_->f.add(static_cast<std::size_t>(body), f);
-    collecting_->tau.add(static_cast<std::size_t>(body), tau);
+    own.f.add(static_cast<std::size_t>(body), added.f);
+    own.tau.add(static_cast<std::size_t>(body), added.tau);
   }
 }
 

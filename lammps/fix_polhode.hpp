@@ -76,6 +76,10 @@ class FixPolhode : public LAMMPS_NS::Fix {
   struct Motion {
     Vec3<double> velocity{}, angular_velocity{};
   };
+  /// The force and the torque on a body.
+  struct BodyLoad {
+    Vec3<double> f{}, tau{};
+  };
   /// The kind and the site of an atom. The kind is −1 if the atom does not belong to a body.
   struct SitePlace {
     int kind, site;
@@ -95,9 +99,8 @@ class FixPolhode : public LAMMPS_NS::Fix {
     Use use = Use::none;
     Pose pose{};
     Motion motion{};
-    Vec3<double> f{}, tau{};
-    Vec3<double> pair_f{}, pair_tau{};  ///< from pair_style polhode, before they are added to f
-                                        ///< and tau
+    BodyLoad load{};
+    BodyLoad pair_load{};  ///< from pair_style polhode, before it is collected
   };
   /// Finds the molecules. All processes must call this function together, at the beginning of each
   /// run.
@@ -122,7 +125,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   /// Called by pair_style polhode before it sets the loads of its columns and of ghosts.
   void begin_pair_loads();
   /// Adds the force and the torque that local bodies exert on a ghost to the loads of its body.
-  void add_pair_load_of_ghost(std::size_t ghost, const Vec3<double>& f, const Vec3<double>& tau);
+  void add_pair_load_of_ghost(std::size_t ghost, const BodyLoad& load);
   /// A number that changes whenever the set of bodies and ghosts changes.
   std::uint64_t arrangement() const { return arrangement_; }
 
@@ -190,7 +193,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   Motion motion(int body) const;
   BodyRecord record(int body) const;
   void add_arrival(int i, const BodyRecord& body);
-  void add_load(int body, const Vec3<double>& f, const Vec3<double>& tau);
+  void add_load(int body, const BodyLoad& added, Load& own, BodyLoad GhostBody::*of_ghost);
 
   double mass_of_atom(int i) const;
   double mass_in_body(int i) const;

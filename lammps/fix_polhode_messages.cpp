@@ -216,7 +216,7 @@ int FixPolhode::pack_reverse_comm(int count, int first, double* buffer) {
       swap->add(body, of.use);
       *to++ = static_cast<double>(of.use);
     } else {
-      to = put(put(to, of.f), of.tau);
+      to = put(put(to, of.load.f), of.load.tau);
     }
   }
   return static_cast<int>(to - buffer);
@@ -234,7 +234,7 @@ void FixPolhode::unpack_reverse_comm(int, int* list, double* buffer) {
       if (is_ghost_body(from)) ghost(from).use = std::max(ghost(from).use, use);
     } else {
       const Vec3<double> f = take(at), tau = take(at);
-      add_load(from, f, tau);
+      add_load(from, {f, tau}, *collecting_, &GhostBody::load);
     }
   }
 }

@@ -260,13 +260,13 @@ void PairPolhode::set_loads() {
   const double unit = force->ftm2v;
   fix_->begin_pair_loads();
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    columns.pair_f.set(i, unit * units_.nm * load_.f[i]);
-    columns.pair_tau.set(i, unit * load_.tau[i]);
+    columns.pair_load.f.set(i, unit * units_.nm * load_.f[i]);
+    columns.pair_load.tau.set(i, unit * load_.tau[i]);
   }
   for (std::size_t g = 0; g < ghost_order_.size(); ++g) {
     const std::size_t i = columns.size() + g;
-    fix_->add_pair_load_of_ghost(ghost_order_[g], unit * units_.nm * load_.f[i],
-                                 unit * load_.tau[i]);
+    fix_->add_pair_load_of_ghost(ghost_order_[g],
+                                 {unit * units_.nm * load_.f[i], unit * load_.tau[i]});
   }
 }
 

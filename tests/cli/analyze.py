@@ -129,6 +129,14 @@ class Analyze(Sandbox):
         text = self.analyze(*options).out
         self.assertIn("not converged: the correlation is still above 1/e³", text)
 
+    def test_a_window_that_is_longer_than_half_of_the_trajectory(self):
+        for window, lags in (("50 ps", 14), ("0.104 ps", 14), ("0.05 ps", 7)):  # 26 frames every 8 fs
+            process = self.analyze("--run", "run.toml", "--what", "msd", "--window", window, "--plot", "none", "--force", "--json")
+            is_cut = any("is longer than half of the trajectory, so the lags end at 0.104 ps" in note for note in json.loads(process.out)["notes"])
+            self.assertEqual(is_cut, window == "50 ps", window)
+            rows = [line for line in (self.folder / "polhode-analysis-msd.csv").read_text().splitlines() if line[:1].isdigit()]
+            self.assertEqual(len(rows), lags)
+
     def test_sites_of_equal_names(self):
         """Those of two kinds of molecules are separate, unless they are asked for together."""
         self.write("run.toml", edited(WATERS, ("count = 27 }", "count = 14 }, { model = \"spce\", count = 13 }")))

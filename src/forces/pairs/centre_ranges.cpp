@@ -21,7 +21,7 @@ std::optional<double> extent(const Molecule& molecule, const Has& has) {
 
 CentreRanges centre_ranges(const ForceSettings& settings, const Molecule& a, const Molecule& b) {
   const CutoffTreatment treatment = cutoff_treatment(settings);
-  const double switched = treatment == CutoffTreatment::site_shift ? 0 : settings.switch_from;
+  const double switched = changes_all_distances(treatment) ? 0 : settings.switch_from;
   CentreRanges ranges;
   ranges.inside = settings.cutoff;
   // Adds an interaction that has its full strength up to `whole` and is zero beyond `cutoff`.

@@ -26,6 +26,11 @@ constexpr bool switches_sites(CutoffTreatment treatment) {
 constexpr bool is_smooth(CutoffTreatment treatment) {
   return treatment == CutoffTreatment::smooth || treatment == CutoffTreatment::smooth_untruncated;
 }
+/// Whether the truncation changes a potential at every distance, so that no pair is inside the
+/// switching distance.
+constexpr bool changes_all_distances(CutoffTreatment treatment) {
+  return treatment == CutoffTreatment::site_shift;
+}
 /// The cutoff treatment of pairs inside the switching distance: the same potentials without
 /// truncation.
 constexpr CutoffTreatment without_truncation(CutoffTreatment treatment) {

@@ -118,9 +118,20 @@ class Assembly {
     if (timed_ && !settings_.interval)  // the mean interval has a smaller round-off error than the
                                         // first interval
       result_.interval = (result_.last - result_.first) / static_cast<double>(result_.frames - 1);
+    if (timed_ && settings_.window != AnalysisSettings{}.window) check_window();
   }
 
  private:
+  // Lags are limited to half of the frames, which serve as time origins.
+  void check_window() {
+    const double longest = static_cast<double>(result_.frames / 2) * result_.interval;
+    if (settings_.window > longest + result_.interval / 2)
+      result_.notes.push_back(
+          fmt::format("the window of {:g} ps is longer than half of the trajectory, so the lags "
+                      "end at {:.4g} ps",
+                      settings_.window, longest));
+  }
+
   void leave_out(const std::string& name, const std::string& why) {
     if (settings_.what.contains(name))
       throw Error(fmt::format("'{}' cannot be computed: {}; leave it out", name, why));

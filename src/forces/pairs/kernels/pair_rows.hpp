@@ -97,7 +97,8 @@ class PairRows {
           add_up(pack - 1);
         }
       };
-      each_pack.template operator()<without_truncation(treatment)>(here.begin, here.truncated);
+      if constexpr (!changes_all_distances(treatment))
+        each_pack.template operator()<without_truncation(treatment)>(here.begin, here.truncated);
       each_pack.template operator()<treatment>(here.truncated, here.end);
       add_row<energies>(slot, sums);
       slot = following;
