@@ -124,7 +124,8 @@ class Assembly {
  private:
   // Lags are limited to half of the frames, which serve as time origins.
   void check_window() {
-    const double longest = static_cast<double>(result_.frames / 2) * result_.interval;
+    const std::size_t lags = result_.frames / 2;
+    const double longest = static_cast<double>(lags) * result_.interval;
     if (settings_.window > longest + result_.interval / 2)
       result_.notes.push_back(
           fmt::format("the window of {:g} ps is longer than half of the trajectory, so the lags "
