@@ -97,11 +97,16 @@ STYLES = {
 }
 
 
+def add_programs(parser):
+    """The options for the programs, which all benchmarks of LAMMPS have."""
+    parser.add_argument("--polhode", default="polhode", help="the program")
+    parser.add_argument("--environment", type=Path, required=True, help="with LAMMPS")
+    parser.add_argument("--plugin", type=Path, required=True)
+
+
 def arguments():
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    p.add_argument("--polhode", default="polhode", help="the program")
-    p.add_argument("--environment", type=Path, required=True, help="with LAMMPS")
-    p.add_argument("--plugin", type=Path, required=True)
+    add_programs(p)
     p.add_argument("--copies", type=lambda text: [int(word) for word in text.split(",")], default=[1, 2],
                    help="of 512 waters along each edge (1,2)")
     p.add_argument("--rounds", type=int, default=3)

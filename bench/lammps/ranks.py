@@ -57,9 +57,7 @@ class Bench(cost.Bench):
 
 def arguments():
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    p.add_argument("--polhode", default="polhode", help="the program")
-    p.add_argument("--environment", type=Path, required=True, help="with LAMMPS")
-    p.add_argument("--plugin", type=Path, required=True)
+    cost.add_programs(p)
     p.add_argument("--copies", type=int, default=4, help="of 512 waters along each edge (4: 32,768 waters)")
     p.add_argument("--forms", type=lambda text: text.split(";"), default=list(FORMS), help=";".join(FORMS))
     p.add_argument("--rounds", type=int, default=7)

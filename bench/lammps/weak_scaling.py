@@ -103,9 +103,7 @@ def shell(size, edge, thickness):
 
 def main():
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    p.add_argument("--polhode", default="polhode", help="the program")
-    p.add_argument("--environment", type=Path, required=True, help="with LAMMPS")
-    p.add_argument("--plugin", type=Path, required=True)
+    cost.add_programs(p)
     p.add_argument("--steps", type=int, default=40, help="that are counted (40)")
     p.add_argument("--sizes", type=lambda text: [int(word) for word in text.split(",")], default=[1, 2, 3],
                    help="of the domains on 8 processes: copies of 512 waters along each edge (1,2,3)")
