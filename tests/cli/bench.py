@@ -2,6 +2,7 @@
 """The output of polhode bench is complete; times are not tested, because they depend on the load."""
 
 import json
+import re
 
 import sandbox
 from sandbox import Sandbox
@@ -34,8 +35,10 @@ class Bench(Sandbox):
                 self.assertGreater(e["arithmetic_us"], 0)
                 for key in ("forces_us", "energies_us", "list_us"):
                     self.assertTrue(0 < e[key]["best"] <= e[key]["median"], key)
-            self.assertEqual([(t["scheme"], t["step_fs"]) for t in system["steps"]],
-                             [("hoa2", 4), ("velocity-verlet", 2), ("gier4-fd", 5)])
+            self.assertEqual([(t["scheme"], t["step_fs"], t["interactions"]) for t in system["steps"]],
+                             [("hoa2", 4, "reaction field"), ("velocity-verlet", 2, "reaction field"),
+                              ("gier4-fd", 5, "reaction field"), ("velocity-verlet", 2, "site switch"),
+                              ("velocity-verlet", 2, "Ewald sum")])
             for t in system["steps"]:
                 self.assertEqual(set(t["parts_us"]), PARTS)
                 self.assertAlmostEqual(sum(t["parts_us"].values()) / t["step_us"]["best"], 1, 9)
@@ -45,9 +48,23 @@ class Bench(Sandbox):
     def test_text_and_other_sizes(self):
         process = self.polhode("bench", "--quick", "--sizes", "216,600", "--precision", "mixed", "--threads", "1", "--verbose")
         self.assertEqual(process.returncode, 0, process.err)
-        for words in ("216 waters", "600 waters", "multiply-adds", "mixed", "hoa2", "ns/day", "not spent on forces"):
+        for words in ("216 waters", "600 waters", "multiply-adds", "mixed", "hoa2", "ns/day", "Ewald sum", "site switch"):
             self.assertIn(words, process.out)
         self.assertNotIn("double", process.out)
+        self.assertNotIn("speed-up", process.out)
+
+    def test_speed_up_by_threads(self):
+        common = ("bench", "--quick", "--precision", "mixed", "--threads", "2", "--sizes", "216")
+        lines = self.polhode(*common).out.splitlines()
+        head = next(k for k, line in enumerate(lines) if line.startswith("waters "))
+        self.assertEqual(lines[head - 1], "a step of velocity Verlet, 2 fs, without energies")
+        self.assertEqual(re.split("  +", lines[head]),
+                         ["waters", "interactions", "precision", "1 thread [ms]", "2 threads [ms]", "speed-up"])
+        for line, interactions in zip(lines[head + 1:], ("reaction field", "site switch", "Ewald sum")):
+            cells = re.split("  +", line.strip())
+            self.assertEqual(cells[:3], ["216", interactions, "mixed"])
+            one, two, ratio = map(float, cells[3:])
+            self.assertAlmostEqual(one / two / ratio, 1, delta=0.02)  # of numbers with three digits
 
     def test_wrong_options(self):
         for options, words in ((("--sizes", "100"), ("cutoff", "100 waters")), (("--sizes", "0"), ("--sizes",)),

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <numeric>
+#include <string_view>
 
 #include "base/stopwatch.hpp"
 #include "forces/pairs/neighbours.hpp"
@@ -16,6 +17,7 @@
 #include "forces/timed_forces.hpp"
 #include "model/cell_list.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/forces/mesh/mesh_choice.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
@@ -25,12 +27,22 @@ namespace {
 
 constexpr std::size_t tile = 512;               // number of molecules of the built-in configuration
 constexpr std::array switches = {0.765, 0.85};  // start of the switch [nm]
+constexpr const char *reaction_field = "reaction field", *site_switch = "site switch",
+                     *ewald_sum = "Ewald sum";
 struct Motion {
   const char* scheme;
   double step;  // time step [ps]
+  const char* interactions = reaction_field;
 };
-constexpr std::array motions = {Motion{"hoa2", 0.004}, Motion{"velocity-verlet", 0.002},
-                                Motion{"gier4-fd", 0.005}};
+constexpr std::array motions = {
+    Motion{"hoa2", 0.004}, Motion{"velocity-verlet", 0.002}, Motion{"gier4-fd", 0.005},
+    Motion{"velocity-verlet", 0.002, site_switch}, Motion{"velocity-verlet", 0.002, ewald_sum}};
+
+ForceSettings with_interactions(ForceSettings settings, std::string_view interactions) {
+  if (interactions != reaction_field) settings.truncation = Truncation::site_switch;
+  if (interactions == ewald_sum) settings.electrostatics = Electrostatics::pme;
+  return settings;
+}
 
 // Duration and number of repeats of each measurement. Large systems are measured less often.
 struct Effort {
@@ -154,6 +166,7 @@ void repeat(StepRepeats& repeats, const Motion& motion, System& water,
 StepTiming summary_of(const StepRepeats& repeats, const Motion& motion) {
   StepTiming s;
   s.scheme = motion.scheme;
+  s.interactions = motion.interactions;
   s.step = motion.step;
   const Timing forces = timing(repeats.forces), other = timing(repeats.other);
   const Scheme scheme = scheme_of(motion.scheme);
@@ -182,7 +195,10 @@ class Measurement {
               std::vector<std::unique_ptr<Workers>>& workers)
       : effort_(effort),
         callbacks_(callbacks),
-        water_(liquid_water(molecules, callbacks, *workers.back())) {
+        water_(liquid_water(molecules, callbacks, *workers.back())),
+        mesh_(
+            mesh_for(with_interactions(benchmark_forces(Precision::mixed, switches[0]), ewald_sum),
+                     water_.state.box, water_.topology)) {
     for (std::size_t p = 0; p < settings.precisions.size(); ++p)
       for (const auto& w : workers) kinds_.push_back({limits[p], *w, water_, {}, {}});
   }
@@ -237,16 +253,22 @@ class Measurement {
     for (std::size_t k = 0; k < motions.size(); ++k)
       for (Kind& kind : kinds_)
         if (!callbacks_.stopped())
-          repeat(kind.steps[k], motions[k], kind.moving, forces(kind, 0), kind.workers,
+          repeat(kind.steps[k], motions[k], kind.moving, forces(kind, motions[k]), kind.workers,
                  effort_.steps);
   }
   static ForceSettings forces(const Kind& kind, std::size_t k) {
     return benchmark_forces(kind.limit.precision, switches[k]);
   }
+  ForceSettings forces(const Kind& kind, const Motion& motion) const {
+    ForceSettings settings = with_interactions(forces(kind, 0), motion.interactions);
+    if (settings.electrostatics == Electrostatics::pme) settings.mesh = mesh_;
+    return settings;
+  }
 
   Effort effort_;
   const Callbacks& callbacks_;
   System water_;
+  MeshSettings mesh_;  // mesh of the Ewald sum
   std::vector<Kind> kinds_;
 };
 

@@ -33,7 +33,7 @@ struct EvaluationTiming {
 
 /// Timings of the steps of a scheme, without energies.
 struct StepTiming {
-  std::string scheme;
+  std::string scheme, interactions;
   double step = 0;  ///< time step [ps]
   Timing all;       ///< time of one step [s], the sum of the times of its parts
   double forces = 0, list = 0, drift = 0, kick = 0, rest = 0;  ///< times of the parts of a step [s]
@@ -49,7 +49,8 @@ struct SystemTiming {
   std::vector<EvaluationTiming> evaluations;  ///< evaluations with switching distances of 0.765 nm
                                               ///< and 0.85 nm, and a cutoff of 0.9 nm
   std::vector<StepTiming> steps;              ///< steps of HOA2 at 4 fs, velocity Verlet at 2 fs,
-                                              ///< and GIER4 at 5 fs
+                                              ///< and GIER4 at 5 fs; then velocity Verlet with
+                                              ///< other interactions
 };
 
 struct Benchmark {

@@ -19,13 +19,6 @@ constexpr double noisy = 0.1;  // relative spread of timings above which the use
 
 std::string threads_text(int n) { return fmt::format("{} thread{}", n, n == 1 ? "" : "s"); }
 
-std::string duration(double seconds) {
-  const double us = units::us_per_s * seconds;
-  return us < 1000  ? fmt::format("{:.3g} µs", us)
-         : us < 1e6 ? fmt::format("{:.3g} ms", us / 1e3)
-                    : fmt::format("{:.3g} s", seconds);
-}
-
 double share(const EvaluationTiming& e, int threads) {
   return e.arithmetic / threads / e.forces.best;
 }
@@ -100,14 +93,18 @@ Quantities of_step(const StepTiming& t) {
     parts.push_back({name, "", units::us_per_s * time});
     parts.push_back({"", "%", time / t.all.best, "", name});
   }
-  return {{"scheme", "", t.scheme, "scheme", "scheme"},
-          {"step", "fs", units::fs_per_ps * t.step, "time step", "step"},
-          {"step_us", "", of_timing(t.all, units::us_per_s, "a step", "[us]"), "time of a step"},
-          {"parts_us", "", parts, "time of each part of a step"},
-          {"non_force_share", "", non_force_share(t),
-           "fraction of the time of a step that is not spent on forces"},
-          {"rebuilds_per_step", "", t.rebuilds, "number of neighbour-list rebuilds per step"},
-          {"ns_per_day", "", t.ns_per_day(), "speed", "ns/day"}};
+  return {
+      {"scheme", "", t.scheme, "scheme", "scheme"},
+      {"interactions", "", t.interactions,
+       "reaction field (molecule switch), reaction field with a site switch, or Ewald sum (PME)",
+       "interactions"},
+      {"step", "fs", units::fs_per_ps * t.step, "time step", "step"},
+      {"step_us", "", of_timing(t.all, units::us_per_s, "a step", "[us]"), "time of a step"},
+      {"parts_us", "", parts, "time of each part of a step"},
+      {"non_force_share", "", non_force_share(t),
+       "fraction of the time of a step that is not spent on forces"},
+      {"rebuilds_per_step", "", t.rebuilds, "number of neighbour-list rebuilds per step"},
+      {"ns_per_day", "", t.ns_per_day(), "speed", "ns/day"}};
 }
 
 Quantities of_conditions(const SystemTiming& s) {
@@ -146,40 +143,80 @@ std::string join(const std::vector<std::string>& parts, const char* between = ",
   return text;
 }
 
-/// Sentences that explain the results.
+/// Another timing of a system, such as that with one thread.
+const SystemTiming* like(const Benchmark& b, const SystemTiming& s, Precision precision,
+                         int threads) {
+  const auto found = std::ranges::find_if(b.systems, [&](const SystemTiming& other) {
+    return other.molecules == s.molecules && other.precision == precision &&
+           other.threads == threads;
+  });
+  return found == b.systems.end() ? nullptr : &*found;
+}
+
+/// Steps of velocity Verlet with all interactions: a row for each system size and precision, with a
+/// column for each number of threads.
+std::vector<Quantities> table_of_steps(const Benchmark& b, const std::vector<int>& threads) {
+  std::vector<Quantities> rows;
+  for (const SystemTiming& one : b.systems)
+    for (std::size_t k = 0; k < one.steps.size(); ++k) {
+      const StepTiming& step = one.steps[k];
+      if (one.threads != threads.front() || step.scheme != "velocity-verlet") continue;
+      Quantities& cells = rows.emplace_back(
+          Quantities{{"", "", one.molecules, "", "waters"},
+                     {"", "", step.interactions, "", "interactions"},
+                     {"", "", std::string(name_of(one.precision)), "", "precision"}});
+      for (const int n : threads) {
+        const SystemTiming* const timed = like(b, one, one.precision, n);
+        if (!timed) continue;
+        const double seconds = timed->steps[k].all.best;
+        cells.push_back({"", "[ms]", 1e3 * seconds, "", threads_text(n), "", "", 3});
+        if (n != threads.front())
+          cells.push_back({"", "", step.all.best / seconds, "", "speed-up", "", "", 3});
+      }
+    }
+  return rows;
+}
+
+/// What the timings mean for a user, in sentences.
 std::vector<std::string> verdict(const Benchmark& b) {
   std::vector<std::string> lines;
+  const auto range = [](const std::vector<double>& x) {
+    const auto [least, most] = std::ranges::minmax(x);
+    return most - least < 0.05 ? fmt::format("{:.1f}", least)
+                               : fmt::format("{:.1f} to {:.1f}", least, most);
+  };
   for (const std::size_t molecules : sizes(b)) {
-    std::vector<std::string> beside, speeds;
     const auto add = [&](const std::string& sentence) {
       lines.push_back(fmt::format("{} waters: {}", molecules, sentence));
     };
-    for (const SystemTiming& s : of_size(b, molecules)) {
-      const EvaluationTiming& e = s.evaluations[0];
-      const StepTiming& hoa2 = s.steps[0];
+    const std::vector<SystemTiming> systems = of_size(b, molecules);
+    const auto ratios = [&](const SystemTiming& slow, const SystemTiming& fast) {
+      std::vector<double> all;
+      for (std::size_t k = 0; k < fast.steps.size(); ++k)
+        all.push_back(slow.steps[k].all.best / fast.steps[k].all.best);
+      return all;
+    };
+    for (const SystemTiming& s : systems) {
       const std::string_view precision = name_of(s.precision);
-      speeds.push_back(fmt::format("{:.3g} ns/day in {} precision with {}", hoa2.ns_per_day(),
-                                   precision, threads_text(s.threads)));
-      if (s.threads == 1) {
-        add(fmt::format(
-            "forces in {} precision take {}, of which the arithmetic of the pairs needs "
-            "at least {} ({:.0f} %)",
-            precision, duration(e.forces.best), duration(e.arithmetic), percent(share(e, 1))));
-        beside.push_back(
-            fmt::format("{:.0f} % in {} precision", percent(non_force_share(hoa2)), precision));
-        continue;
-      }
-      for (const SystemTiming& one : b.systems)
-        if (one.molecules == molecules && one.precision == s.precision && one.threads == 1)
-          add(
-              fmt::format("{} compute forces {:.2f}x as fast as one thread in {} precision, and "
-                          "whole steps {:.2f}x as fast",
-                          threads_text(s.threads), one.evaluations[0].forces.best / e.forces.best,
-                          precision, one.steps[0].all.best / hoa2.all.best));
+      const SystemTiming* const one = like(b, s, s.precision, 1);
+      const SystemTiming* const in_double = like(b, s, Precision::double_precision, s.threads);
+      if (s.threads == 1 && s.precision == Precision::mixed && in_double)
+        add(fmt::format("a step in mixed precision is {} times as fast as in double precision",
+                        range(ratios(*in_double, s))));
+      if (s.threads > 1 && one)
+        add(fmt::format("a step on {} is {} times as fast as on one, in {} precision",
+                        threads_text(s.threads), range(ratios(*one, s)), precision));
     }
-    add("share of the time of a hoa2 step on one thread that is not spent on forces: " +
-        join(beside));
-    add("hoa2 at 4 fs simulates " + join(speeds));
+    const SystemTiming& fastest = *std::ranges::min_element(
+        systems, {}, [](const SystemTiming& s) { return s.steps[0].all.best; });
+    add(fmt::format("hoa2 at 4 fs simulates up to {:.3g} ns/day, in {} precision on {}",
+                    fastest.steps[0].ns_per_day(), name_of(fastest.precision),
+                    threads_text(fastest.threads)));
+    add(
+        fmt::format("the arithmetic of pairs takes at least {:.0f} % of the time of forces on one "
+                    "thread, in {} precision",
+                    percent(share(systems[0].evaluations[0], systems[0].threads)),
+                    name_of(systems[0].precision)));
   }
   const double spread = b.spread();
   lines.push_back(
@@ -212,6 +249,9 @@ Quantities quantities(const Benchmark& b, const Computer& computer) {
       row("threads", join(threads)),
       detail({"limits", "", limits, "speed of one core", "one core, best of all repeats"})};
   append(list, of_systems(b.systems));
+  const std::vector<Quantities> steps = table_of_steps(b, computer.threads);
+  if (!steps.empty())
+    list.push_back({"", "", steps, "", "a step of velocity Verlet, 2 fs, without energies"});
   append(list, {{"spread", "", b.spread(), "largest spread of repeated timings"},
                 {"verdict", "", verdict(b), "conclusion from the timings", "verdict"}});
   return list;
