@@ -14,6 +14,9 @@ set(POLHODE_FLAGS_sse4 -march=x86-64-v2)
 set(POLHODE_MACROS_sse4 __SSE4_2__)
 set(POLHODE_FLAGS_avx2 -march=x86-64-v3)
 set(POLHODE_MACROS_avx2 __AVX2__ __FMA__)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # other order of instructions, 2 to 18 % faster on Zen 4
+  list(APPEND POLHODE_FLAGS_avx2 -mtune=znver2)
+endif()
 set(POLHODE_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
 set(POLHODE_MACROS_avx512 __AVX512F__ __AVX512BW__ __AVX512CD__ __AVX512DQ__ __AVX512VL__)
 set(POLHODE_FLAGS_neon -march=armv8-a+crypto)  # Highway compiles NEON only with these instructions, which are not used

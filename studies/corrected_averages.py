@@ -3,7 +3,8 @@
 
 Each seed equilibrates its own liquid and continues from there with both steps, with new velocities that are the same for both. The criterion, fixed before the
 runs: of 100 differences of each corrected average, 59 to 77 lie within one stated error and 91 to 99 within 1.96 stated errors
-(two standard deviations of a binomial number), and the mean difference is within three of its standard errors of zero."""
+(two standard deviations of a binomial number), and the mean difference is within three of its standard errors of zero.
+The same criterion applies to averages that `polhode bias` corrects, from the energies that the same runs printed."""
 
 import numpy as np
 from lib import runs, study
@@ -13,6 +14,8 @@ RESCALING = {"thermostat": {"type": "rescaling", "time_constant": "0.2 ps"}}
 STEPS = (4, 0.5)  # [fs]
 QUANTITIES = {"potential_kJ_per_mol": "potential energy [kJ/mol]", "pressure_bar": "pressure [bar]",
               "temperature_translation_K": "T of translation [K]", "temperature_rotation_all_K": "T of rotation [K]"}
+COLUMNS = {"potential": "bias: potential energy [kJ/mol]", "pressure": "bias: pressure [bar]",
+           "kinetic_translation": "bias: translational energy [kJ/mol]", "kinetic_rotation": "bias: rotational energy [kJ/mol]"}  # of printed energies
 
 
 def tables(o, seed, step, length, name, place, minimise=None):
@@ -32,7 +35,18 @@ def averages(o, folder, seed):
         place = {"initial_configuration": f"{start}-final.gro", "velocities": "new"}
         said = runs.run(o, tables(o, 1000 + seed, step, o.length, name, place), folder, name=name)
         found[f"{step:g}"] = {key: {part: [said[part][key]["value"], said[part][key].get("error")] for part in ("corrected", "step_bias")}
-                              for key in QUANTITIES}
+                              for key in QUANTITIES} | from_printed(o, folder, name)
+    return found
+
+
+def from_printed(o, folder, name):
+    """The corrected averages of a molecule, and the biases, by `polhode bias` from the energies that a run printed."""
+    found = {}
+    for column in runs.asked(o, "bias", f"{name}-energies.csv", folder=folder)["columns"]:
+        if column["name"] in COLUMNS:
+            bodies = 1 if column["name"] == "pressure" else o.molecules
+            parts = {"corrected": column["corrected"], "step_bias": column["bias"]}
+            found[column["name"]] = {part: [x and x / bodies for x in (of["value"], of.get("error"))] for part, of in parts.items()}
     return found
 
 
@@ -50,9 +64,9 @@ def share(z, interval):
 
 def report(result):
     rows = []
-    for key, title in QUANTITIES.items():
-        pairs = [[seed[f"{step:g}"][key] for step in STEPS] for seed in result["seeds"]]
-        pairs = [p for p in pairs if all(x["corrected"][1] for x in p)]
+    for key, title in (QUANTITIES | COLUMNS).items():
+        pairs = [[seed[f"{step:g}"].get(key) for step in STEPS] for seed in result["seeds"]]
+        pairs = [p for p in pairs if all(x and x["corrected"][1] for x in p)]
         if not pairs:
             rows.append([title, "the runs are too short", "", 0, "", ""])
             continue
