@@ -204,11 +204,10 @@ void PairPolhode::arrange() {
                "within the cutoff of the forces; set 'comm_modify cutoff {:.4g}' or more",
                comm->get_comm_cutoff(), range_ + neighbor->skin);
   const std::vector<Kind>& kinds = fix_->kinds();
-  Topology own, ghosts;
-  for (Molecule& molecule : interacting_molecules(kinds, charges_, coefficients_, units_)) {
-    own.parts.push_back({molecule, 0});
-    ghosts.parts.push_back({std::move(molecule), 0});
-  }
+  Topology own;
+  std::vector<std::size_t> ghosts(kinds.size(), 0);
+  for (Molecule& molecule : interacting_molecules(kinds, charges_, coefficients_, units_))
+    own.parts.push_back({std::move(molecule), 0});
   const Vec3<double> edges = period(own);
   const auto is_needed = [&](const FixPolhode::GhostBody& ghost) {
     for (std::size_t d = 0; d < 3; ++d)
@@ -220,13 +219,12 @@ void PairPolhode::arrange() {
   for (std::size_t kind = 0; kind < kinds.size(); ++kind)
     for (std::size_t g = 0; g < fix_->ghosts().size(); ++g)
       if (fix_->ghosts()[g].kind == static_cast<int>(kind) && is_needed(fix_->ghosts()[g])) {
-        ++ghosts.parts[kind].count;
+        ++ghosts[kind];
         ghost_order_.push_back(g);
       }
   arrangement_ = fix_->arrangement();
-  std::vector<std::size_t> counts;
-  for (const Topology* const each : {&own, &ghosts})
-    for (const auto& part : each->parts) counts.push_back(part.count);
+  std::vector<std::size_t> counts = ghosts;
+  for (const auto& part : own.parts) counts.push_back(part.count);
   const bool same_directions = periodic(edges) == periodic(edges_);
   if (forces_ && counts == counts_ && same_directions) {  // the neighbour list detects moved bodies
     if (edges != edges_) forces_->set_period(edges);

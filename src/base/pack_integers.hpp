@@ -74,6 +74,11 @@ struct PackIndex {
   friend PackIndex operator>>(PackIndex a, std::size_t bits) {
     return {hn::ShiftRightSame(a.v, static_cast<int>(bits))};
   }
+  /// Replaces the elements where `sign` is negative.
+  PackIndex replaced_if_negative(PackIndex sign, PackIndex by) const {
+    const auto negative = hn::BroadcastSignBit(sign.v);
+    return {hn::Or(hn::And(negative, by.v), hn::AndNot(negative, v))};
+  }
   /// Adds b to the negative elements.
   PackIndex wrap(std::int32_t b) const {
     return {hn::Add(v, hn::And(hn::BroadcastSignBit(v), hn::Set(Tag(), b)))};

@@ -12,9 +12,10 @@
 namespace polhode {
 namespace {
 
-Topology joined(const Topology& own, const Topology& ghosts) {
+Topology with_ghosts(const Topology& own, const std::vector<std::size_t>& ghosts) {
   Topology all = own;
-  all.parts.insert(all.parts.end(), ghosts.parts.begin(), ghosts.parts.end());
+  for (std::size_t kind = 0; kind < ghosts.size(); ++kind)
+    all.parts.push_back({own.parts.at(kind).molecule, ghosts[kind]});
   return all;
 }
 
@@ -57,17 +58,16 @@ bool DomainForces::is_long_enough(double edge, const Topology& topology,
          edge >= 2 * std::max(settings.cutoff, cutoff_of_charges(settings));
 }
 
-DomainForces::DomainForces(const Topology& own, const Topology& ghosts,
+DomainForces::DomainForces(const Topology& own, const std::vector<std::size_t>& ghosts,
                            const ForceSettings& settings, const Vec3<double>& period)
     : own_bodies_(own.size()),
-      topology_(joined(own, ghosts)),
+      topology_(with_ghosts(own, ghosts)),
       settings_(without_slab(checked(settings))),
       reach_(reach_of(topology_, settings_)),
       period_(period),
       constant_(constant_energy(own, settings_)),
       state_(topology_.size(), box_around({}, reach_, period_)),
-      engine_(
-          pair_engine(topology_, settings_, state_.box, Workers::serial(), ghosts.parts.size())) {
+      engine_(pair_engine(topology_, settings_, state_.box, Workers::serial(), ghosts.size())) {
   check_tables(topology_, settings_);
 }
 

@@ -17,7 +17,8 @@ namespace {
 
 // A part of the box, and which bodies it has.
 struct Domain {
-  Topology own, ghosts;
+  Topology own;
+  std::vector<std::size_t> ghosts;   // number of each kind
   std::vector<std::size_t> bodies;   // of the scene, in the order of the domain's: own, then ghosts
   std::vector<Vec3<double>> shifts;  // of their images
 };
@@ -44,7 +45,7 @@ Domain domain(const scenes::Scene& scene, double low, double high, double range,
   Domain d;
   for (const auto& part : scene.topology.parts) {
     d.own.parts.push_back({part.molecule, 0});
-    d.ghosts.parts.push_back({part.molecule, 0});
+    d.ghosts.push_back(0);
   }
   const Vec3<double> edge = scene.state.box.edge;
   std::vector<std::size_t> ghosts;
@@ -69,7 +70,7 @@ Domain domain(const scenes::Scene& scene, double low, double high, double range,
         near = near &&
                (period[e] > 0 ? cell[e] == 0 : at[e] > first[e] - range && at[e] < last[e] + range);
       if (!near || !computes(cell, (q + scaled(home, edge)).x >= high * edge.x)) continue;
-      ++d.ghosts.parts[part].count;
+      ++d.ghosts[part];
       ghosts.push_back(i);
       ghost_shifts.push_back(shift);
     }
@@ -158,7 +159,7 @@ TEST_CASE("a period must be long enough for one image of each body") {
   const double shortest = 2 * settings.cutoff;
   CHECK(DomainForces::is_long_enough(shortest, argon, settings));
   CHECK(!DomainForces::is_long_enough(shortest * (1 - 1e-12), argon, settings));
-  CHECK_THROWS_WITH_AS(DomainForces(argon, argon, settings, {0, 0, 0.99 * shortest}),
+  CHECK_THROWS_WITH_AS(DomainForces(argon, {2}, settings, {0, 0, 0.99 * shortest}),
                        doctest::Contains("half of the shortest box edge"), Error);
 }
 
@@ -185,10 +186,10 @@ TEST_CASE("bodies of a domain may move between evaluations, and it may be empty"
   const scenes::Scene scene = scenes::lattice({{"tip4p", 64}}, 0.31, 1.24, 5);
   const ForceSettings settings{Truncation::molecule_switch, 0.6, 0.5};
   const Topology none{{{scene.topology.parts[0].molecule, 0}}};
-  DomainForces forces(scene.topology, none, settings);
+  DomainForces forces(scene.topology, {0}, settings);
   Load load, fresh;
   for (const double scale : {1.0, 1.3, 1.8, 20.0}) {  // out of the first box, and apart
-    DomainForces anew(scene.topology, none, settings);
+    DomainForces anew(scene.topology, {}, settings);
     for (DomainForces* each : {&forces, &anew})
       for (std::size_t i = 0; i < scene.state.size(); ++i) {
         each->state().q.set(i, scale * scene.state.q[i]);
@@ -199,7 +200,7 @@ TEST_CASE("bodies of a domain may move between evaluations, and it may be empty"
     check_same(load, fresh, scale * 1.24);
     CHECK((scale > 10) == (largest(load.f) == 0));
   }
-  DomainForces empty(none, scene.topology, settings);
+  DomainForces empty(none, {64}, settings);
   empty(load, true);
   CHECK(load.potential() == 0);
   CHECK(empty.own_bodies() == 0);
@@ -228,7 +229,7 @@ TEST_CASE("pairs of the Ewald sum together with the mesh of another program") {
   ForceSettings settings{Truncation::site_switch, 0.9, 0.8};
   settings.electrostatics = Electrostatics::pme;
   settings.ewald_alpha = 3.2;
-  DomainForces forces({{{water, 1}}}, {{{water, 1}}}, settings);
+  DomainForces forces(Topology{{{water, 1}}}, {1}, settings);
   const Vec3<double> R{0.1, 0.3, 0.05};
   forces.state().q.set(1, R);
   Load load;

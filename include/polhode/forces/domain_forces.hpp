@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "polhode/forces/laws/settings.hpp"
 #include "polhode/model/load.hpp"
@@ -28,14 +29,14 @@ struct AnyPairEngine;
 /// the self-energy, see ForceSettings::ewald_alpha.
 class DomainForces {
  public:
-  /// @param own, ghosts  kinds of molecules and their numbers, for local bodies and ghosts; some
-  ///   numbers may be 0
+  /// @param own          kinds of molecules and numbers of local bodies; some numbers may be 0
+  /// @param ghosts       number of ghosts of each of these kinds; empty if there are none
   /// @param settings     force settings without a mesh
   /// @param period       box edges [nm] in periodic directions, 0 in other directions
   /// @throws Error       if a setting is out of its domain, or a period is too short: see
   ///   is_long_enough()
-  DomainForces(const Topology& own, const Topology& ghosts, const ForceSettings& settings,
-               const Vec3<double>& period = {});
+  DomainForces(const Topology& own, const std::vector<std::size_t>& ghosts,
+               const ForceSettings& settings, const Vec3<double>& period = {});
   DomainForces(DomainForces&&) noexcept;
   DomainForces& operator=(DomainForces&&) noexcept;
   ~DomainForces();

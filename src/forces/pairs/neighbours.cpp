@@ -147,7 +147,7 @@ void NeighbourList::build(const State& state, std::size_t width, Workers& worker
   const Stopwatch watch;
   slots_.sort(state, workers);
   tree_.update(slots_, box_, workers);
-  const ListJob job{box_, slots_, tree_, ranges_, width};
+  const ListJob job{box_, slots_, tree_, ranges_, own_parts_, width};
   const auto find = POLHODE_CURRENT_LOOPS(find_partners);
   workers.each(chunks_.size(), [&](std::size_t c) { find(job, chunks_[c]); });
   width_ = width;

@@ -12,11 +12,13 @@
 // certain to stay inside the switching distance while the list is valid come first in a row,
 // because their pairs need no truncation.
 //
-// Bodies of the last parts of a topology may be ghosts: copies of bodies of another list. Ghosts
-// are partners of other bodies and have no rows, so pairs of ghosts are not listed.
+// The last parts of a topology may be ghosts of the first parts, in the same order: copies of
+// bodies of another list. Ghosts are partners of other bodies and have no rows, so pairs of ghosts
+// are not listed. A row has the partners of one molecule type, including its ghosts.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/instruction_set.hpp"
@@ -88,10 +90,17 @@ struct PairRange {
                    ///< is valid
 };
 
+/// The part with the ghosts of the bodies of a part; none for a part of ghosts.
+constexpr std::optional<std::size_t> ghosts_of(std::size_t part, std::size_t own_parts,
+                                               std::size_t parts) {
+  return own_parts + part < parts ? std::optional(own_parts + part) : std::nullopt;
+}
+
 class NeighbourList {
  public:
   /// @param topology     molecules, whose sites determine the extent of each molecule type
-  /// @param ghost_parts  number of parts at the end of the topology that are ghosts
+  /// @param ghost_parts  number of parts at the end of the topology that are ghosts: none, or as
+  ///                     many as other parts
   /// @throws Error       if the box is too small for the cutoff plus the extent of the molecules,
   ///                     or if there are more bodies than the list can address
   NeighbourList(const Topology& topology, const ForceSettings& settings, const Box& box,
@@ -111,6 +120,10 @@ class NeighbourList {
   const std::vector<ListChunk>& chunks() const { return chunks_; }
   /// Number of parts of the topology that are not ghosts. Ghosts are in all later parts.
   std::size_t own_parts() const { return own_parts_; }
+  /// The part with the ghosts of the bodies of a part, if there are ghosts.
+  std::optional<std::size_t> ghosts_of(std::size_t part) const {
+    return polhode::ghosts_of(part, own_parts_, slots_.parts.size());
+  }
 
   /// Largest squared displacement since the last build for which the list is still valid [nm²].
   double allowed2() const { return allowed2_; }
@@ -142,6 +155,7 @@ struct ListJob {
   const Slots& slots;
   const SlotTree& tree;                  ///< tree of the slots
   const std::vector<PairRange>& ranges;  ///< ranges, indexed by [part a, part b]
+  std::size_t own_parts;                 ///< number of parts that are not ghosts
   std::size_t width;                     ///< number of pairs per pack
 };
 

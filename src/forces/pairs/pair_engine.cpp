@@ -181,7 +181,8 @@ void PairEngine<T>::sum_chunk(std::size_t c, PairLoop loop, bool energies,
   std::fill_n(sums.values.data(), sums.values.size(), T{});
   sums.van_der_waals = sums.coulomb = 0;
   sums.virial = {};
-  for (std::size_t partner = chunk.part; partner < sites_.size(); ++partner)
+  const std::size_t with_rows = std::min(sites_.size(), list_.own_parts() + chunk.part);
+  for (std::size_t partner = chunk.part; partner < with_rows; ++partner)
     loop({tables_(chunk.part, partner), laws_, treatment_, energies, list_, chunk, partner,
           records_, sums, displacements});
 }

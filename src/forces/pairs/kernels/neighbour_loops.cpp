@@ -116,13 +116,17 @@ void find_partners(const ListJob& job, ListChunk& chunk) {
     searches.emplace_back(job, chunk, partner);
   std::vector<std::uint8_t> marked(job.slots.size() / slot_block, 0);
   const auto mark = [&](std::uint32_t slot) { marked[slot / slot_block] = 1; };
+  const auto find = [&](std::uint32_t slot, std::size_t partner) {
+    Search& search = searches[partner - chunk.part];
+    if (job.slots.parts[partner].count > 0) search(slot, found);
+    if (slot % SlotTree::leaf == 0) search.each_leaf(mark);
+  };
   for (std::uint32_t slot = chunk.first; slot < end; ++slot) {
     mark(slot);
     for (std::size_t partner = chunk.part; partner < parts; ++partner) {
-      Search& search = searches[partner - chunk.part];
       found.size = 0;
-      if (job.slots.parts[partner].count > 0) search(slot, found);
-      if (slot % SlotTree::leaf == 0) search.each_leaf(mark);
+      if (partner < job.own_parts + chunk.part) find(slot, partner);
+      if (const auto ghosts = ghosts_of(partner, job.own_parts, parts)) find(slot, *ghosts);
       write(slot, found, inside_of(job.ranges[chunk.part * parts + partner]),
             partner == chunk.part);
     }

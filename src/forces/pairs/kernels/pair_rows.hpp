@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "base/pack_functions.hpp"
@@ -61,6 +62,7 @@ class PairRows {
         strengths_(strengths),
         own_(window(job.chunk.part)),
         partner_(window(job.partner_part)),
+        ghosts_(ghost_window()),
         numbers_((2 + 3 * shape_.sites_b + Real::width) / Real::width * Real::width),
         edge_(job.list.box().edge),
         far_apart_(job.list.slots().size() > 8192 && job.list.slots().parts.size() == 1) {
@@ -158,6 +160,30 @@ class PairRows {
             static_cast<std::int32_t>(job_.list.slots().parts[part].count)};
   }
 
+  // Location of the sums for the ghosts of the partners' type, which are in the same rows.
+  struct GhostWindow : Window {
+    std::int32_t first_slot;  // first slot of all ghosts of this type
+    std::int32_t shift;       // place of the partners' window in this window
+  };
+  std::optional<GhostWindow> ghost_window() const {
+    const auto ghosts = job_.list.ghosts_of(job_.partner_part);
+    if (!ghosts) return std::nullopt;
+    const auto first = [&](std::size_t part) {
+      return static_cast<std::int32_t>(job_.sums.first[part]);
+    };
+    return GhostWindow{window(*ghosts),
+                       static_cast<std::int32_t>(job_.list.slots().parts[*ghosts].first),
+                       first(job_.partner_part) - first(*ghosts)};
+  }
+
+  // Places of the sums of partners in the window.
+  PackIndex<T> places_of(PackIndex<T> slots) const {
+    const PackIndex<T> places = (slots - partner_.first).wrap(partner_.count);
+    if (!ghosts_) return places;
+    return ((slots - ghosts_->first).wrap(ghosts_->count) - ghosts_->shift)
+        .replaced_if_negative(slots - ghosts_->first_slot, places);
+  }
+
   // Prefetches data that the next packs will probably need.
   void prefetch(const std::uint32_t* entry) const {
     constexpr std::size_t packs_ahead = 4;
@@ -174,7 +200,7 @@ class PairRows {
     if (far_apart_) prefetch(entry);
     Stage& to = stage(pack);
     const auto words = PackIndex<T>::load(entry);
-    ((words & Neighbour::slot_mask) - partner_.first).wrap(partner_.count).store(to.places);
+    places_of(words & Neighbour::slot_mask).store(to.places);
     turn(job_.records, entry, to.partners, [&](Real number, std::size_t k) {
       return k < 3 ? in_image(number, words, k, edge_[k]) : number;
     });
@@ -279,6 +305,7 @@ class PairRows {
   const Shape shape_;
   const PairStrengths<Law>& strengths_;
   const Window own_, partner_;
+  const std::optional<GhostWindow> ghosts_;
   const std::size_t numbers_;  // numbers of a partner's record, rounded up to whole packs
   const Vec3<double> edge_;    // box edges [nm]
   const bool far_apart_;       // whether records and sums exceed the second-level cache
