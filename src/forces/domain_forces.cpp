@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/forces/domain_forces.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "forces/laws/check_settings.hpp"
@@ -14,8 +16,13 @@ namespace {
 
 Topology with_ghosts(const Topology& own, const std::vector<std::size_t>& ghosts) {
   Topology all = own;
+  if (!ghosts.empty() && ghosts.size() != own.parts.size())
+    throw Error(
+        fmt::format("DomainForces has ghosts of {} kinds for {} kinds of molecules; give a number "
+                    "for each kind, or none",
+                    ghosts.size(), own.parts.size()));
   for (std::size_t kind = 0; kind < ghosts.size(); ++kind)
-    all.parts.push_back({own.parts.at(kind).molecule, ghosts[kind]});
+    all.parts.push_back({own.parts[kind].molecule, ghosts[kind]});
   return all;
 }
 

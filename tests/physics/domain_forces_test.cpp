@@ -206,6 +206,15 @@ TEST_CASE("bodies of a domain may move between evaluations, and it may be empty"
   CHECK(empty.own_bodies() == 0);
 }
 
+TEST_CASE("ghosts have the kinds of the local bodies") {
+  const Topology two{{{read_molecule("argon"), 2}, {read_molecule("tip4p"), 1}}};
+  const ForceSettings settings{Truncation::site_switch, 0.9, 0.8};
+  CHECK_NOTHROW(DomainForces(two, {0, 3}, settings));
+  CHECK_NOTHROW(DomainForces(two, {}, settings));
+  CHECK_THROWS_WITH_AS(DomainForces(two, {3}, settings),
+                       doctest::Contains("ghosts of 1 kinds for 2 kinds"), Error);
+}
+
 TEST_CASE("the smooth part of Ewald's split is a polynomial") {
   const double cutoff = 0.9;
   for (const double x : {0.5, 2.0, 3.0, 4.0, max_gaussian}) {

@@ -33,8 +33,8 @@ class DomainForces {
   /// @param ghosts       number of ghosts of each of these kinds; empty if there are none
   /// @param settings     force settings without a mesh
   /// @param period       box edges [nm] in periodic directions, 0 in other directions
-  /// @throws Error       if a setting is out of its domain, or a period is too short: see
-  ///   is_long_enough()
+  /// @throws Error       if a setting is out of its domain, if the number of kinds differs, or if a
+  ///   period is too short: see is_long_enough()
   DomainForces(const Topology& own, const std::vector<std::size_t>& ghosts,
                const ForceSettings& settings, const Vec3<double>& period = {});
   DomainForces(DomainForces&&) noexcept;
