@@ -18,8 +18,8 @@ Topology with_ghosts(const Topology& own, const std::vector<std::size_t>& ghosts
   Topology all = own;
   if (!ghosts.empty() && ghosts.size() != own.parts.size())
     throw Error(
-        fmt::format("DomainForces has ghosts of {} kinds for {} kinds of molecules; give a number "
-                    "for each kind, or none",
+        fmt::format("ghosts of {} kinds in DomainForces, which has {} kinds of molecules; give a "
+                    "number for each kind, or none",
                     ghosts.size(), own.parts.size()));
   for (std::size_t kind = 0; kind < ghosts.size(); ++kind)
     all.parts.push_back({own.parts[kind].molecule, ghosts[kind]});

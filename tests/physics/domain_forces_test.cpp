@@ -212,7 +212,8 @@ TEST_CASE("ghosts have the kinds of the local bodies") {
   CHECK_NOTHROW(DomainForces(two, {0, 3}, settings));
   CHECK_NOTHROW(DomainForces(two, {}, settings));
   CHECK_THROWS_WITH_AS(DomainForces(two, {3}, settings),
-                       doctest::Contains("ghosts of 1 kinds for 2 kinds"), Error);
+                       doctest::Contains("ghosts of 1 kinds in DomainForces, which has 2 kinds"),
+                       Error);
 }
 
 TEST_CASE("the smooth part of Ewald's split is a polynomial") {
