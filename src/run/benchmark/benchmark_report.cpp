@@ -209,9 +209,10 @@ std::vector<std::string> verdict(const Benchmark& b) {
     }
     const SystemTiming& fastest = *std::ranges::min_element(
         systems, {}, [](const SystemTiming& s) { return s.steps[0].all.best; });
-    add(fmt::format("hoa2 at 4 fs simulates up to {:.3g} ns/day, in {} precision on {}",
-                    fastest.steps[0].ns_per_day(), name_of(fastest.precision),
-                    threads_text(fastest.threads)));
+    const double speed = fastest.steps[0].ns_per_day();
+    add(fmt::format("hoa2 at 4 fs simulates up to {} ns/day, in {} precision on {}",
+                    speed < 1000 ? fmt::format("{:.3g}", speed) : fmt::format("{:.0f}", speed),
+                    name_of(fastest.precision), threads_text(fastest.threads)));
     add(
         fmt::format("the arithmetic of pairs takes at least {:.0f} % of the time of forces on one "
                     "thread, in {} precision",
