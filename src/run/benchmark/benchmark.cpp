@@ -9,7 +9,6 @@
 #include <functional>
 #include <memory>
 #include <numeric>
-#include <string_view>
 
 #include "base/stopwatch.hpp"
 #include "forces/pairs/neighbours.hpp"
@@ -37,12 +36,6 @@ struct Motion {
 constexpr std::array motions = {
     Motion{"hoa2", 0.004}, Motion{"velocity-verlet", 0.002}, Motion{"gier4-fd", 0.005},
     Motion{"velocity-verlet", 0.002, site_switch}, Motion{"velocity-verlet", 0.002, ewald_sum}};
-
-ForceSettings with_interactions(ForceSettings settings, std::string_view interactions) {
-  if (interactions != reaction_field) settings.truncation = Truncation::site_switch;
-  if (interactions == ewald_sum) settings.electrostatics = Electrostatics::pme;
-  return settings;
-}
 
 // Duration and number of repeats of each measurement. Large systems are measured less often.
 struct Effort {
@@ -287,6 +280,12 @@ double Benchmark::spread() const {
     for (const StepTiming& t : s.steps) max_spread = std::max(max_spread, t.all.spread());
   }
   return max_spread;
+}
+
+ForceSettings with_interactions(ForceSettings settings, std::string_view interactions) {
+  if (interactions != reaction_field) settings.truncation = Truncation::site_switch;
+  if (interactions == ewald_sum) settings.electrostatics = Electrostatics::pme;
+  return settings;
 }
 
 std::size_t pairs_within(const State& state, double distance) {

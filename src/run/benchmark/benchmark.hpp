@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/settings/output_units.hpp"
@@ -68,6 +69,10 @@ struct Benchmark {
 /// 0.1 ps.
 /// @throws Error  if a size is too small for a cutoff of 0.9 nm
 Benchmark run_benchmark(const BenchmarkSettings& settings, const Callbacks& callbacks = {});
+
+/// The force settings for the interactions that a StepTiming names: "reaction field" with the
+/// truncation of `settings`, "site switch", or "Ewald sum".
+ForceSettings with_interactions(ForceSettings settings, std::string_view interactions);
 
 /// The number of pairs of bodies that are closer than a distance. The distance must be below half
 /// of the shortest box edge.

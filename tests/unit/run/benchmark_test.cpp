@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "polhode/math/random.hpp"
 
@@ -52,4 +53,18 @@ TEST_CASE("the limit counts pairs within the switching range at their own cost")
   const Limit limit{Precision::double_precision, 8, 1, {{2, 2}, {3, 3}}, {{4, 4}, {5, 5}}};
   CHECK(1e9 * limit.seconds(10, 100, false) == doctest::Approx(320));
   CHECK(1e9 * limit.seconds(10, 100, true) == doctest::Approx(540));
+}
+
+TEST_CASE("steps are timed with a molecule switch, a site switch, and the Ewald sum") {
+  const ForceSettings own = benchmark_forces(Precision::mixed, 0.85);
+  const auto kind = [&](const char* interactions) {
+    const ForceSettings s = with_interactions(own, interactions);
+    CHECK((s.precision == own.precision && s.cutoff == own.cutoff));
+    return std::pair(s.truncation, s.electrostatics);
+  };
+  CHECK((kind("reaction field") ==
+         std::pair(Truncation::molecule_switch, Electrostatics::reaction_field)));
+  CHECK(
+      (kind("site switch") == std::pair(Truncation::site_switch, Electrostatics::reaction_field)));
+  CHECK((kind("Ewald sum") == std::pair(Truncation::site_switch, Electrostatics::pme)));
 }
