@@ -11,6 +11,7 @@ if(POLHODE_HDF5)
   endif()
 endif()
 include(cmake/embed.cmake)
+include(cmake/quick.cmake)
 
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.cpp)
 list(REMOVE_ITEM sources ${core_sources} ${core_kernels})
@@ -28,34 +29,32 @@ polhode_embed(embedded_source ${embedded})
 # Compilers have no limit of 64 KiB, of which clang++ warns as the standard's.
 set_source_files_properties(${embedded_source} PROPERTIES COMPILE_OPTIONS -Wno-overlength-strings)
 
-polhode_static_library(polhode ${sources} ${embedded_source})
+# Compile time: files that read input, prepare and report runs are optimized less.
+set(cold_sources ${sources})
+list(FILTER cold_sources INCLUDE REGEX "/src/(io/(settings|figures|files|coordinates|topology|gromacs|lammps)/[^/]*|run/[^/]*|run/(adviser|analysis|canonical|conversion|listing|prepare|study|top)/[^/]*|run/simulation/(simulation|files/[^/]*|report/(averages|ensemble_[a-z]*|run_report|summary|warnings)|system/system[a-z_]*)\\.cpp|math/(fit|prediction)\\.cpp)$")
+list(REMOVE_ITEM sources ${cold_sources})
+add_library(polhode_cold_sources OBJECT ${cold_sources} ${embedded_source})
+# At -O2, g++ 12 takes values of pairs of sites that a shape does not have for uninitialized.
+target_compile_options(polhode_cold_sources PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
+polhode_make_shareable(polhode_cold_sources)
+
+polhode_static_library(polhode ${sources})
+target_sources(polhode PRIVATE $<TARGET_OBJECTS:polhode_cold_sources>)
 add_library(polhode::library ALIAS polhode)
-target_compile_definitions(polhode_sources PUBLIC ${missing_sets})
-target_link_libraries(polhode_sources PUBLIC polhode_headers)
 target_link_libraries(polhode PUBLIC polhode_core)
-foreach(target IN ITEMS polhode_sources polhode)
-  target_link_libraries(${target} PRIVATE Threads::Threads fmt::fmt hwy::hwy tomlplusplus::tomlplusplus
+foreach(target IN ITEMS polhode_sources polhode_cold_sources polhode)
+  target_compile_definitions(${target} PUBLIC ${missing_sets})
+  target_link_libraries(${target} PUBLIC polhode_headers
+                                  PRIVATE Threads::Threads fmt::fmt hwy::hwy tomlplusplus::tomlplusplus
                                           $<TARGET_NAME_IF_EXISTS:polhode::hdf5> $<BUILD_INTERFACE:polhode_flags>
                                           $<BUILD_INTERFACE:Eigen3::Eigen> $<BUILD_INTERFACE:Boost::headers>
                                           $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
 endforeach()
 
-# Compile time: files that read input, prepare and report runs are optimized less, and headers of the standard library are
-# compiled once, except for developers, who find out whether each file includes what it uses.
-set(cold_sources ${sources})
-list(FILTER cold_sources INCLUDE REGEX "/src/(io/(settings|figures|files|coordinates|topology|gromacs|lammps)/[^/]*|run/[^/]*|run/(adviser|analysis|canonical|conversion|listing|prepare|study|top)/[^/]*|run/simulation/(simulation|files/[^/]*|report/(averages|ensemble_[a-z]*|run_report|summary|warnings)|system/system[a-z_]*)\\.cpp|math/(fit|prediction)\\.cpp)$")
-set_source_files_properties(${cold_sources} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
-# At -O2, g++ 12 takes values of pairs of sites that a shape does not have for uninitialized.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/src/io/lammps/write_tables.cpp PROPERTIES COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O1>)
-function(polhode_precompile target)
-  if(POLHODE_PRECOMPILE)
-    target_precompile_headers(${target} PRIVATE <algorithm> <cmath> <filesystem> <fmt/core.h> <fstream> <functional>
-                              <map> <memory> <optional> <set> <sstream> <string> <variant> <vector>)
-    # g++ no longer knows that these headers are the system's, about which it does not warn.
-    target_compile_options(${target} PRIVATE
-                           $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread>)
-  endif()
-endfunction()
-polhode_precompile(polhode_core_sources)
-polhode_precompile(polhode_sources)
+foreach(target IN ITEMS polhode_core_sources polhode_sources polhode_cold_sources)
+  polhode_precompile(${target})
+endforeach()
+polhode_compile_in_groups(polhode_core_sources ${core_sources})
+polhode_compile_in_groups(polhode_sources ${sources})
+polhode_compile_in_groups(polhode_cold_sources ${cold_sources})
 polhode_compile_kernels(polhode ${kernel_sources})

@@ -41,7 +41,7 @@ install_packages() {
 
 # build_preset NAME [OPTION...]: in build/NAME, with options of cmake --build
 build_preset() {
-  local preset=$1 settings=(-DPOLHODE_PRECOMPILE=ON)
+  local preset=$1 settings=(-DPOLHODE_QUICK_BUILD=ON)
   shift
   [[ $preset == release && -x /usr/bin/python3 ]] && settings+=(-DPython3_EXECUTABLE=/usr/bin/python3)
   if [[ ! -f build/$preset/build.ninja ]]; then

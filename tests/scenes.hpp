@@ -90,3 +90,14 @@ inline std::vector<Pose<double>> poses(const State& state) {
 }
 
 }  // namespace polhode::scenes
+
+namespace polhode {
+
+/// The largest length of the difference of two vectors with the same index.
+inline double largest_difference(const Vec3Column& a, const Vec3Column& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, norm(a[i] - b[i]));
+  return largest;
+}
+
+}  // namespace polhode

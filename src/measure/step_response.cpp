@@ -11,8 +11,8 @@ namespace {
 /// Each sample adds to these sums: the factors, the averaged quantities, and the products of each
 /// factor with all averaged quantities. The first averaged quantities are the kinetic energy and
 /// the pressure.
-constexpr std::size_t error = 0, total = 1, volume = 2, factors = 3;
-constexpr std::size_t kinetic = 0, pressure = 1, others = 2;
+constexpr std::size_t error_factor = 0, total_factor = 1, volume_factor = 2, factors = 3;
+constexpr std::size_t kinetic_mean = 0, pressure_mean = 1, other_means = 2;
 
 /// The time-step shift of each average, from the means of the sums.
 class Shifts {
@@ -20,16 +20,16 @@ class Shifts {
   Shifts(std::span<const double> mean, const std::vector<double>& first, double degrees_of_freedom,
          FixedMeans fixed)
       : mean_(mean), averages_(first.size() - factors) {
-    const double K = first[factors + kinetic] + mean[factors + kinetic];
+    const double K = first[factors + kinetic_mean] + mean[factors + kinetic_mean];
     kT_ = 2 * K / degrees_of_freedom;
-    if (fixed != FixedMeans::energy) warmer_ = covariance(error, kinetic) / (kT_ * K);
+    if (fixed != FixedMeans::energy) warmer_ = covariance(error_factor, kinetic_mean) / (kT_ * K);
     if (fixed != FixedMeans::energy && fixed != FixedMeans::kinetic_energy)
-      pressure_ = (*this)(pressure);
+      pressure_ = (*this)(pressure_mean);
   }
 
   double operator()(std::size_t a) const {
-    return (-covariance(error, a) + warmer_ * covariance(total, a) +
-            pressure_ * covariance(volume, a)) /
+    return (-covariance(error_factor, a) + warmer_ * covariance(total_factor, a) +
+            pressure_ * covariance(volume_factor, a)) /
            kT_;
   }
 
@@ -50,7 +50,7 @@ class Shifts {
 double bias_at(std::span<const double> mean, const std::vector<double>& first, const Shifts& shifts,
                const StepResponse::Function& f) {
   std::vector<double> above, below;
-  for (std::size_t k = factors + others; k < first.size(); ++k) {
+  for (std::size_t k = factors + other_means; k < first.size(); ++k) {
     const double shift = shifts(k - factors);
     above.push_back(first[k] + mean[k] + shift);
     below.push_back(first[k] + mean[k] - shift);

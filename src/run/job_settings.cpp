@@ -8,20 +8,21 @@
 namespace polhode {
 namespace {
 
-// Settings that several jobs share.
+namespace shared {  // by several jobs
 constexpr JobSetting output{"output", "output.prefix"}, precision{"precision", "forces.precision"},
     scheme{"scheme", "integrator.scheme"}, step{"step", "integrator.step"},
     length{"length", "run.length"}, temperature{"temperature", "system.temperature"},
     seed{"seed", "system.seed"};
+}  // namespace shared
 
 constexpr std::array of_run{
-    scheme,
-    step,
-    length,
+    shared::scheme,
+    shared::step,
+    shared::length,
     JobSetting{"equilibrate", "run.equilibrate"},
-    temperature,
-    seed,
-    precision,
+    shared::temperature,
+    shared::seed,
+    shared::precision,
     JobSetting{"thermostat", "thermostat.type", ", none"},
     JobSetting{"friction", "thermostat.friction"},
     JobSetting{"thermostat_time_constant", "thermostat.time_constant", "", "time_constant"},
@@ -30,20 +31,21 @@ constexpr std::array of_run{
                "; adds cell-rescaling to a run without a barostat, and langevin to a run without a "
                "thermostat"},
     JobSetting{"hybrid_steps", "hybrid_monte_carlo.steps", "; 0 switches hybrid Monte Carlo off"},
-    output};
+    shared::output};
 constexpr std::array of_prepare{
-    precision,
-    temperature,
-    seed,
+    shared::precision,
+    shared::temperature,
+    shared::seed,
     JobSetting{"pressure", "barostat.pressure", "; without a pressure, the volume is constant"},
     JobSetting{"nvt", "prepare.nvt"},
     JobSetting{"npt", "prepare.npt"},
-    output};
-constexpr std::array of_minimise{output};
-constexpr std::array of_export{output, scheme, step};
+    shared::output};
+constexpr std::array of_minimise{shared::output};
+constexpr std::array of_export{shared::output, shared::scheme, shared::step};
 constexpr std::array of_advise{
     JobSetting{"schemes", "integrator.candidates"},
-    JobSetting{"length", "run.length", "; the advice is for a run of this length"}, precision};
+    JobSetting{"length", "run.length", "; the advice is for a run of this length"},
+    shared::precision};
 constexpr std::array of_study{JobSetting{"ensemble", "study.ensemble"},
                               JobSetting{"schemes", "study.schemes"},
                               JobSetting{"steps", "study.steps"},
@@ -51,9 +53,9 @@ constexpr std::array of_study{JobSetting{"ensemble", "study.ensemble"},
                               JobSetting{"length", "study.length"},
                               JobSetting{"decorrelate", "study.decorrelate"},
                               JobSetting{"configurational_sample", "study.configurational_sample"},
-                              precision,
-                              temperature,
-                              seed};
+                              shared::precision,
+                              shared::temperature,
+                              shared::seed};
 
 }  // namespace
 

@@ -67,11 +67,13 @@ def sources(root, build):
     for entry in json.loads((build / "compile_commands.json").read_text()):
         folder = (build / entry["directory"]).resolve()
         path, command = (folder / entry["file"]).resolve(), shlex.split(entry["command"])
-        if any(path.is_relative_to(root / name) for name in FOLDERS):
-            is_wanted = "kernels" not in path.parts or "-DPOLHODE_LOOPS=loops_scalar" in command
-            if is_wanted and path not in seen:
-                seen.add(path)
-                yield Source(root, path, options_of(command, folder))
+        is_group = path.parent.name == "Unity"  # of a quick build: it includes its sources
+        for source in map(Path, INCLUDED.findall(path.read_text())) if is_group else [path]:
+            if any(source.is_relative_to(root / name) for name in FOLDERS):
+                is_wanted = "kernels" not in source.parts or "-DPOLHODE_LOOPS=loops_scalar" in command
+                if is_wanted and source not in seen:
+                    seen.add(source)
+                    yield Source(root, source, options_of(command, folder))
 
 
 def options_of(command, folder):

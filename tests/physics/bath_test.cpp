@@ -58,12 +58,6 @@ bool equal(const State& a, const State& b) {
   return a.time == b.time;
 }
 
-double largest_difference(const Vec3Column& a, const Vec3Column& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, norm(a[i] - b[i]));
-  return largest;
-}
-
 // The angle between two orientations is twice that of their quaternions.
 double largest_angle(const QuaternionColumn& a, const QuaternionColumn& b) {
   double largest = 0;

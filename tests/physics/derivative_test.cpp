@@ -48,11 +48,6 @@ struct Displacement {
   }
 };
 
-double largest_difference(const Vec3Column& a, const Vec3Column& b) {
-  double max_size = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) max_size = std::max(max_size, norm(a[i] - b[i]));
-  return max_size;
-}
 double rms(const Vec3Column& a) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += norm2(a[i]);

@@ -105,12 +105,6 @@ Load sum_of_domains(const scenes::Scene& scene, const ForceSettings& settings,
   return sum;
 }
 
-double largest_difference(const Vec3Column& a, const Vec3Column& b) {
-  double m = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) m = std::max(m, norm(a[i] - b[i]));
-  return m;
-}
-
 // Each R is the difference of two coordinates within two edges of the origin, rounded to 2⁻⁵³ of
 // them, and a force of a contact of 0.25 nm changes by 13/0.25 nm relatively; sums add a few
 // hundred roundings.

@@ -35,12 +35,6 @@ const char* const texts[] = {
 // Their differences of forces amplify rounding by 1/λ.
 bool by_difference(const NestedScheme& scheme) { return scheme.has(Gradient::finite_difference); }
 
-double largest_difference(const Vec3Column& a, const Vec3Column& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, norm(a[i] - b[i]));
-  return largest;
-}
-
 // Near and all forces of a scene, and the integrator of both.
 struct Split {
   Split(const scenes::Scene& scene, const ForceSettings& settings, const NestedScheme& scheme)

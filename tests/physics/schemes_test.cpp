@@ -18,12 +18,6 @@ using namespace polhode;
 
 namespace {
 
-double largest_difference(const Vec3Column& a, const Vec3Column& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, norm(a[i] - b[i]));
-  return largest;
-}
-
 // Rounding error of momenta from one force evaluation of a gradient kick by finite difference: that
 // of the forces, 2⁻⁵³ of the largest in the pair sums (about 10⁴ kJ/mol/nm at contact), divided by
 // λ.

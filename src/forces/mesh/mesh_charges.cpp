@@ -10,8 +10,6 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t slots_at_once = 4 * slot_block;  // slots that a task places at once
-
 /// The number of slabs. Slabs are at least order − 1 points thick, and consist of whole tiles,
 /// whatever the tile shape. The number of slabs is even, so that even and odd slabs also alternate
 /// across the periodic boundary. If possible, the number of slabs is a multiple of four, so that a

@@ -15,9 +15,6 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t slots_at_once = 4 * slot_block;  // number of slots that a task gathers at
-                                                       // once
-
 template <class T>
 void check(const MeshSettings& settings) {
   if (settings.order < MeshSettings::min_order || settings.order > MeshSettings::max_order)

@@ -45,6 +45,9 @@ struct CellGrid {
 /// pack of any width.
 inline constexpr std::size_t slot_block = 64;
 
+/// Number of slots that a task places, or gathers forces for, at once.
+inline constexpr std::size_t slots_at_once = 4 * slot_block;
+
 /// Bodies sorted by molecule type and then by cell, where each type has a separate grid of cells. A
 /// slot is a position in the sorted order. The slots of a type begin at a multiple of slot_block.
 /// Unused slots before the next type repeat a body of the type and are ignored.

@@ -11,8 +11,6 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t slots_at_once = 4 * slot_block;  // number of slots that a task places at once
-
 std::size_t max_sites_of(const Topology& topology) {
   std::size_t max_sites = 0;
   for (const auto& part : topology.parts)

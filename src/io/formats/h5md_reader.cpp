@@ -24,7 +24,7 @@ namespace {
 using hdf5::Handle;
 
 // An H5MD element with a value at each step or time, or with a single constant value.
-struct Series {
+struct ReadSeries {
   Handle values;
   std::vector<hsize_t> extents;
   bool changes = false;
@@ -145,11 +145,11 @@ class H5mdReader : public FrameReader {
   }
 
   // Finds the value of an element for each frame of positions.
-  void pair(Series& series, const std::string& element) {
+  void pair(ReadSeries& series, const std::string& element) {
     for (const char* kind : {"/step", "/time"}) {
       const std::string own = element + kind, of_positions = std::string("position") + kind;
       if (!hdf5::has(file_, root_ + own) || !hdf5::has(file_, root_ + of_positions)) continue;
-      Series::Pairing pairing{moments(own), moments(of_positions)};
+      ReadSeries::Pairing pairing{moments(own), moments(of_positions)};
       if (pairing.of_positions.is_list())
         frames_ = std::min<hsize_t>(frames_, pairing.of_positions.size());
       if (pairing.own == pairing.of_positions)
@@ -173,8 +173,8 @@ class H5mdReader : public FrameReader {
   }
 
   // The values of an element of the group, with their unit.
-  Series series(const std::string& element, std::vector<Dimension> dimensions) const {
-    Series found;
+  ReadSeries series(const std::string& element, std::vector<Dimension> dimensions) const {
+    ReadSeries found;
     const std::string place = root_ + element;
     found.changes = hdf5::has(file_, place + "/value");
     found.values = hdf5::dataset(file_, found.changes ? place + "/value" : place);
@@ -312,7 +312,7 @@ class H5mdReader : public FrameReader {
   }
 
   // The values of one frame.
-  void take(const Series& series, hsize_t number, std::vector<double>& into) const {
+  void take(const ReadSeries& series, hsize_t number, std::vector<double>& into) const {
     std::vector<hsize_t> from(series.extents.size(), 0), count = series.extents;
     if (series.changes) {
       from[0] = number;
@@ -397,8 +397,8 @@ class H5mdReader : public FrameReader {
   std::string name_, root_;
   std::uint64_t bytes_ = 0;  // size of the file
   Handle file_;
-  Series position_, edges_;
-  std::optional<Series> velocity_;
+  ReadSeries position_, edges_;
+  std::optional<ReadSeries> velocity_;
   std::optional<Moments> times_;
   double time_unit_ = 1;
   std::vector<AtomKind> kinds_;

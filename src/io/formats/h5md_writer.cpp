@@ -26,8 +26,6 @@ namespace {
 
 using h5md::links;
 using h5md::Series;
-using h5md::step;
-using h5md::time;
 using h5md::value_path;
 using hdf5::Handle;
 
@@ -272,7 +270,7 @@ class H5mdWriter : public FrameWriter {
     const bool has_group = value_path(name) != name;
     if (has_group) {
       const Handle group = new_group(name);
-      for (const char* shared : {step, time})
+      for (const char* shared : {h5md::step, h5md::time})
         check(H5Lcreate_hard(file_, shared, group,
                              std::string(shared).substr(std::string(shared).rfind('/') + 1).c_str(),
                              H5P_DEFAULT, H5P_DEFAULT));
@@ -316,8 +314,8 @@ class H5mdWriter : public FrameWriter {
     attribute(creator, "version", version());
     attribute(new_group("h5md/modules/units"), "version", std::vector<int>{1, 0});
     new_group("particles/all");
-    begin_series(step, H5T_STD_I64LE, {}, "");
-    begin_series(time, H5T_IEEE_F64LE, {}, "ps");
+    begin_series(h5md::step, H5T_STD_I64LE, {}, "");
+    begin_series(h5md::time, H5T_IEEE_F64LE, {}, "ps");
     const Handle box = new_group("particles/all/box");
     attribute(box, "dimension", std::vector<int>{3});
     periodic(box);
@@ -417,8 +415,8 @@ class H5mdWriter : public FrameWriter {
   void append(const FrameView& frame) {
     const auto number =
         static_cast<std::int64_t>(frames_);  // a step number, which frames do not contain
-    put(series_.at(step), H5T_NATIVE_INT64, &number);
-    put(series_.at(time), H5T_NATIVE_DOUBLE, &frame.time);
+    put(series_.at(h5md::step), H5T_NATIVE_INT64, &number);
+    put(series_.at(h5md::time), H5T_NATIVE_DOUBLE, &frame.time);
     // The box is stored as full vectors, because some readers do not support the shorter form.
     const Vec3<double> edge = frame.box.edge;
     put("particles/all/box/edges", {edge.x, 0, 0, 0, edge.y, 0, 0, 0, edge.z});

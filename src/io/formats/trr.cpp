@@ -8,7 +8,7 @@
 namespace polhode {
 namespace {
 
-constexpr std::int32_t magic = 1993;
+constexpr std::int32_t trr_magic = 1993;
 constexpr std::string_view version = "GMX_trn_file";
 
 // The lengths in bytes of the parts of a frame, in the order of the header.
@@ -45,10 +45,10 @@ class TrrReader : public FrameReader {
 
  private:
   void read_head() {
-    if (const auto found = in_.take<std::int32_t>("a frame's head"); found != magic)
+    if (const auto found = in_.take<std::int32_t>("a frame's head"); found != trr_magic)
       in_.refuse(
           fmt::format("a frame begins with the number {}; frames of a TRR file must begin with {}",
-                      found, magic));
+                      found, trr_magic));
     in_.take<std::int32_t>("the length of the version");
     const auto letters = in_.take<std::int32_t>("the length of the version");
     if (letters != static_cast<std::int32_t>(version.size()))
@@ -123,7 +123,7 @@ std::unique_ptr<FrameReader> trr_reader(std::istream& in, const std::string& fil
 
 void append_trr(std::iostream& file, const FrameView& frame, std::uint64_t before) {
   BinaryOutput out(xdr);
-  out.put(magic);
+  out.put(trr_magic);
   out.put(static_cast<std::int32_t>(version.size() + 1));
   out.put(static_cast<std::int32_t>(version.size()));
   out.text(version, version.size());

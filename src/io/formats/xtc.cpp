@@ -10,9 +10,9 @@
 namespace polhode {
 namespace {
 
-constexpr std::int32_t magic = 1995;
-constexpr std::int32_t magic_of_large = 2023;    // magic number for lengths of packed coordinates
-                                                 // with 64 bits
+constexpr std::int32_t xtc_magic = 1995;
+constexpr std::int32_t magic_of_large = 2023;  // xtc_magic number for lengths of packed coordinates
+                                               // with 64 bits
 constexpr std::size_t max_of_small = 298261617;  // number of atoms whose packed length certainly
                                                  // fits in 32 bits
 constexpr std::size_t unpacked_count = 9;        // number of atoms up to which coordinates are
@@ -26,10 +26,10 @@ class XtcReader : public FrameReader {
   bool next(Frame& frame) override {
     if (in_.at_end()) return false;
     const auto found = in_.take<std::int32_t>("a frame's head");
-    if (found != magic && found != magic_of_large)
+    if (found != xtc_magic && found != magic_of_large)
       in_.refuse(fmt::format(
           "a frame begins with the number {}; frames of an XTC file must begin with {} or {}",
-          found, magic, magic_of_large));
+          found, xtc_magic, magic_of_large));
     begin_unnamed(frame, in_.file());
     const std::size_t count = take_count(in_);
     in_.take<std::int32_t>("the step");
@@ -104,7 +104,7 @@ void append_xtc(std::iostream& file, const FrameView& frame, std::uint64_t befor
   BinaryOutput out(xdr);
   const bool large = frame.atoms > max_of_small;
   const auto count = static_cast<std::int32_t>(frame.atoms);
-  out.put(large ? magic_of_large : magic);
+  out.put(large ? magic_of_large : xtc_magic);
   out.put(count);
   out.put(static_cast<std::int32_t>(before));  // the step number, which frames do not contain
   out.put(static_cast<float>(frame.time));

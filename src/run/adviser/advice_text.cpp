@@ -8,7 +8,7 @@
 namespace polhode {
 namespace {
 
-std::string percent(const Estimate& x) {
+std::string short_percent(const Estimate& x) {
   return fmt::format("{:.3g} ± {:.2g} %", 100 * x.value, 100 * x.error);
 }
 
@@ -74,7 +74,7 @@ std::string answer(const Advice& advice) {
   const AdviserPoint& p = advice.confirmation;
   return fmt::format("{} at {:.3g} fs, R = {} in {} independent runs of {:.3g} ps",
                      advice.candidates[*advice.best].name, p.step * units::fs_per_ps,
-                     percent(p.ratio()), p.runs.size(), p.length);
+                     short_percent(p.ratio()), p.runs.size(), p.length);
 }
 
 }  // namespace polhode

@@ -17,7 +17,7 @@
 namespace polhode {
 namespace {
 
-std::string why_not(const FirstFrames& f) {
+std::string why_no_dipole(const FirstFrames& f) {
   const auto& parts = f.analysis.topology.parts;
   for (const auto& part : parts)
     if (const double charge = part.molecule.charge(); std::abs(charge) > 1e-6)
@@ -95,7 +95,7 @@ ObservableResults Dielectric::results(const AllFrames& all) {
 }  // namespace
 
 ObservableKind dielectric() {
-  return {"dielectric", {"dielectric"}, false, why_not, [](const FirstFrames& f) {
+  return {"dielectric", {"dielectric"}, false, why_no_dipole, [](const FirstFrames& f) {
             return std::make_unique<Dielectric>(f);
           }};
 }

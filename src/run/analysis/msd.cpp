@@ -84,7 +84,7 @@ Correction correction(const AllFrames& all) {
   return {finite_size_correction(*all.temperature, *eta, scale * box.edge), source};
 }
 
-std::string why_not(const FirstFrames& f) {
+std::string why_no_displacements(const FirstFrames& f) {
   return f.analysis.topology.size() > 1 ? ""
                                         : "displacements are relative to the centre of mass of all "
                                           "molecules, but there is only one molecule";
@@ -222,8 +222,9 @@ ObservableResults Msd::results(const AllFrames& all) {
 }  // namespace
 
 ObservableKind msd() {
-  return {
-      "msd", {"msd"}, true, why_not, [](const FirstFrames& f) { return std::make_unique<Msd>(f); }};
+  return {"msd", {"msd"}, true, why_no_displacements, [](const FirstFrames& f) {
+            return std::make_unique<Msd>(f);
+          }};
 }
 
 }  // namespace polhode

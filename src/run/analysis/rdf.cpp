@@ -25,7 +25,7 @@ std::vector<SitePair> pairs_of(const FirstFrames& f) {
   return f.settings.pairs.empty() ? site_pairs(f.analysis.topology) : f.settings.pairs;
 }
 
-std::string why_not(const FirstFrames& f) {
+std::string why_no_pairs(const FirstFrames& f) {
   return pairs_of(f).empty() ? "no two molecules have sites with mass" : "";
 }
 
@@ -157,7 +157,7 @@ ObservableResults Rdf::results(const AllFrames& all) {
 }  // namespace
 
 ObservableKind rdf() {
-  return {"rdf", {"rdf"}, false, why_not, [](const FirstFrames& f) {
+  return {"rdf", {"rdf"}, false, why_no_pairs, [](const FirstFrames& f) {
             return std::make_unique<Rdf>(f);
           }};
 }

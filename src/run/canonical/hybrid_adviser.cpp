@@ -34,9 +34,9 @@ constexpr std::array<std::size_t, 4> step_counts = {4, 8, 16, 32};
 constexpr double discarded = 0.2;  // fraction of each run that is discarded at its beginning
 
 /// The results of a run.
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 struct HybridRun {
-  double acceptance = unknown, weight = unknown;
+  double acceptance = no_value, weight = no_value;
   std::vector<double> potential{};  // potential energy at the ends of trajectories; empty if the
                                     // run blew up
 };

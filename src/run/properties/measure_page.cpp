@@ -124,7 +124,7 @@ std::string section(const std::string& title, const std::string& figures) {
              : fmt::format("<h3>{}</h3>\n<div class=\"figures\">{}</div>\n", title, figures);
 }
 
-std::string of_point(const MeasuredPoint& point) {
+std::string section_of(const MeasuredPoint& point) {
   std::string text = fmt::format("<h2>{}</h2>\n", html(point.at.text())) + table_of(point);
   if (const std::string how = point.conditions(); !how.empty())
     text += fmt::format("<p>{}; box edge {:.4g} nm.</p>\n", how, point.edge);
@@ -241,7 +241,7 @@ std::string measure_page(const MeasureReport& report, const std::string& command
   std::string body = fmt::format("<h1>{}{}</h1>\n<p><code>{}</code></p>\n", title,
                                  html(report.system), html(command));
   body += of_curves(report);
-  for (const MeasuredPoint& point : report.points) body += of_point(point);
+  for (const MeasuredPoint& point : report.points) body += section_of(point);
   body += of_missing(report.missing);
   body += fmt::format(
       "<footer>polhode {}. Errors are standard errors; intervals are by Student's t. Cite van Zon, "

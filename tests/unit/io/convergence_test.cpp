@@ -19,14 +19,14 @@ using namespace polhode;
 
 namespace {
 
-constexpr int series = 200;
+constexpr int series_with_start = 200;
 
 /// How many of many series of a kind are called converged.
 double share_converged(const std::function<Convergence(std::uint64_t seed)>& one) {
   int converged = 0;
-  for (int seed = 0; seed < series; ++seed)
+  for (int seed = 0; seed < series_with_start; ++seed)
     converged += one(static_cast<std::uint64_t>(seed)).converged() ? 1 : 0;
-  return static_cast<double>(converged) / series;
+  return static_cast<double>(converged) / series_with_start;
 }
 
 double mean_square(std::span<const double> mean) { return mean[3]; }
@@ -108,8 +108,8 @@ TEST_CASE("the relaxation time is right for long series, and too short for short
   constexpr double tau = 20;
   const auto mean = [](double length) {
     double sum = 0;
-    for (std::uint64_t seed = 0; seed < series; ++seed)
-      sum += of_vector(seed, length, tau).relaxation / series;
+    for (std::uint64_t seed = 0; seed < series_with_start; ++seed)
+      sum += of_vector(seed, length, tau).relaxation / series_with_start;
     return sum;
   };
   // |M̄|² of the quarters, the shortest stretches, misses τ/25τ of it; its scatter over 200 series

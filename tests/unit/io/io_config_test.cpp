@@ -17,7 +17,7 @@ const std::string system_table =
     "[system]\nmolecules = [{ model = \"tip4p\", count = 2 }]\ndensity = \"1 g/cm3\"\n";
 
 // The lines of `more` begin at line 4.
-void check_text(const std::string& more, std::initializer_list<const char*> parts) {
+void check_config(const std::string& more, std::initializer_list<const char*> parts) {
   check_error([&] { parse_config(system_table + more, "water.toml"); }, parts);
 }
 void check_system(const std::string& lines, std::initializer_list<const char*> parts) {
@@ -120,15 +120,15 @@ TEST_CASE("every key of an integrator, a run, its output and a study is read") {
 }
 
 TEST_CASE("unknown keys and tables get suggestions") {
-  check_text("[forces]\ncutof = \"1 nm\"",
-             {"no key 'cutof' in forces; did you mean 'cutoff'?", "water.toml:5, forces.cutof"});
-  check_text("[integratr]", {"no table 'integratr'; did you mean 'integrator'?", "water.toml:4"});
-  check_text("[run]\nfoo = 1", {"no key 'foo' in run", "equilibrate, length, sample"});
+  check_config("[forces]\ncutof = \"1 nm\"",
+               {"no key 'cutof' in forces; did you mean 'cutoff'?", "water.toml:5, forces.cutof"});
+  check_config("[integratr]", {"no table 'integratr'; did you mean 'integrator'?", "water.toml:4"});
+  check_config("[run]\nfoo = 1", {"no key 'foo' in run", "equilibrate, length, sample"});
 }
 
 TEST_CASE("invalid TOML is refused with its line") {
-  check_text("[run", {"not TOML", "water.toml:4"});
-  check_text("[run]\nlength = 2 ps", {"not TOML", "water.toml:5", "in quotes"});
+  check_config("[run", {"not TOML", "water.toml:4"});
+  check_config("[run]\nlength = 2 ps", {"not TOML", "water.toml:5", "in quotes"});
   check_error([] { read_config("nowhere/water.toml"); }, {"no readable file 'nowhere/water.toml'"});
   check_error([] { read_config("/proc/self/mem"); },
               {"'/proc/self/mem' exists but cannot be read", "permissions"});
@@ -167,28 +167,29 @@ TEST_CASE("the system is described completely and without contradictions") {
 }
 
 TEST_CASE("values of another kind or outside a domain of their own are refused with the domain") {
-  check_text("temperature = \"0 K\"", {"temperature = \"0 K\" must be above 0 K", "water.toml:4"});
-  check_text("temperature = 297", {"temperature = 297 has no unit", "\"297 K\""});
-  check_text("[forces]\ncutoff = \"0.8 nm\"\nswitch = \"0.9 nm\"",
-             {"switch = \"0.9 nm\" must be", "shorter than the cutoff, 0.8 nm"});
-  check_text("[forces]\nsmoothness = 2.5", {"must be a whole number"});
-  check_text(
+  check_config("temperature = \"0 K\"",
+               {"temperature = \"0 K\" must be above 0 K", "water.toml:4"});
+  check_config("temperature = 297", {"temperature = 297 has no unit", "\"297 K\""});
+  check_config("[forces]\ncutoff = \"0.8 nm\"\nswitch = \"0.9 nm\"",
+               {"switch = \"0.9 nm\" must be", "shorter than the cutoff, 0.8 nm"});
+  check_config("[forces]\nsmoothness = 2.5", {"must be a whole number"});
+  check_config(
       "[forces]\ntruncation = \"site-swich\"",
       {"must be one of: molecule-switch, site-switch, site-shift; did you mean 'site-switch'?"});
-  check_text("[forces]\ndielectric = 80", {"no meaning without electrostatics"});
-  check_text("[forces]\ntruncation = \"site-switch\"\ndielectric = nan", {"finite"});
-  check_text("[integrator]\nstep = 2", {R"(step = 2 has no unit; write for example "2 fs")",
-                                        "water.toml:5, integrator.step"});
-  check_text("[integrator]\nscheme = \"\"", {"must name a scheme"});
-  check_text("[run]\nlength = 15", {R"(write for example "15 ps")"});
-  check_text("[output]\nformats = [\"xzy\"]", {"'xzy'; did you mean 'xyz'?"});
-  check_text("[output]\nformats = \"xyz\"", {"must be a list of texts"});
-  check_text("[output]\nplot = \"pdf\"", {"must be one of: svg, png, none"});
-  check_text("[output]\nprefix = \"\"", {"must not be empty"});
-  check_text("[study]\nsteps = [\"1 fs\", \"2\"]", {"has no unit", "study.steps"});
-  check_text("[study]\nsteps = [\"0 fs\"]", {"longer than 0 fs"});
-  check_text("[study]\nschemes = []", {"at least one scheme"});
-  check_text("[integrator]\ncandidates = [\"gier5\"]", {"gier5", "integrator.candidates"});
+  check_config("[forces]\ndielectric = 80", {"no meaning without electrostatics"});
+  check_config("[forces]\ntruncation = \"site-switch\"\ndielectric = nan", {"finite"});
+  check_config("[integrator]\nstep = 2", {R"(step = 2 has no unit; write for example "2 fs")",
+                                          "water.toml:5, integrator.step"});
+  check_config("[integrator]\nscheme = \"\"", {"must name a scheme"});
+  check_config("[run]\nlength = 15", {R"(write for example "15 ps")"});
+  check_config("[output]\nformats = [\"xzy\"]", {"'xzy'; did you mean 'xyz'?"});
+  check_config("[output]\nformats = \"xyz\"", {"must be a list of texts"});
+  check_config("[output]\nplot = \"pdf\"", {"must be one of: svg, png, none"});
+  check_config("[output]\nprefix = \"\"", {"must not be empty"});
+  check_config("[study]\nsteps = [\"1 fs\", \"2\"]", {"has no unit", "study.steps"});
+  check_config("[study]\nsteps = [\"0 fs\"]", {"longer than 0 fs"});
+  check_config("[study]\nschemes = []", {"at least one scheme"});
+  check_config("[integrator]\ncandidates = [\"gier5\"]", {"gier5", "integrator.candidates"});
 }
 
 TEST_CASE("the default of electrostatics depends on the truncation") {
@@ -201,10 +202,10 @@ TEST_CASE("the default of electrostatics depends on the truncation") {
   CHECK(electrostatics("truncation = \"site-shift\"") == reaction_field);
   CHECK(electrostatics("truncation = \"site-shift\"\nelectrostatics = \"coulomb\"") == coulomb);
   CHECK(electrostatics("electrostatics = \"reaction-field\"\ndielectric = 80") == reaction_field);
-  check_text("[forces]\nelectrostatics = \"reaction field\"",
-             {"must be one of: coulomb, reaction-field, pme, damped-shifted-force; did you mean "
-              "'reaction-field'?"});
-  check_text(
+  check_config("[forces]\nelectrostatics = \"reaction field\"",
+               {"must be one of: coulomb, reaction-field, pme, damped-shifted-force; did you mean "
+                "'reaction-field'?"});
+  check_config(
       "[forces]\nelectrostatics = \"coulomb\"\ntruncation = \"site-switch\"\ndielectric = 80",
       {"no meaning without electrostatics", "water.toml:7, forces.dielectric"});
 }
@@ -216,8 +217,8 @@ TEST_CASE("the damped shifted force has a damping, and a site switch for Lennard
   CHECK(forces.electrostatics == Electrostatics::damped_shifted_force);
   CHECK(forces.truncation == Truncation::site_switch);
   CHECK(forces.damping == doctest::Approx(1.5).epsilon(1e-15));
-  check_text(law + "damping = \"5 1/nm\"", {"from 0 to 3 / cutoff = 3 1/nm"});
-  check_text(law + "pme_accuracy = 1e-4", {"no meaning without electrostatics = \"pme\""});
+  check_config(law + "damping = \"5 1/nm\"", {"from 0 to 3 / cutoff = 3 1/nm"});
+  check_config(law + "pme_accuracy = 1e-4", {"no meaning without electrostatics = \"pme\""});
 }
 
 TEST_CASE("a table of own schemes gives names to texts") {
@@ -231,9 +232,9 @@ TEST_CASE("a table of own schemes gives names to texts") {
         "mine: b = 1/2; B(b) A(1) B(b) / mine: b = 1/2; B(b) A(1) B(b) x 2 within 0.5 nm");
   CHECK(parse_config(own + "[study]\nschemes = [\"hoa2\", \"mine\"]\n", "x").study.schemes[1] ==
         "mine: b = 1/2; B(b) A(1) B(b)");
-  check_text("[schemes]\nmine = \"B(1/2) A(1)\"", {"sum to 1", "schemes.mine"});
-  check_text("[schemes]\nhoa2 = \"B(1) A(1)\"", {"built-in scheme", "schemes.hoa2"});
-  check_text("[schemes]\nmine = 1", {"text in quotes", "schemes.mine"});
+  check_config("[schemes]\nmine = \"B(1/2) A(1)\"", {"sum to 1", "schemes.mine"});
+  check_config("[schemes]\nhoa2 = \"B(1) A(1)\"", {"built-in scheme", "schemes.hoa2"});
+  check_config("[schemes]\nmine = 1", {"text in quotes", "schemes.mine"});
 }
 
 TEST_CASE("PME has an accuracy, and a site switch for Lennard-Jones") {
@@ -247,20 +248,20 @@ TEST_CASE("PME has an accuracy, and a site switch for Lennard-Jones") {
   CHECK(parse_config(system_table + "[forces]\ndispersion_correction = true", "x")
             .forces.dispersion_correction);
   const std::string with_pme = "[forces]\nelectrostatics = \"pme\"\n";
-  check_text(with_pme + "pme_accuracy = \"high\"", {"forces.pme_accuracy", "number"});
+  check_config(with_pme + "pme_accuracy = \"high\"", {"forces.pme_accuracy", "number"});
   CHECK(!pme.coulomb_cutoff);
   CHECK(parse_config(system_table + with_pme + "coulomb_cutoff = \"0.7 nm\"", "x")
             .forces.coulomb_cutoff == 0.7);
-  check_text("[forces]\ncoulomb_cutoff = \"0.7 nm\"",
-             {"no meaning without electrostatics = \"pme\""});
-  check_text("[forces]\npme_accuracy = 1e-5", {"no meaning without electrostatics = \"pme\""});
-  check_text(with_pme + "dielectric = 80", {"no meaning without electrostatics"});
-  check_text(with_pme + "truncation = \"molecule-switch\"",
-             {"cannot be combined with electrostatics = \"pme\"", "use \"site-switch\"",
-              "forces.truncation"});
-  check_text("[forces]\ndispersion_correction = 1", {"must be true or false"});
-  check_text("[forces]\ntruncation = \"site-shift\"\ndispersion_correction = true",
-             {"shifts the potential at all distances"});
+  check_config("[forces]\ncoulomb_cutoff = \"0.7 nm\"",
+               {"no meaning without electrostatics = \"pme\""});
+  check_config("[forces]\npme_accuracy = 1e-5", {"no meaning without electrostatics = \"pme\""});
+  check_config(with_pme + "dielectric = 80", {"no meaning without electrostatics"});
+  check_config(with_pme + "truncation = \"molecule-switch\"",
+               {"cannot be combined with electrostatics = \"pme\"", "use \"site-switch\"",
+                "forces.truncation"});
+  check_config("[forces]\ndispersion_correction = 1", {"must be true or false"});
+  check_config("[forces]\ntruncation = \"site-shift\"\ndispersion_correction = true",
+               {"shifts the potential at all distances"});
 }
 
 TEST_CASE("the mixing rule is read, and pairs are given by molecule and site") {
@@ -285,25 +286,27 @@ TEST_CASE("the mixing rule is read, and pairs are given by molecule and site") {
       "law = \"buckingham\"\nA = \"1e6 kJ/mol\"\nB = \"37 1/nm\"\nC = \"6e-3 kJ/mol nm6\"\n");
   CHECK(other.pairs.at(0).law == ShortRangeLaw(BuckinghamLaw{1e6, 37, 6e-3}));
 
-  check_text("[forces]\nmixing = \"geometrical\"",
-             {"must be one of: lorentz-berthelot, geometric; did you mean 'geometric'?"});
-  check_text("[[pair]]\n" + numbers, {"a pair has no sites", "water.toml:4, pair[0].sites"});
-  check_text("[[pair]]\nsites = [\"tip4p.OW\"]\n" + numbers, {"must be two", "water.toml:5"});
-  check_text("[[pair]]\nsites = \"tip4p.OW\"\n" + numbers, {"must be a list of texts"});
-  check_text(pair + "sigma = \"3 A\"", {"a pair has no epsilon", "\"0.8 kJ/mol\""});
-  check_text(pair + "epsilon = \"0 K\"", {"a pair has no sigma", "\"0.33 nm\""});
-  check_text(pair + "sigma = 0.5", {"sigma = 0.5 has no unit", "water.toml:6, pair[0].sigma"});
-  check_text(pair + "sigma = \"-3 A\"\nepsilon = \"0 K\"", {"sigma = \"-3 A\" must be 0 or more"});
-  check_text(pair + "sigma = \"3 A\"\nepsilon = \"-1 K\"",
-             {"epsilon = \"-1 K\" must be 0 or more"});
-  check_text(pair + "sigma = \"0 A\"\nepsilon = \"1 K\"", {"needs both", "water.toml:5, pair[0]"});
-  check_text(pair + numbers + "charge = \"1 e\"", {"there is no key 'charge' in pair[0]"});
-  check_text("[[pair]]\nsites = [\"tip4.OW\", \"tip4p.OW\"]\n" + numbers,
-             {"no site 'tip4.OW' in this system; did you mean 'tip4p.OW'?",
-              "water.toml:5, pair[0].sites"});
-  check_text("[[pair]]\nsites = [\"tip4p.OW\", \"tip4p.HW1\"]\n" + numbers,
-             {"'tip4p.HW1' has no short-range potential"});
-  check_text(pair + numbers + pair + numbers, {"is given twice", "water.toml:9, pair[1].sites"});
+  check_config("[forces]\nmixing = \"geometrical\"",
+               {"must be one of: lorentz-berthelot, geometric; did you mean 'geometric'?"});
+  check_config("[[pair]]\n" + numbers, {"a pair has no sites", "water.toml:4, pair[0].sites"});
+  check_config("[[pair]]\nsites = [\"tip4p.OW\"]\n" + numbers, {"must be two", "water.toml:5"});
+  check_config("[[pair]]\nsites = \"tip4p.OW\"\n" + numbers, {"must be a list of texts"});
+  check_config(pair + "sigma = \"3 A\"", {"a pair has no epsilon", "\"0.8 kJ/mol\""});
+  check_config(pair + "epsilon = \"0 K\"", {"a pair has no sigma", "\"0.33 nm\""});
+  check_config(pair + "sigma = 0.5", {"sigma = 0.5 has no unit", "water.toml:6, pair[0].sigma"});
+  check_config(pair + "sigma = \"-3 A\"\nepsilon = \"0 K\"",
+               {"sigma = \"-3 A\" must be 0 or more"});
+  check_config(pair + "sigma = \"3 A\"\nepsilon = \"-1 K\"",
+               {"epsilon = \"-1 K\" must be 0 or more"});
+  check_config(pair + "sigma = \"0 A\"\nepsilon = \"1 K\"",
+               {"needs both", "water.toml:5, pair[0]"});
+  check_config(pair + numbers + "charge = \"1 e\"", {"there is no key 'charge' in pair[0]"});
+  check_config("[[pair]]\nsites = [\"tip4.OW\", \"tip4p.OW\"]\n" + numbers,
+               {"no site 'tip4.OW' in this system; did you mean 'tip4p.OW'?",
+                "water.toml:5, pair[0].sites"});
+  check_config("[[pair]]\nsites = [\"tip4p.OW\", \"tip4p.HW1\"]\n" + numbers,
+               {"'tip4p.HW1' has no short-range potential"});
+  check_config(pair + numbers + pair + numbers, {"is given twice", "water.toml:9, pair[1].sites"});
 }
 
 TEST_CASE("the default of lambda in mixed precision is 1") {
@@ -315,10 +318,10 @@ TEST_CASE("the default of lambda in mixed precision is 1") {
   CHECK(read(mixed).forces.precision == Precision::mixed);
   CHECK(read(mixed).integrator.lambda == 1);
   CHECK(read(mixed + "[integrator]\nlambda = 0.1").integrator.lambda == 0.1);
-  check_text(mixed + "[integrator]\nlambda = 0.09",
-             {"lambda = 0.09 is below 0.1", "leave lambda out", "precision = \"double\"",
-              "water.toml:7, integrator.lambda"});
-  check_text("[forces]\nprecision = \"single\"", {"must be one of: double, mixed"});
+  check_config(mixed + "[integrator]\nlambda = 0.09",
+               {"lambda = 0.09 is below 0.1", "leave lambda out", "precision = \"double\"",
+                "water.toml:7, integrator.lambda"});
+  check_config("[forces]\nprecision = \"single\"", {"must be one of: double, mixed"});
 
   Config config = read("");  // an option instead of the key
   set_precision(config, Precision::mixed);

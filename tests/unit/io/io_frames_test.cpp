@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "../errors.hpp"
+#include "../folder.hpp"
 #include "model/initial_state.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
@@ -14,15 +15,6 @@ using namespace polhode;
 namespace fs = std::filesystem;
 
 namespace {
-
-// A separate folder that is removed afterwards.
-struct Folder {
-  fs::path path = fs::temp_directory_path() /
-                  ("polhode-frames-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-  std::string operator/(const std::string& name) const { return (path / name).string(); }
-};
 
 Topology some_molecules() { return {{{read_molecule("tip4p"), 60}, {read_molecule("argon"), 4}}}; }
 

@@ -20,7 +20,7 @@ const std::string atoms =
 const std::string box = "   2.00000   2.00000   2.00000\n";
 const std::string water = "water\n3\n" + atoms + box;
 
-void check_text(const std::string& text, std::initializer_list<const char*> parts) {
+void check_gro(const std::string& text, std::initializer_list<const char*> parts) {
   check_error([&] { parse_gro(text, "a.gro"); }, parts);
 }
 
@@ -62,39 +62,39 @@ TEST_CASE("GRO files with any number of decimals are read") {
 }
 
 TEST_CASE("errors in GRO files give the line, what was found and what was expected") {
-  check_text("", {"the file ends before its title", "a.gro:1"});
-  check_text("water\n", {"the file ends before the number of atoms", "a.gro:2"});
-  check_text(replaced(water, "\n3\n", "\nthree\n"),
-             {"found 'three' instead of the number of", ":2"});
-  check_text(replaced(water, "\n3\n", "\n-3\n"), {"found '-3' instead of the number of atoms"});
-  check_text(replaced(water, "\n3\n", "\n4\n"),
-             {"instead of atom 4 of 4 (the number in the second line)", "a.gro:6"});
-  check_text(replaced(water, "\n3\n", "\n2\n"),
-             {"another atom", "the frame has 2 atoms", "a.gro:5"});
-  check_text("water\n3\n" + atoms, {"the file ends before the box", "a.gro:6"});
-  check_text("water\n3\n" + atoms.substr(0, 90),
-             {"the file ends before atom 3 of 3 (the number in the second line)", "a.gro:5"});
-  check_text(
+  check_gro("", {"the file ends before its title", "a.gro:1"});
+  check_gro("water\n", {"the file ends before the number of atoms", "a.gro:2"});
+  check_gro(replaced(water, "\n3\n", "\nthree\n"),
+            {"found 'three' instead of the number of", ":2"});
+  check_gro(replaced(water, "\n3\n", "\n-3\n"), {"found '-3' instead of the number of atoms"});
+  check_gro(replaced(water, "\n3\n", "\n4\n"),
+            {"instead of atom 4 of 4 (the number in the second line)", "a.gro:6"});
+  check_gro(replaced(water, "\n3\n", "\n2\n"),
+            {"another atom", "the frame has 2 atoms", "a.gro:5"});
+  check_gro("water\n3\n" + atoms, {"the file ends before the box", "a.gro:6"});
+  check_gro("water\n3\n" + atoms.substr(0, 90),
+            {"the file ends before atom 3 of 3 (the number in the second line)", "a.gro:5"});
+  check_gro(
       "water\n3\n" + atoms.substr(0, 87),
       {"the line ends after 42 characters; the names and three coordinates of 8 characters each",
        "need 44 characters", "a.gro:4"});
-  check_text(replaced(water, "0.200   0.300\n", "0.200   0.300  0.1\n"),
-             {"ends after 49 characters; the names and three coordinates and three velocities",
-              "need 68 characters"});
-  check_text(replaced(water, "0.067", "  nan"), {"x coordinate is nan", "finite", "a.gro:5"});
-  check_text(replaced(water, "0.067", "0.O67"), {"found '0.O67' for the x coordinate"});
-  check_text(replaced(water, "    1SOL    HW2", "    xSOL    HW2"),
-             {"found 'x' instead of the residue number", "a.gro:5"});
-  check_text(replaced(water, "    1SOL    HW2", "    1SOL       "), {"no atom name", "a.gro:5"});
-  check_text(replaced(water, "   0.200   0.300\n", "   0.200\n"), {"before its third coordinate"});
-  check_text(replaced(water, "   0.200   0.300\n", "   0.200    0.300\n"),
-             {"8 and 9 characters apart", "a.gro:3"});
-  check_text(replaced(water, "0.294   0.300\n", "0.294   0.300  0.1000  0.1000  0.1000\n"),
-             {"either all atoms or no atoms must have velocities", "a.gro:5"});
-  check_text("w\n3\n" + atoms + " 2 2\n", {"found '2 2' instead of the box", "three edges"});
-  check_text("w\n3\n" + atoms + " 2 2 0\n", {"box edge is 0 nm", "longer than 0 nm"});
-  check_text("w\n3\n" + atoms + " 2 2 inf\n", {"the box edge is inf", "finite"});
-  check_text("w\n3\n" + atoms + " 2 2 2 0 0 1 0 0 0\n", {"triclinic", "orthorhombic"});
+  check_gro(replaced(water, "0.200   0.300\n", "0.200   0.300  0.1\n"),
+            {"ends after 49 characters; the names and three coordinates and three velocities",
+             "need 68 characters"});
+  check_gro(replaced(water, "0.067", "  nan"), {"x coordinate is nan", "finite", "a.gro:5"});
+  check_gro(replaced(water, "0.067", "0.O67"), {"found '0.O67' for the x coordinate"});
+  check_gro(replaced(water, "    1SOL    HW2", "    xSOL    HW2"),
+            {"found 'x' instead of the residue number", "a.gro:5"});
+  check_gro(replaced(water, "    1SOL    HW2", "    1SOL       "), {"no atom name", "a.gro:5"});
+  check_gro(replaced(water, "   0.200   0.300\n", "   0.200\n"), {"before its third coordinate"});
+  check_gro(replaced(water, "   0.200   0.300\n", "   0.200    0.300\n"),
+            {"8 and 9 characters apart", "a.gro:3"});
+  check_gro(replaced(water, "0.294   0.300\n", "0.294   0.300  0.1000  0.1000  0.1000\n"),
+            {"either all atoms or no atoms must have velocities", "a.gro:5"});
+  check_gro("w\n3\n" + atoms + " 2 2\n", {"found '2 2' instead of the box", "three edges"});
+  check_gro("w\n3\n" + atoms + " 2 2 0\n", {"box edge is 0 nm", "longer than 0 nm"});
+  check_gro("w\n3\n" + atoms + " 2 2 inf\n", {"the box edge is inf", "finite"});
+  check_gro("w\n3\n" + atoms + " 2 2 2 0 0 1 0 0 0\n", {"triclinic", "orthorhombic"});
   check_error([] { read_start("w51"); }, {"no readable file 'w51'"});
 }
 

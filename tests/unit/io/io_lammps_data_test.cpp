@@ -10,7 +10,7 @@ using namespace polhode;
 namespace {
 
 // Two waters, with unordered atoms across the boundary, and a sodium ion.
-const std::string good =
+const std::string good_data =
     "LAMMPS data file via write_data, units = real\n"
     "\n"
     "7 atoms\n"
@@ -57,7 +57,7 @@ void refused(const std::string& text, std::initializer_list<const char*> parts) 
 }  // namespace
 
 TEST_CASE("molecule ids of a LAMMPS data file define bodies, and equal ones are of one kind") {
-  const LammpsData read = parse_lammps_data(good, "a.data");
+  const LammpsData read = parse_lammps_data(good_data, "a.data");
   REQUIRE(read.kinds.size() == 2);
   CHECK(read.kinds[0].name == "Na");  // molecule 0: an atom by itself
   CHECK(read.kinds[1].name == "OH2");
@@ -82,7 +82,7 @@ TEST_CASE("molecule ids of a LAMMPS data file define bodies, and equal ones are 
 
 TEST_CASE("PairIJ Coeffs define every pair") {
   std::string text =
-      replaced(good, "Pair Coeffs # lj/cut/coul/long\n\n1 0.1553 3.166\n2 0 0\n3 0.1 2.5\n",
+      replaced(good_data, "Pair Coeffs # lj/cut/coul/long\n\n1 0.1553 3.166\n2 0 0\n3 0.1 2.5\n",
                "PairIJ Coeffs\n\n1 1 0.1553 3.166\n1 2 0 0\n1 3 0.2 3\n2 2 0 0\n3 3 0.1 2.5\n");
   const RigidTopology rigid = rigid_topology(parse_lammps_data(text, "a.data"));
   CHECK(!rigid.rule_matters);
@@ -91,7 +91,7 @@ TEST_CASE("PairIJ Coeffs define every pair") {
 }
 
 TEST_CASE("pair styles buck and mie/cut have their laws") {
-  std::string buck = replaced(good, "lj/cut/coul/long", "buck/coul/long");
+  std::string buck = replaced(good_data, "lj/cut/coul/long", "buck/coul/long");
   buck = replaced(buck, "1 0.1553 3.166\n2 0 0\n3 0.1 2.5\n", "1 2e5 0.26 600\n2 0 1 0\n3 0 1 0\n");
   const auto oxygen = [](const std::string& text) {
     return rigid_topology(parse_lammps_data(text, "a.data")).topology.parts[1].molecule.sites[0];
@@ -108,7 +108,7 @@ TEST_CASE("pair styles buck and mie/cut have their laws") {
   refused(replaced(buck, "1 2e5 0.26 600", "1 2e5 0.26"), {"A, rho and C", "a.data:18"});
   refused(replaced(buck, "1 2e5 0.26 600", "1 -2e5 0.26 600"), {"A = -", "a.data:18"});
 
-  std::string mie = replaced(good, "lj/cut/coul/long", "mie/cut");
+  std::string mie = replaced(good_data, "lj/cut/coul/long", "mie/cut");
   mie = replaced(mie, "1 0.1553 3.166\n2 0 0\n3 0.1 2.5\n",
                  "1 0.1553 3.166 14 6\n2 0 0 12 6\n3 0 0 12 6\n");
   CHECK(oxygen(mie).law == ShortRangeLaw(MieLaw{14, 6}));
@@ -118,28 +118,30 @@ TEST_CASE("pair styles buck and mie/cut have their laws") {
 
 TEST_CASE("errors in LAMMPS data files give the line, what was found and what was expected") {
   refused("", {"the header does not contain the number of atoms"});
-  refused(replaced(good, "real", "metal"),
+  refused(replaced(good_data, "real", "metal"),
           {"the units are 'metal'; they must be 'real'", "a.data:1"});
-  refused(replaced(good, "0 20 zlo zhi", "0 20 zlo zhi\n1 0 0 xy xz yz"),
+  refused(replaced(good_data, "0 20 zlo zhi", "0 20 zlo zhi\n1 0 0 xy xz yz"),
           {"the box is triclinic", "a.data:9"});
-  refused(replaced(good, "0 20 zlo", "20 0 zlo"), {"the box extends from 20 to 0"});
-  refused(replaced(good, "0 20 zlo zhi\n", ""), {"the atoms precede the box"});
-  refused(replaced(good, "# full", "# molecular"),
+  refused(replaced(good_data, "0 20 zlo", "20 0 zlo"), {"the box extends from 20 to 0"});
+  refused(replaced(good_data, "0 20 zlo zhi\n", ""), {"the atoms precede the box"});
+  refused(replaced(good_data, "# full", "# molecular"),
           {"the atom style is 'molecular'; it must be full"});
-  refused(replaced(good, "7 atoms", "8 atoms"), {"specifies 8 atoms, but the section Atoms has 7"});
-  refused(replaced(good, "1 1 1 -0.8476", "2 1 1 -0.8476"), {"two atoms with the id 2"});
-  refused(replaced(good, "9 0 3 1 5 5 5 0 0 0", "9 0 4 1 5 5 5 0 0 0"),
+  refused(replaced(good_data, "7 atoms", "8 atoms"),
+          {"specifies 8 atoms, but the section Atoms has 7"});
+  refused(replaced(good_data, "1 1 1 -0.8476", "2 1 1 -0.8476"), {"two atoms with the id 2"});
+  refused(replaced(good_data, "9 0 3 1 5 5 5 0 0 0", "9 0 4 1 5 5 5 0 0 0"),
           {"found '4' for the atom type, which must be a whole number from 1 to 3", "a.data:27"});
-  refused(replaced(good, "5 5 5 0 0 0", "5 5 nan 0 0 0"), {"z coordinate is nan"});
-  refused(replaced(good, "5 5 5 0 0 0", "5 5 5 0"), {"it must have 7, or 10 with image flags"});
-  refused(replaced(good, "3 22.99\n", ""), {"atom type 3 has no mass"});
-  refused(replaced(good, "Bonds", "Ellipsoids"), {"there is no section 'Ellipsoids'"});
-  refused(replaced(good, "9 0.01", "8 0.01"), {"a velocity for atom 8, but no such atom"});
-  refused(replaced(good, "lj/cut/coul/long", "lj/cut/soft"),
+  refused(replaced(good_data, "5 5 5 0 0 0", "5 5 nan 0 0 0"), {"z coordinate is nan"});
+  refused(replaced(good_data, "5 5 5 0 0 0", "5 5 5 0"),
+          {"it must have 7, or 10 with image flags"});
+  refused(replaced(good_data, "3 22.99\n", ""), {"atom type 3 has no mass"});
+  refused(replaced(good_data, "Bonds", "Ellipsoids"), {"there is no section 'Ellipsoids'"});
+  refused(replaced(good_data, "9 0.01", "8 0.01"), {"a velocity for atom 8, but no such atom"});
+  refused(replaced(good_data, "lj/cut/coul/long", "lj/cut/soft"),
           {"the pair style 'lj/cut/soft' is not supported; use mie/cut, lj/cut or buck"});
-  refused(replaced(good, "lj/cut/coul/long", "table"),
+  refused(replaced(good_data, "lj/cut/coul/long", "table"),
           {"the pair style 'table' is not supported", "tabulated"});
-  refused(replaced(good, "lj/cut/coul/long", "lj/cut/tip4p/long"),
+  refused(replaced(good_data, "lj/cut/coul/long", "lj/cut/tip4p/long"),
           {"site M is not in the data file", "tip4p"});
-  refused(replaced(good, "3 0.1 2.5\n", ""), {"atom type 3 has no short-range parameters"});
+  refused(replaced(good_data, "3 0.1 2.5\n", ""), {"atom type 3 has no short-range parameters"});
 }

@@ -15,7 +15,7 @@ using namespace polhode;
 
 namespace {
 
-const std::string good =
+const std::string good_dump =
     "ITEM: UNITS\nreal\nITEM: TIME\n1500\nITEM: TIMESTEP\n750\n"
     "ITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS pp pp pp\n-10 10\n0 30\n5 25.5\n"
     "ITEM: ATOMS id mol type element x yu zs vx vy vz\n"
@@ -33,7 +33,7 @@ std::vector<Frame> frames_of(const std::string& text) {
 
 /// @param by  the columns or the atoms in place of those of the good file
 std::string edited_dump(const std::string& from, const std::string& by) {
-  return replaced(good, from, by);
+  return replaced(good_dump, from, by);
 }
 
 void check_near(const Vec3<double>& a, const Vec3<double>& b) { CHECK(norm(a - b) < 1e-14); }
@@ -72,7 +72,7 @@ struct DumpFile {
 }  // namespace
 
 TEST_CASE("a dump file of LAMMPS") {
-  const auto frames = frames_of(good);
+  const auto frames = frames_of(good_dump);
   REQUIRE(frames.size() == 1);
   const Frame& frame = frames[0];
   CHECK(frame.time == doctest::Approx(1.5));
@@ -89,17 +89,18 @@ TEST_CASE("a dump file of LAMMPS") {
 }
 
 TEST_CASE("units of dump files") {
-  const auto metal = frames_of(replaced(good, "real", "metal"));
+  const auto metal = frames_of(replaced(good_dump, "real", "metal"));
   check_near(metal[0].atoms[2].v, 1e-3 * Vec3<double>{1, 2, 3});
   CHECK(metal[0].time == doctest::Approx(1500));
-  const auto nano = frames_of(replaced(good, "real", "nano"));
+  const auto nano = frames_of(replaced(good_dump, "real", "nano"));
   check_near(nano[0].box.edge, {20, 30, 20.5});
   CHECK(nano[0].time == doctest::Approx(1.5e6));
 }
 
 TEST_CASE("several frames need times") {
-  CHECK(frames_of(good + replaced(good, "1500", "3000")).back().time == doctest::Approx(3));
-  const std::string timeless = replaced(good, "ITEM: TIME\n1500\n", "");
+  CHECK(frames_of(good_dump + replaced(good_dump, "1500", "3000")).back().time ==
+        doctest::Approx(3));
+  const std::string timeless = replaced(good_dump, "ITEM: TIME\n1500\n", "");
   CHECK(frames_of(timeless).size() == 1);
   check_error([&] { frames_of(timeless + timeless); }, {"dump_modify ID time yes"});
 }
@@ -122,7 +123,7 @@ TEST_CASE("wrong dump files") {
   };
   for (const auto& [from, to, words] : faults) {
     CAPTURE(to);
-    check_error([&] { frames_of(replaced(good, from, to)); }, {words.c_str(), "run.dump:"});
+    check_error([&] { frames_of(replaced(good_dump, from, to)); }, {words.c_str(), "run.dump:"});
   }
 }
 

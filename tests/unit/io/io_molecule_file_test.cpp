@@ -128,7 +128,7 @@ const std::string head = "name = \"x\"\nsource = \"key\"";  // two lines: the si
 const std::string site =
     "name = \"A\"\nelement = \"Ar\"\nposition = \"0 0 0 nm\"\nmass = \"40 u\"\n";
 
-void check_text(const std::string& text, std::initializer_list<const char*> parts) {
+void check_molecule(const std::string& text, std::initializer_list<const char*> parts) {
   check_error([&] { parse_molecule(text, "x.toml"); }, parts);
 }
 
@@ -141,8 +141,8 @@ TEST_CASE("a molecule file is read") {
   CHECK(!atom.mixing);
   const std::string rule = head + "\nmixing = \"geometric\"";
   CHECK(parse_molecule(file(rule, site), "x.toml").mixing == MixingRule::geometric);
-  check_text(file(head + "\nmixing = \"arithmetic\"", site),
-             {"must be one of: lorentz-berthelot, geometric", "x.toml:3"});
+  check_molecule(file(head + "\nmixing = \"arithmetic\"", site),
+                 {"must be one of: lorentz-berthelot, geometric", "x.toml:3"});
   CHECK(atom.sites.front().sigma == doctest::Approx(0.34).epsilon(1e-15));
 }
 
@@ -166,20 +166,20 @@ TEST_CASE("a site has the short-range law that its file names") {
   CHECK(table.first() == 0.2);
   CHECK(table.last() == doctest::Approx(1.6).epsilon(1e-14));
 
-  check_text(file(head, site + "law = \"exp6\""),
-             {"must be one of: lennard-jones, mie, buckingham, tabulated", "site[0].law"});
-  check_text(file(head, site + sizes + "law = \"mie\""),
-             {"no repulsive_exponent; write for example repulsive_exponent = 14"});
-  check_text(file(head, site + sizes + "repulsive_exponent = 14"),
-             {"there is no key 'repulsive_exponent'"});
-  check_text(file(head, site + "law = \"buckingham\"\nA = \"1 kJ/mol\"\nB = \"1 1/nm\""),
-             {"a site has no C; write for example C = \"6e-3 kJ/mol nm6\""});
-  check_text(file(head, site + "law = \"buckingham\"\nA = \"1 kJ/mol\"\nB = \"9 1/nm\"\n"
-                               "C = \"1 kJ/mol nm6\""),
-             {"molecule 'x', site 'A'", "attract each other at all distances"});
-  check_text(file(head, site + "law = \"tabulated\""), {"no table; write for example table"});
-  check_text(file(head, site + "law = \"tabulated\"\ntable = \"gone.txt\""),
-             {"no readable file 'gone.txt'"});
+  check_molecule(file(head, site + "law = \"exp6\""),
+                 {"must be one of: lennard-jones, mie, buckingham, tabulated", "site[0].law"});
+  check_molecule(file(head, site + sizes + "law = \"mie\""),
+                 {"no repulsive_exponent; write for example repulsive_exponent = 14"});
+  check_molecule(file(head, site + sizes + "repulsive_exponent = 14"),
+                 {"there is no key 'repulsive_exponent'"});
+  check_molecule(file(head, site + "law = \"buckingham\"\nA = \"1 kJ/mol\"\nB = \"1 1/nm\""),
+                 {"a site has no C; write for example C = \"6e-3 kJ/mol nm6\""});
+  check_molecule(file(head, site + "law = \"buckingham\"\nA = \"1 kJ/mol\"\nB = \"9 1/nm\"\n"
+                                   "C = \"1 kJ/mol nm6\""),
+                 {"molecule 'x', site 'A'", "attract each other at all distances"});
+  check_molecule(file(head, site + "law = \"tabulated\""), {"no table; write for example table"});
+  check_molecule(file(head, site + "law = \"tabulated\"\ntable = \"gone.txt\""),
+                 {"no readable file 'gone.txt'"});
 }
 
 TEST_CASE("errors in potential tables name file, line and bound") {
@@ -202,30 +202,32 @@ TEST_CASE("errors in potential tables name file, line and bound") {
 TEST_CASE("errors in molecule files name file, line and key") {
   check_error([] { read_molecule("tip4"); }, {"no molecule 'tip4'; did you mean 'tip4p'?"});
   check_error([] { read_molecule("./none.toml"); }, {"no readable file './none.toml'"});
-  check_text(file(head, site + "sigmaa = \"0.3 nm\""),
-             {"there is no key 'sigmaa'", "did you mean 'sigma'?", "x.toml:8, site[0].sigmaa"});
-  check_text(file(head, site + "charge = 0.5"),
-             {"charge = 0.5 has no unit", "\"0.5 e\"", "x.toml:8, site[0].charge"});
-  check_text(file(head, site + "charge = \"0.5 nm\""), {"is a length; it must be a charge"});
-  check_text(file(head, site + "sigma = \"-3 A\""), {"sigma = \"-3 A\" must be 0 or more"});
-  check_text(file(head, site + "epsilon = \"3 K\""),
-             {"no effect without sigma", "x.toml:8, site[0].epsilon"});
-  check_text(file(head, site + "epsilon = \"-3 K\""), {"epsilon = \"-3 K\" must be 0 or more"});
-  check_text(file(head + "\nmoments = \"1 1 3 nm\"", site),  // they follow from the sites
-             {"there is no key 'moments'", "there are: name, description, source, mixing, site"});
-  check_text(file("name = \"x\"", site), {"no source", "write for example source", "x.toml"});
-  check_text(file("source = \"x\"", site), {"no name"});
-  check_text(file(head, "name = \"A\"\nmass = \"1 u\"\nelement = \"H\""),
-             {"site 'A' has no position", "0 0.015 0 nm", "x.toml:3"});
-  check_text(file(head, "name = \"A\"\nposition = \"0 0 0 nm\"\nmass = \"1 u\""),
-             {"has mass but no element"});
-  check_text(file(head, "name = \"A\"\nposition = \"0 0 0 nm\"\ncharge = \"1 e\""),
-             {"has mass 0 u", "give at least one site a mass", "x.toml"});
-  check_text(head, {"the molecule has no site", "[[site]]"});
-  check_text(file(head, "name = \"A"), {"not TOML", "no end on this line", "x.toml:4"});
-  check_text(file(head, site + "sigma = \"3 A\""), {"no effect without epsilon", "site[0].sigma"});
-  check_text(file(head, site + "[[site]]\n" + site), {"the same position"});
-  check_text(file(head, replaced(site, "element = \"", "element = \"X")),
-             {"not a chemical element", "leave it out"});
-  check_text("name = \"x\"\nsource = 3", {"source = 3 must be a text in quotes", "x.toml:2"});
+  check_molecule(file(head, site + "sigmaa = \"0.3 nm\""),
+                 {"there is no key 'sigmaa'", "did you mean 'sigma'?", "x.toml:8, site[0].sigmaa"});
+  check_molecule(file(head, site + "charge = 0.5"),
+                 {"charge = 0.5 has no unit", "\"0.5 e\"", "x.toml:8, site[0].charge"});
+  check_molecule(file(head, site + "charge = \"0.5 nm\""), {"is a length; it must be a charge"});
+  check_molecule(file(head, site + "sigma = \"-3 A\""), {"sigma = \"-3 A\" must be 0 or more"});
+  check_molecule(file(head, site + "epsilon = \"3 K\""),
+                 {"no effect without sigma", "x.toml:8, site[0].epsilon"});
+  check_molecule(file(head, site + "epsilon = \"-3 K\""), {"epsilon = \"-3 K\" must be 0 or more"});
+  check_molecule(
+      file(head + "\nmoments = \"1 1 3 nm\"", site),  // they follow from the sites
+      {"there is no key 'moments'", "there are: name, description, source, mixing, site"});
+  check_molecule(file("name = \"x\"", site), {"no source", "write for example source", "x.toml"});
+  check_molecule(file("source = \"x\"", site), {"no name"});
+  check_molecule(file(head, "name = \"A\"\nmass = \"1 u\"\nelement = \"H\""),
+                 {"site 'A' has no position", "0 0.015 0 nm", "x.toml:3"});
+  check_molecule(file(head, "name = \"A\"\nposition = \"0 0 0 nm\"\nmass = \"1 u\""),
+                 {"has mass but no element"});
+  check_molecule(file(head, "name = \"A\"\nposition = \"0 0 0 nm\"\ncharge = \"1 e\""),
+                 {"has mass 0 u", "give at least one site a mass", "x.toml"});
+  check_molecule(head, {"the molecule has no site", "[[site]]"});
+  check_molecule(file(head, "name = \"A"), {"not TOML", "no end on this line", "x.toml:4"});
+  check_molecule(file(head, site + "sigma = \"3 A\""),
+                 {"no effect without epsilon", "site[0].sigma"});
+  check_molecule(file(head, site + "[[site]]\n" + site), {"the same position"});
+  check_molecule(file(head, replaced(site, "element = \"", "element = \"X")),
+                 {"not a chemical element", "leave it out"});
+  check_molecule("name = \"x\"\nsource = 3", {"source = 3 must be a text in quotes", "x.toml:2"});
 }

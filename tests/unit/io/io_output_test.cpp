@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "../errors.hpp"
+#include "../folder.hpp"
 #include "io/coordinates/gro.hpp"
 #include "io/files/checksum.hpp"
 #include "io/files/write_file.hpp"
@@ -24,15 +25,6 @@ using namespace polhode;
 namespace fs = std::filesystem;
 
 namespace {
-
-// A separate folder that is removed afterwards.
-struct Folder {
-  fs::path path = fs::temp_directory_path() /
-                  ("polhode-test-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-  std::string operator/(const std::string& name) const { return (path / name).string(); }
-};
 
 std::string text_of(const std::string& path) {
   std::ostringstream text;

@@ -28,7 +28,7 @@ struct Place {
   }
 };
 
-std::string text_of(const fs::path& path) {
+std::string script_of(const fs::path& path) {
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
   return text.str();
@@ -66,7 +66,7 @@ TEST_CASE("whole numbers of a top are written with a decimal point, as gnuplot's
   std::ostringstream warnings;
   const std::string prefix = (place.folder / "top").string();
   polhode_plot({prefix + ".dat", {1, 2, 3}, {0.5, 1, 0.25}}, warnings);
-  const std::string script = text_of(prefix + ".gp");
+  const std::string script = script_of(prefix + ".gp");
   for (const char* line : {"\nJ2 = 2.0", "\nL2 = 1.0", "\nL3 = 0.25", "\nwidth = 1000\n"})
     CHECK(script.find(line) != std::string::npos);
 }
@@ -79,7 +79,7 @@ TEST_CASE("without gnuplot there is a warning, and the script is kept") {
   CHECK(!efficiency_plot(study_in(place.folder, "efficiency"), "svg", warnings));
   CHECK(warnings.str().find("gnuplot is not installed") != std::string::npos);
   CHECK(warnings.str().find("gnuplot efficiency.gp") != std::string::npos);
-  const std::string script = text_of(prefix + ".gp");
+  const std::string script = script_of(prefix + ".gp");
   CHECK(script.find("image = './efficiency.svg'\n") != std::string::npos);
   CHECK(script.find("caption = 'four runs'\n") != std::string::npos);
   CHECK(script.find("set output image\n") != std::string::npos);
@@ -94,7 +94,7 @@ TEST_CASE("a figure has a curve for each scheme, in the scheme's style") {
   std::ostringstream warnings;
   const EfficiencyFigure study = study_in(place.folder, "figure");
   const auto has_curves = [&](const fs::path& path) {
-    const std::string script = text_of(path);
+    const std::string script = script_of(path);
     CHECK(script.find("curves = 2\n") != std::string::npos);
     std::vector<std::string> names;
     for (const SchemeRows& rows : study.schemes) names.push_back(rows.scheme);
@@ -120,7 +120,7 @@ TEST_CASE("curves of panels are numbered through, and those with errors have ban
   figure.panels = {{"O-`H`", {{"a", 2, 3}, {"b", 4}}, {{"fit", {0, 1}, {0, 2}}}, 0, 2.5},
                    {"", {{"", 5, 6}}, {}, -1, 1}};
   curves_plot(figure, "svg", warnings);
-  const std::string script = text_of(place.folder / "g.gp");
+  const std::string script = script_of(place.folder / "g.gp");
   for (const char* line :
        {"title_of[1] = 'O-`H`'\n", "panels = 2\n", "across = 2\n", "first_curve[2] = 3\n",
         "last_curve[2] = 3\n", "column_of[3] = 5\n", "first_band[2] = 2\n", "last_band[2] = 2\n",
@@ -163,11 +163,11 @@ TEST_CASE("figures are drawn if gnuplot is installed") {
     data << "1 0 0\n0 1 0\n\n-1 0 0\n0 -1 0\n\n\nnan 0 0\n\n\n1 0 0\n\n\n1 0 0\n";
   }
   CHECK(polhode_plot({(place.folder / "top.dat").string(), {1, 2, 3}, {0.1, 0.2, 1}}, warnings));
-  CHECK(text_of(place.folder / "top.gp").find("J3 = 3.0") != std::string::npos);
-  CHECK(text_of(place.folder / "top.svg").find("polhode") != std::string::npos);
+  CHECK(script_of(place.folder / "top.gp").find("J3 = 3.0") != std::string::npos);
+  CHECK(script_of(place.folder / "top.svg").find("polhode") != std::string::npos);
   CHECK(warnings.str() == "");
-  CHECK(text_of(place.folder / "run.svg").find("</svg>") != std::string::npos);
-  CHECK(text_of(place.folder / "eff.svg").find("hoa2") != std::string::npos);
+  CHECK(script_of(place.folder / "run.svg").find("</svg>") != std::string::npos);
+  CHECK(script_of(place.folder / "eff.svg").find("hoa2") != std::string::npos);
 
   std::ofstream(place.folder / "wrong.gp") << "no such command\n";
   CHECK(!run_gnuplot((place.folder / "wrong.gp").string(), warnings));

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "measure/displacement.hpp"
 
@@ -12,7 +13,6 @@ using namespace polhode;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double ratio = 2.7933596497;  // of OrthoBoXY [busch2023]
 
 }  // namespace
@@ -23,7 +23,7 @@ TEST_CASE("the correction of a cubic box is that of Yeh and Hummer") {
   for (const double L : {0.7, 1.0, 30.0}) {
     const Vec3<double> m = image_mobility({L, L, L});
     for (std::size_t axis = 0; axis < 3; ++axis)
-      CHECK(std::abs(m[axis] * 6 * pi * L - 2.837297479) < 1e-9);
+      CHECK(std::abs(m[axis] * 6 * std::numbers::pi * L - 2.837297479) < 1e-9);
     const Vec3<double> D = finite_size_correction(300, 500, {L, L, L});
     CHECK(std::abs(D.x / yeh_hummer_correction(300, 500, L) - 1) < 2e-7);
   }
@@ -37,7 +37,8 @@ TEST_CASE("a box of the OrthoBoXY ratio has no correction along its short axes")
     CHECK(std::abs(m.x * L) < 1e-10);
     CHECK(std::abs(m.y * L) < 1e-10);
     // D_x + D_y − 2 D_z of such a box is kT/eta times 2 m_z − m_x − m_y.
-    CHECK(std::abs((2 * m.z - m.x - m.y) * 3 * pi * ratio * L - 8.1711245653) < 2e-10);
+    CHECK(std::abs((2 * m.z - m.x - m.y) * 3 * std::numbers::pi * ratio * L - 8.1711245653) <
+          2e-10);
     CHECK(image_mobility({L, L, 1.001 * ratio * L}).x * L < -1e-5);
     CHECK(image_mobility({L, L, 0.999 * ratio * L}).x * L > 1e-5);
   }
@@ -50,13 +51,14 @@ TEST_CASE("the correction is an integral over wave vectors minus the sum over th
   const Vec3<double> edge{1, 1.4, 2.3};
   const auto difference = [&](double width) {
     // Of the tensor, 2/3 is left by the mean over directions.
-    const double integral = 2.0 / 3 / (4 * std::pow(pi, 1.5) * width);
+    const double integral = 2.0 / 3 / (4 * std::pow(std::numbers::pi, 1.5) * width);
     Vec3<double> rest{integral, integral, integral};
     const int last = 60;  // the largest wave vector along z has k w = 8: exp(−67)
     for (int x = -last; x <= last; ++x)
       for (int y = -last; y <= last; ++y)
         for (int z = -last; z <= last; ++z) {
-          const Vec3<double> k{2 * pi * x / edge.x, 2 * pi * y / edge.y, 2 * pi * z / edge.z};
+          const Vec3<double> k{2 * std::numbers::pi * x / edge.x, 2 * std::numbers::pi * y / edge.y,
+                               2 * std::numbers::pi * z / edge.z};
           const double k2 = norm2(k);
           if (k2 == 0) continue;
           const double share = std::exp(-k2 * width * width) / (k2 * edge.x * edge.y * edge.z);

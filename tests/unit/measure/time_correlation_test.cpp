@@ -12,12 +12,12 @@ using namespace polhode;
 
 namespace {
 
-using Series = std::vector<std::vector<Vec3<double>>>;  // [frame][body]
+using VectorSeries = std::vector<std::vector<Vec3<double>>>;  // [frame][body]
 
 // Steps of a walk, far from the origin.
-Series walk(std::size_t frames, std::size_t bodies) {
+VectorSeries walk(std::size_t frames, std::size_t bodies) {
   Random random(11);
-  Series series(frames, std::vector<Vec3<double>>(bodies, {3, -2, 5}));
+  VectorSeries series(frames, std::vector<Vec3<double>>(bodies, {3, -2, 5}));
   for (std::size_t t = 1; t < frames; ++t)
     for (std::size_t i = 0; i < bodies; ++i)
       for (std::size_t k = 0; k < 3; ++k)
@@ -50,7 +50,7 @@ double product(Product p, const Vec3<double>& a, const Vec3<double>& b) {
 }
 
 // The mean over all origins and bodies, directly from its definition.
-double direct(Product p, const Series& series, std::size_t lag) {
+double direct(Product p, const VectorSeries& series, std::size_t lag) {
   double sum = 0, count = 0;
   for (std::size_t t = lag; t < series.size(); ++t)
     for (std::size_t i = 0; i < series[t].size(); ++i, ++count)
@@ -77,7 +77,7 @@ TEST_CASE("correlations over windows are the direct sums over all origins") {
   for (const std::size_t frames : {2U, 7U, 24U, 31U, 96U})
     for (const std::size_t lags : {1U, 8U, 20U})
       for (const std::size_t bodies : {1U, 3U, 37U}) {
-        const Series series = walk(frames, bodies);
+        const VectorSeries series = walk(frames, bodies);
         TimeCorrelation correlation(bodies, lags, all);
         for (const auto& frame : series) correlation.add([&](std::size_t i) { return frame[i]; });
         for (std::size_t p = 0; p < all.size(); ++p) {
@@ -99,14 +99,14 @@ TEST_CASE("correlations over windows are the direct sums over all origins") {
 TEST_CASE(
     "correlations have the same bits for any number of threads, and may be read during the "
     "analysis") {
-  const Series series = walk(50, 70);
+  const VectorSeries series = walk(50, 70);
   Workers workers(4);
   TimeCorrelation one(70, 12, {Product::displacement}), many(70, 12, {Product::displacement});
   for (std::size_t t = 0; t < series.size(); ++t) {
     one.add([&](std::size_t i) { return series[t][i]; });
     many.add([&](std::size_t i) { return series[t][i]; }, workers);
     if (t == 29) {
-      const Series first(series.begin(), series.begin() + 30);
+      const VectorSeries first(series.begin(), series.begin() + 30);
       TimeCorrelation early(70, 12, {Product::displacement});
       for (const auto& frame : first) early.add([&](std::size_t i) { return frame[i]; });
       early.means(0);

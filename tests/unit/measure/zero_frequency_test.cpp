@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -15,8 +16,6 @@ using namespace polhode;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// The spectrum of exponential autocorrelation functions a exp(−t/τ).
 struct Exponentials {
   std::vector<std::pair<double, double>> terms;  ///< a and τ
@@ -24,7 +23,7 @@ struct Exponentials {
   double at(double frequency) const {
     double sum = 0;
     for (const auto& [a, time] : terms)
-      sum += 2 * a * time / (1 + std::pow(2 * pi * frequency * time, 2));
+      sum += 2 * a * time / (1 + std::pow(2 * std::numbers::pi * frequency * time, 2));
     return sum;
   }
 };
@@ -85,7 +84,7 @@ TEST_CASE("the expected periodogram of an exponential process has no bias of ord
   }
   for (std::size_t b = 0; b < bins.size(); ++b) {
     REQUIRE(bins.count(b) == 1);
-    const double cosine = std::cos(2 * pi * bins.middle(b) / samples);
+    const double cosine = std::cos(2 * std::numbers::pi * bins.middle(b) / samples);
     const double exact = (1 - d * d) / (1 - 2 * d * cosine + d * d);
     // The taper leaves −26 (τ/T)² = −0.1 % at the lowest modes; without it, −τ/T is −0.6 %.
     CHECK(expected[b] == doctest::Approx(exact).epsilon(0.0015));

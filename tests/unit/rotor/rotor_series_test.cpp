@@ -42,7 +42,7 @@ Quaternion<Long> taylor_rotation(const Vec3<Long>& inverse_J, const Vec3<Long>& 
 }
 
 template <class A>
-double distance(const Quaternion<A>& a, const Quaternion<Long>& b) {
+double angle_between(const Quaternion<A>& a, const Quaternion<Long>& b) {
   const Quaternion<Long> u =
       normalized(Quaternion<Long>{Long(a.w), Long(a.x), Long(a.y), Long(a.z)});
   return static_cast<double>(std::fmax(std::fmax(std::abs(u.w - b.w), std::abs(u.x - b.x)),
@@ -80,7 +80,7 @@ double worst_error(double angle, int count) {
     const Quaternion<Long> truth =
         taylor_rotation({Long(inverse_J.x), Long(inverse_J.y), Long(inverse_J.z)},
                         {Long(L.x), Long(L.y), Long(L.z)});
-    worst = std::fmax(worst, distance(r, truth));
+    worst = std::fmax(worst, angle_between(r, truth));
   }
   return worst;
 }

@@ -15,7 +15,7 @@ using Complex = std::complex<double>;
 
 namespace {
 
-constexpr double epsilon = 0x1p-53;  // one rounding
+constexpr double relative_epsilon = 0x1p-53;  // one rounding
 
 /// mpmath 1.3, mp.dps = 40: jtheta(4, z, q), jtheta(4, z, q, 1), jtheta(2, z, q) at z = x + iy,
 /// with the doubles x, y, q.
@@ -64,7 +64,7 @@ TEST_CASE("theta series gives theta functions of complex argument") {
     const Complex z{x, y};
     const auto [S, D] = theta_series(q * std::exp(-2.0 * i * z), q * std::exp(2.0 * i * z), q);
     // The arguments contribute 2|z| + 2 roundings to terms of at most 1, whose sums are below 2.
-    const double bound = 16 * epsilon * (1 + std::abs(z));
+    const double bound = 16 * relative_epsilon * (1 + std::abs(z));
     CHECK(std::abs(S - theta4) <= bound);
     CHECK(std::abs(-2.0 * i * D - slope4) <= bound);
     const Complex w = y > 0 ? -z : z;  // θ₂ is even, and the series requires |e^{−2iw}| ≤ 1
@@ -85,9 +85,9 @@ TEST_CASE("theta integral of the third kind is linear plus the argument of a the
     const double K = quarter_period(modulus);
     const ThetaIntegral integral(n, modulus, K);
     // Rate and argument are sums of about eight rounded numbers that are at most 1.
-    CHECK(std::abs(integral.rate() - rate) <= 8 * epsilon);
+    CHECK(std::abs(integral.rate() - rate) <= 8 * relative_epsilon);
     CHECK(std::abs(integral.rate() * v - integral.argument(v) - value) <=
-          8 * epsilon * (1 + std::abs(v)));
+          8 * relative_epsilon * (1 + std::abs(v)));
   }
 }
 
@@ -116,7 +116,8 @@ TEST_CASE("theta functions and Carlson's integral agree on regular tops over man
     const double by_theta = phi.by_theta(top.t, v), by_carlson = phi.by_carlson(v);
     CAPTURE(speed * t);
     CAPTURE(orbit.modulus.k);
-    CHECK(std::abs(by_theta - by_carlson) <= 16 * epsilon * (1 + std::abs(orbit.p * top.t)));
+    CHECK(std::abs(by_theta - by_carlson) <=
+          16 * relative_epsilon * (1 + std::abs(orbit.p * top.t)));
   }
   CHECK(max_periods > 500);
   CHECK(ordinary > 1000);
@@ -162,10 +163,11 @@ TEST_CASE("theta functions and Carlson's integral agree however near the separat
     const double by_theta = phi.by_theta(top.t, v), by_carlson = phi.by_carlson(v);
     CAPTURE(speed * t);
     CAPTURE(orbit.modulus.complement);
-    CHECK(std::abs(by_theta - by_carlson) <= 16 * epsilon * (1 + std::abs(orbit.p * top.t)));
+    CHECK(std::abs(by_theta - by_carlson) <=
+          16 * relative_epsilon * (1 + std::abs(orbit.p * top.t)));
     const JacobiFunctions u = orbit.at(v);
     const Vec3<double> later = orbit.L_at(u);
-    CHECK(std::abs(norm(later) - orbit.norm_L()) <= 16 * epsilon * orbit.norm_L());
+    CHECK(std::abs(norm(later) - orbit.norm_L()) <= 16 * relative_epsilon * orbit.norm_L());
   }
   CHECK(nearest < 1e-290);
   CHECK(on_it > 500);

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "../errors.hpp"
+#include "../folder.hpp"
 #include "io/files/checksum.hpp"
 #include "run/simulation/files/checkpoint.hpp"
 
@@ -25,14 +26,8 @@ void write(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-struct Folder {
-  fs::path path = fs::temp_directory_path() /
-                  ("polhode-checkpoint-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-  CheckpointFiles files() const {
-    return {(path / "newest.bin").string(), (path / "previous.bin").string()};
-  }
+struct CheckpointFolder : Folder {
+  CheckpointFiles files() const { return {*this / "newest.bin", *this / "previous.bin"}; }
 };
 
 void fill(Component& column, std::mt19937_64& random) {
@@ -160,7 +155,7 @@ void same_preparation(const Checkpoint& back, const Checkpoint& c) {
 }  // namespace
 
 TEST_CASE("a checkpoint restores every number written to it") {
-  const Folder folder;
+  const CheckpointFolder folder;
   for (const std::size_t bodies : {0u, 1u, 2u, 17u}) {
     Checkpoint c = example(bodies);
     if (bodies == 17)
@@ -220,7 +215,7 @@ TEST_CASE("a checkpoint restores every number written to it") {
 }
 
 TEST_CASE("a checkpoint with one wrong bit, or truncated anywhere, is refused") {
-  const Folder folder;
+  const CheckpointFolder folder;
   const std::string path = folder.files().newest;
   write_checkpoint(folder.files(), example(1), program);
   const std::string intact = text_of(path);
@@ -250,7 +245,7 @@ TEST_CASE("a checkpoint with one wrong bit, or truncated anywhere, is refused") 
 
 TEST_CASE(
     "a checkpoint of another program version, instruction set or run is refused with a remedy") {
-  const Folder folder;
+  const CheckpointFolder folder;
   const CheckpointFiles files = folder.files();
   CHECK(!last_checkpoint(files, "of this run", program));
   write_checkpoint(files, example(), program);
@@ -270,7 +265,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the previous checkpoint is used if the newest is damaged or missing") {
-  const Folder folder;
+  const CheckpointFolder folder;
   const CheckpointFiles files = folder.files();
   Checkpoint c = example();
   for (c.at.steps = 10; c.at.steps <= 30; c.at.steps += 10) write_checkpoint(files, c, program);

@@ -7,18 +7,16 @@
 #include <cmath>
 
 #include "polhode/ensemble/barostat.hpp"
+#include "run/simulation/report/warning_rules.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr double far = 3;                     // number of standard deviations beyond which an
-                                              // acceptance rate is suspicious
-constexpr double significance_level = 0.001;  // p-value of slopes, as in other warnings of a run
-constexpr double min_volume_change = 0.005;   // smallest relevant change, relative to the mean
-                                              // Minimum number of relaxation times of the volume.
-                                              // With 20 relaxation times, the variance of the
-                                              // volume has a relative error √(2τ/T) of about a
-                                              // third.
+constexpr double min_volume_change = 0.005;  // smallest relevant change, relative to the mean
+                                             // Minimum number of relaxation times of the volume.
+                                             // With 20 relaxation times, the variance of the
+                                             // volume has a relative error √(2τ/T) of about a
+                                             // third.
 constexpr double min_relaxation_times = 20;
 constexpr std::uint64_t min_accepted_moves = 100;  // minimum for Monte Carlo moves
 constexpr double min_acceptance = 0.5;             // minimum acceptance rate of cell rescaling, and

@@ -12,6 +12,14 @@
 
 namespace polhode {
 
+/// Number of standard deviations beyond which a difference is not due to chance, if the standard
+/// deviation is known. For an estimated standard deviation, three_sigma() is used.
+constexpr double far = 3;
+
+/// The p-value below which a slope causes a warning. This p-value is a tenth of the usual
+/// significance level, because slopes are tested in every run.
+constexpr double significance_level = 0.001;
+
 /// "warning: text; remedy".
 std::string line_of(const Warning& warning);
 

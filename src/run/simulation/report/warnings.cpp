@@ -20,9 +20,6 @@
 namespace polhode {
 namespace {
 
-/// Number of standard deviations beyond which a difference is not due to chance, if the standard
-/// deviation is known. For an estimated standard deviation, three_sigma() is used.
-constexpr double far = 3;
 /// Bounds below which a deviation is harmless even if it is significant. Each bound is relative to
 /// the quantity that its comment names.
 constexpr double min_temperature_difference = 0.01;  // relative to the requested temperature
@@ -40,9 +37,6 @@ constexpr double min_walk_ratio = 0.005;             // relative to the fluctuat
                                                      // energy
 constexpr double min_fall = 0.02;                    // relative to the kinetic energy
 constexpr double max_pressure_kbar = 5;
-/// The p-value below which a slope causes a warning. This p-value is a tenth of the usual
-/// significance level, because slopes are tested in every run.
-constexpr double significance_level = 0.001;
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
 
