@@ -9,3 +9,4 @@ target_compile_options(polhode_cli PRIVATE -O1)  # parsing and printing: compile
 target_link_libraries(polhode_cli PRIVATE polhode polhode_flags CLI11::CLI11 fmt::fmt
                                           nlohmann_json::nlohmann_json Threads::Threads)
 polhode_precompile(polhode_cli)
+polhode_compile_in_groups(polhode_cli ${cli_sources})

@@ -17,10 +17,10 @@
 namespace polhode::cli {
 namespace {
 
-using Options = RequestOptions<AdviceRequest>;
+using AdviseOptions = RequestOptions<AdviceRequest>;
 
 /// Advises on hybrid Monte Carlo, whose averages have no time-step bias to bound.
-int advise_canonical(const Options& o, const Config& config, bool schemes_given) {
+int advise_canonical(const AdviseOptions& o, const Config& config, bool schemes_given) {
   const HybridAdviserSettings settings = o.request.hybrid_settings(config, schemes_given);
   Workers workers = o.workers();
   const HybridAdvice advice = advise_hybrid(config, settings, console(), workers);
@@ -33,7 +33,7 @@ int advise_canonical(const Options& o, const Config& config, bool schemes_given)
   return 0;
 }
 
-int advise(const Options& o, bool schemes_given) {
+int advise(const AdviseOptions& o, bool schemes_given) {
   const Config config = o.config();
   if (o.request.is_canonical()) return advise_canonical(o, config, schemes_given);
   Workers workers = o.workers();
@@ -52,7 +52,7 @@ int advise(const Options& o, bool schemes_given) {
 }  // namespace
 
 Action advise_verb(Command& command) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<AdviseOptions>();
   o->declare(command, "simultaneous runs");
   o->declare_verbose(command);
   command.add_request(o->request);

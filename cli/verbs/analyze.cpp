@@ -14,11 +14,11 @@
 namespace polhode::cli {
 namespace {
 
-struct Options : RequestOptions<AnalysisRequest> {
+struct AnalyzeOptions : RequestOptions<AnalysisRequest> {
   std::string trajectory;
 };
 
-int analyze(const Options& o) {
+int analyze(const AnalyzeOptions& o) {
   const AnalysisInput input = analysis_input(o.request, o.trajectory);
   Workers workers = o.workers();
   const AnalysisReport report = run_analysis(input, o.output(), console(), workers);
@@ -32,7 +32,7 @@ int analyze(const Options& o) {
 }  // namespace
 
 Action analyze_verb(Command& command) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<AnalyzeOptions>();
   command
       .add_option("TRAJECTORY", o->trajectory,
                   "trajectory or coordinate file; the format follows from its extension")

@@ -19,7 +19,7 @@
 namespace polhode::cli {
 namespace {
 
-struct Options : ResultForm {
+struct BenchOptions : ResultForm {
   BenchmarkRequest request;
   std::string threads;
   bool quick = false;
@@ -34,7 +34,7 @@ std::string processor() {
   return "unknown processor";
 }
 
-int bench(const Options& o) {
+int bench(const BenchOptions& o) {
   const BenchmarkSettings settings =
       o.request.settings(o.quick, requested_threads(o.threads, "--threads"));
   const Computer computer{processor(), name(current_instruction_set()), settings.threads};
@@ -50,7 +50,7 @@ int bench(const Options& o) {
 }  // namespace
 
 Action bench_verb(Command& command) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<BenchOptions>();
   command.add_flag("--quick", o->quick,
                    "measure only 512 waters with fewer and shorter repeats, in a few seconds");
   command.add_request(o->request);

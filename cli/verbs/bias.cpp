@@ -9,12 +9,12 @@
 
 namespace polhode::cli {
 Action bias_verb(Command& command) {
-  struct Options {
+  struct BiasOptions {
     std::string file;
     BiasRequest request;
     bool json = false;
   };
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<BiasOptions>();
   command
       .add_option("FILE", o->file,
                   "log of LAMMPS, .xvg file of 'gmx energy', or CSV file of OpenMM or polhode")

@@ -15,11 +15,11 @@
 namespace polhode::cli {
 namespace {
 
-struct Options : RequestOptions<ConversionRequest> {
+struct ConvertOptions : RequestOptions<ConversionRequest> {
   std::string from, to;
 };
 
-int convert_frames(const Options& o) {
+int convert_frames(const ConvertOptions& o) {
   const Conversion conversion = o.request.conversion(o.from, o.to);
   const ConversionResult result = convert(conversion, o.output(), console());
   if (result.interrupted) {
@@ -34,7 +34,7 @@ int convert_frames(const Options& o) {
 }  // namespace
 
 Action convert_verb(Command& command) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<ConvertOptions>();
   command
       .add_option("IN", o->from,
                   fmt::format("file to read: .{}, or a LAMMPS .data or .dump file",

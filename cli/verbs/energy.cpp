@@ -14,7 +14,7 @@
 namespace polhode::cli {
 namespace {
 
-struct Options : JobOptions {
+struct EnergyOptions : JobOptions {
   bool forces = false, gradient = false;
 };
 
@@ -38,7 +38,7 @@ void print_loads(const SinglePoint& p) {
   }
 }
 
-int energy(const Options& o) {
+int energy(const EnergyOptions& o) {
   const Callbacks notes{.message = [](const std::string& text) { log("{}\n", text); }};
   const SinglePoint point = single_point(o.config(), o.gradient, notes);
   const bool csv = o.forces || o.gradient;
@@ -52,7 +52,7 @@ int energy(const Options& o) {
 }  // namespace
 
 Action energy_verb(Command& command) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<EnergyOptions>();
   o->declare_file(command);
   command.add_flag(
       "--forces", o->forces,

@@ -17,11 +17,11 @@
 namespace polhode::cli {
 namespace {
 
-struct Options : JobOptions {
+struct ExportOptions : JobOptions {
   std::string program, pair_style = "table";
 };
 
-int export_run(const Options& o) {
+int export_run(const ExportOptions& o) {
   if (o.program != "lammps")
     throw Error(
         fmt::format("export to '{}' is not supported; the program must be lammps", o.program));
@@ -33,7 +33,7 @@ int export_run(const Options& o) {
 }  // namespace
 
 Action export_verb(Command& command) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<ExportOptions>();
   command.add_option("PROGRAM", o->program, "lammps").required();
   o->declare_file(command).required();
   command.add_option(

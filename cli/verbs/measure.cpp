@@ -13,9 +13,9 @@
 namespace polhode::cli {
 namespace {
 
-using Options = RequestOptions<MeasureRequest>;
+using MeasureOptions = RequestOptions<MeasureRequest>;
 
-int measure(const Options& o, const std::string& command, bool only_evaluate) {
+int measure(const MeasureOptions& o, const std::string& command, bool only_evaluate) {
   MeasureSettings settings = o.request.settings();
   settings.command = command;
   settings.only_evaluate = only_evaluate;
@@ -28,7 +28,7 @@ int measure(const Options& o, const std::string& command, bool only_evaluate) {
 }
 
 Action declare(Command& command, bool only_evaluate) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<MeasureOptions>();
   command
       .add_option("SYSTEM", o->request.system,
                   "run file, molecule file, name of a model, a mixture: \"spce 488, na-spce 12, "

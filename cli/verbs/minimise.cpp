@@ -16,9 +16,9 @@
 namespace polhode::cli {
 namespace {
 
-using Options = RequestOptions<MinimisationRequest>;
+using MinimiseOptions = RequestOptions<MinimisationRequest>;
 
-int minimise(const Options& o) {
+int minimise(const MinimiseOptions& o) {
   const MinimisationSettings settings = o.request.settings();
   Workers workers = o.workers();
   const MinimisationReport report =
@@ -30,7 +30,7 @@ int minimise(const Options& o) {
 }  // namespace
 
 Action minimise_verb(Command& command) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<MinimiseOptions>();
   o->declare(command, "threads");
   command.add_request(o->request);
   command.add_settings();

@@ -11,11 +11,11 @@
 namespace polhode::cli {
 
 Action molecules_verb(Command& command) {
-  struct Options {
+  struct MoleculesOptions {
     std::string name;
     bool json = false;
   };
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<MoleculesOptions>();
   command.add_option(
       "NAME", o->name,
       "a model's name, or the path of a molecule file, a GROMACS topology (.top) or a "

@@ -14,13 +14,13 @@
 namespace polhode::cli {
 namespace {
 
-struct Options {
+struct NewOptions {
   NewRunFileRequest request;
   std::string kind, file;
   bool nvt = false, npt = false;
 };
 
-int write_run_file(Options& o) {
+int write_run_file(NewOptions& o) {
   Given& ensemble = o.request.ensemble;
   if (o.nvt + o.npt + static_cast<bool>(ensemble) > 1)
     throw Error("--ensemble, --nvt and --npt exclude each other; give only one of these options");
@@ -33,7 +33,7 @@ int write_run_file(Options& o) {
 }  // namespace
 
 Action new_verb(Command& command) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<NewOptions>();
   command.add_option("KIND", o->kind, fmt::format("system: {}", fmt::join(run_file_kinds, ", ")))
       .required();
   command.add_option("FILE", o->file, "file to write; default: KIND.toml");

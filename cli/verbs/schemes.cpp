@@ -11,11 +11,11 @@
 namespace polhode::cli {
 
 Action schemes_verb(Command& command) {
-  struct Options {
+  struct SchemesOptions {
     std::string name;
     bool json = false;
   };
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<SchemesOptions>();
   command.add_option("NAME", o->name, "name of a scheme, or its stages as text; default: all");
   command.add_flag("--json", o->json, "print JSON");
   return [o] {

@@ -12,11 +12,11 @@
 namespace polhode::cli {
 
 Action settings_verb(Command& command) {
-  struct Options {
+  struct SettingsOptions {
     std::string name, file;
     bool json = false;
   };
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<SettingsOptions>();
   command.add_option("NAME", o->name,
                      "name of a setting, such as \"run.length\", or of a table; default: all");
   command.add_option("--file", o->file, "run file (TOML), whose values are shown");

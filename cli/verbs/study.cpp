@@ -12,9 +12,9 @@
 namespace polhode::cli {
 namespace {
 
-using Options = RequestOptions<StudyRequest>;
+using StudyOptions = RequestOptions<StudyRequest>;
 
-int study(const Options& o) {
+int study(const StudyOptions& o) {
   Workers workers = o.workers();
   return perform_study(o.config(o.request.quick), o.request, o.output(), console(), workers,
                        [&](const auto& report) {
@@ -25,7 +25,7 @@ int study(const Options& o) {
 }  // namespace
 
 Action study_verb(Command& command) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<StudyOptions>();
   o->declare(command, "simultaneous runs");
   o->declare_verbose(command);
   command.add_flag("--quick", o->request.quick,

@@ -19,9 +19,9 @@
 namespace polhode::cli {
 namespace {
 
-using Options = RequestOptions<TopRequest>;
+using TopOptions = RequestOptions<TopRequest>;
 
-int print_trajectory(const Options& o) {
+int print_trajectory(const TopOptions& o) {
   const auto [J, L, step, length] = o.request.top();
   std::optional<TopFigure> figure;
   if (o.request.output) figure.emplace(o.request.output.text, o.output());
@@ -41,7 +41,7 @@ int print_trajectory(const Options& o) {
 }  // namespace
 
 Action top_verb(Command& command) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<TopOptions>();
   command.add_request(o->request);
   o->declare_force(command);
   return [o] {

@@ -16,9 +16,9 @@
 namespace polhode::cli {
 namespace {
 
-using Options = RequestOptions<TuneRequest>;
+using TuneSchemeOptions = RequestOptions<TuneRequest>;
 
-int tune_scheme(const Options& o) {
+int tune_scheme(const TuneSchemeOptions& o) {
   const Config config = o.config();
   const TuneSettings settings = o.request.settings(config);
   Workers workers = o.workers();
@@ -34,7 +34,7 @@ int tune_scheme(const Options& o) {
 }  // namespace
 
 Action tune_scheme_verb(Command& command) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<TuneSchemeOptions>();
   o->declare(command, "simultaneous runs");
   command.add_request(o->request);
   return [o] { return tune_scheme(*o); };

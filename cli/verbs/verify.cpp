@@ -11,12 +11,12 @@
 
 namespace polhode::cli {
 Action verify_verb(Command& command) {
-  struct Options {
+  struct VerifyOptions {
     std::string scheme;
     VerificationRequest request;
     bool json = false;
   };
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<VerifyOptions>();
   command.add_option("SCHEME", o->scheme, "a scheme's name, or its stages as text").required();
   command.add_request(o->request);
   command.add_flag("--json", o->json, "print JSON");

@@ -25,7 +25,7 @@ FOLDERS = ("src", "cli")
 HEADERS = ("include", *FOLDERS)
 BUILD = None  # the build folder, from the command line; otherwise that of the release preset
 ANONYMOUS = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.S | re.M)
-DECLARED = re.compile(r"^(?:struct|class|enum class|union|using) (\w+)"
+DECLARED = re.compile(r"^(?:struct|class|enum class|union) (\w+)|^using (\w+) ="
                       r"|^\w[\w:<>,&* ]*[&*> ](\w+)(?:\(|\{|\[\d| =|;)", re.M)
 NOT_A_USE = re.compile(r'"(?:\\.|[^"\\\n])*"|(?:\.|->|::)\w+')  # text and members
 FAILED = re.compile(r"^(/.+?):\d+:\d+: error: ", re.M)
