@@ -18,7 +18,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-StudySettings settings_of(std::vector<NamedScheme> schemes, std::vector<double> steps) {
+StudySettings study_settings(std::vector<NamedScheme> schemes, std::vector<double> steps) {
   StudySettings settings;
   settings.schemes = std::move(schemes);
   settings.steps = std::move(steps);
@@ -41,7 +41,7 @@ CanonicalRun run_of(const CanonicalMethod& method, int start, double bias, Rando
 }  // namespace
 
 TEST_CASE("schemes with a bath are Langevin, those without make hybrid Monte Carlo") {
-  const auto methods = canonical_methods(settings_of({"obabo", "hoa2"}, {0.002}));
+  const auto methods = canonical_methods(study_settings({"obabo", "hoa2"}, {0.002}));
   REQUIRE(methods.size() == 2);
   CHECK(methods[0].name == "obabo");
   CHECK(!methods[0].hybrid);
@@ -49,13 +49,13 @@ TEST_CASE("schemes with a bath are Langevin, those without make hybrid Monte Car
   CHECK(methods[1].hybrid);
   CHECK(methods[1].cost() == doctest::Approx(1000));
   CHECK(canonical_methods(StudySettings{}).size() == 3 * canonical_schemes().size());
-  check_error([] { canonical_methods(settings_of({"B(1) A(1)"}, {0.002})); }, {"palindrome"});
-  CHECK(canonical_methods(settings_of({"gier4-fd"}, {0.002})).front().hybrid);
-  check_error([] { canonical_methods(settings_of({"hoa2"}, {0.002, 0.002})); }, {"twice"});
+  check_error([] { canonical_methods(study_settings({"B(1) A(1)"}, {0.002})); }, {"palindrome"});
+  CHECK(canonical_methods(study_settings({"gier4-fd"}, {0.002})).front().hybrid);
+  check_error([] { canonical_methods(study_settings({"hoa2"}, {0.002, 0.002})); }, {"twice"});
 }
 
 TEST_CASE("biases are those of the schemes, with errors that cover them as often as they say") {
-  const auto methods = canonical_methods(settings_of({"baoab", "hoa2"}, {0.002, 0.004}));
+  const auto methods = canonical_methods(study_settings({"baoab", "hoa2"}, {0.002, 0.004}));
   constexpr double bias = 0.02;
   int covered = 0, exact_covered = 0;
   constexpr int trials = 400, runs_per_point = 8;
@@ -93,7 +93,7 @@ namespace {
 
 /// A point whose bias of U is known to 0.01 kJ/mol, and whose sample takes 2τ/h force evaluations.
 CanonicalPoint point_of(const char* scheme, double step, double bias, double tau) {
-  CanonicalPoint point{.method = canonical_methods(settings_of({scheme}, {step}))[0]};
+  CanonicalPoint point{.method = canonical_methods(study_settings({scheme}, {step}))[0]};
   point.runs = 100;
   point.bias[0] = Estimate{bias, 0.01};
   point.correlation_time = {tau, 0.01};
@@ -174,7 +174,7 @@ TEST_CASE("the record of a canonical study is read back, and refused for another
   const std::string path = (folder.path / "runs.csv").string();
   const Provenance provenance{"0", "", "of this test", "", 1};
   Random random(3);
-  const CanonicalMethod method = canonical_methods(settings_of({"baoab"}, {0.002}))[0];
+  const CanonicalMethod method = canonical_methods(study_settings({"baoab"}, {0.002}))[0];
   const CanonicalRun run = run_of(method, 1, 0, random);
   CanonicalRun failed = run;
   failed.start = 2, failed.stable = false;

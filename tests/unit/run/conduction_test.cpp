@@ -20,7 +20,8 @@ using namespace polhode;
 namespace {
 
 constexpr double T = 300, lambda = 0.85;  // [K], [W/(m K)]
-constexpr double step = 0.004, length = step * steps_of_lags * windows_in_segment;  // [ps]
+constexpr double time_step = 0.004,
+                 segment_length = time_step * steps_of_lags * windows_in_segment;  // [ps]
 
 /// The spectrum of a flux whose correlations decrease with a time of 0.2 ps, times a factor.
 BlockMeans::Block segment(double factor) {
@@ -31,7 +32,7 @@ BlockMeans::Block segment(double factor) {
       2 * k_B * T * T * lambda / (kJ_per_mol * kJ_per_mol / (nm * ps));  // (kJ/mol)²/(nm ps)
   BlockMeans::Block block{1, {}};
   for (std::size_t b = 0; b < pressure_bins().size(); ++b) {
-    const double wt = 2 * 3.14159265358979 * 0.2 * pressure_bins().middle(b) / length;
+    const double wt = 2 * 3.14159265358979 * 0.2 * pressure_bins().middle(b) / segment_length;
     block.sum.push_back(factor * S0 / (1 + wt * wt));
   }
   return block;
@@ -43,7 +44,7 @@ MeasuredProperty measured() {
   std::vector<Replica> replicas;
   for (std::uint64_t k = 0; k < 4; ++k) {
     const double shift = 0.01 * static_cast<double>(k);
-    Replica replica{.index = k, .step = step, .state = State{1, Box{Vec3<double>{3, 3, 3}}}};
+    Replica replica{.index = k, .step = time_step, .state = State{1, Box{Vec3<double>{3, 3, 3}}}};
     replica.conduction = {.state = replica.state,
                           .segments = std::vector<BlockMeans::Block>(12, segment(1)),
                           .paired = {{3, segment(1 + shift)}}};
@@ -52,7 +53,7 @@ MeasuredProperty measured() {
   return estimate({&property("thermal-conductivity")}, {topology, mixing, {T, 0}, replicas});
 }
 
-MeasureSettings settings_of(const char* molecule) {
+MeasureSettings conduction_settings(const char* molecule) {
   MeasureRequest request{.system = molecule, .properties = {"thermal-conductivity"}};
   request.molecules = {"32", "molecules"};
   request.at = {"160 K, 500 bar", "at"};
@@ -72,7 +73,7 @@ TEST_CASE("the thermal conductivity is V S(0)/(2 k T²) with the spectrum of the
 }
 
 TEST_CASE("segments with the heat flux have the same bits in one piece and in several") {
-  const MeasureSettings settings = settings_of("argon");
+  const MeasureSettings settings = conduction_settings("argon");
   const auto after = [&](std::size_t segments, const std::string& record) {
     return perform(settings, {0, 3, {3, 0, 0, 0, 0, segments}, 0.02, record});
   };

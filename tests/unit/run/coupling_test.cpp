@@ -23,7 +23,7 @@ using namespace polhode;
 
 namespace {
 
-MeasureSettings settings_of(const char* system, const char* molecules) {
+MeasureSettings coupling_settings(const char* system, const char* molecules) {
   MeasureRequest request{.system = system, .properties = {"chemical-potential"}};
   if (*molecules != '\0') request.molecules = {molecules, "molecules"};
   request.at = {"300 K, 1 bar", "at"};
@@ -92,7 +92,7 @@ TEST_CASE("the last stage of a coupling is the whole system, and the first lacks
   for (const char* model : {"spce", "tip4p-2005", "argon", "benzene", "spce 1, argon 63"}) {
     CAPTURE(model);
     const bool is_mixture = std::string_view(model).find(',') != std::string_view::npos;
-    MeasureSettings settings = settings_of(model, is_mixture ? "" : "64");
+    MeasureSettings settings = coupling_settings(model, is_mixture ? "" : "64");
     settings.config.forces.precision = Precision::double_precision;
     const PointSystem point(settings, settings.points.front());
     Config config = configuration_of(point.common);
@@ -257,7 +257,7 @@ TEST_CASE("a molecule that cannot be coupled in stages is refused with the reaso
 }
 
 TEST_CASE("the coupling of a replica has the same bits in one piece and in several") {
-  MeasureSettings settings = settings_of("argon", "32");
+  MeasureSettings settings = coupling_settings("argon", "32");
   settings.points = state_points("160 K, 500 bar");
   const CouplingPath path{{0, 0, 0.2}, {0.5, 0, 0.5}, {0.8, 0, 0.4}, {1, 0, 0}};
   const auto after = [&](std::size_t coupled, const std::string& record) {
@@ -278,7 +278,7 @@ TEST_CASE("the coupling of a replica has the same bits in one piece and in sever
 }
 
 TEST_CASE("a pilot chooses stages from nothing to the whole molecule, in order") {
-  MeasureSettings settings = settings_of("argon", "32");
+  MeasureSettings settings = coupling_settings("argon", "32");
   settings.points.front().temperature = 120;
   PointSystem point(settings, settings.points.front());
   Replica first{.index = pilot};

@@ -13,7 +13,7 @@ namespace {
 // run is t(7) d √(8/7) √(9/8) = t(7) d √(9/7) above the mean, with t(7) = 2.3646 at 97.5 %.
 constexpr double t7 = 2.364624251592785;
 
-std::vector<Outcome> scattered(double d) {
+std::vector<Outcome> scattered_ratios(double d) {
   std::vector<Outcome> runs(8);
   for (std::size_t r = 0; r < runs.size(); ++r)
     runs[r].ratio = 0.004 * std::exp(r % 2 == 0 ? d : -d);
@@ -26,7 +26,7 @@ TEST_CASE(
     "part of the length may meet a bound if R is constant and its scatter falls with the square "
     "root") {
   const double d = 0.06;
-  const std::vector<Outcome> runs = scattered(d);
+  const std::vector<Outcome> runs = scattered_ratios(d);
   for (const double part : {1.0 / 9, 1.0 / 3, 1.0}) {
     CAPTURE(part);
     const double bound = 0.004 * std::exp(t7 * std::sqrt(part) * d * std::sqrt(9.0 / 7));
@@ -57,7 +57,7 @@ TEST_CASE("one run above the required R is enough to reject every set that conta
 }
 
 TEST_CASE("parts of runs show only blow-ups, not drifts or biases") {
-  std::vector<Outcome> runs = scattered(0.1);
+  std::vector<Outcome> runs = scattered_ratios(0.1);
   for (const Quality quality : {Quality::drift, Quality::temperature_bias}) {
     CHECK(may_meet({quality, 1e-9}, runs, 1.0 / 3));
     runs[3].failure = "it blew up";

@@ -53,7 +53,7 @@ State lattice(double a, Random& random) {
 }
 
 /// A segment of dynamics whose correlation functions and spectrum are zero.
-BlockMeans::Block segment(double a, Random& random) {
+BlockMeans::Block lattice_segment(double a, Random& random) {
   constexpr std::size_t frames = 3;
   const std::size_t functions = CorrelationsOfDynamics(argon()).count * lags;
   BlockMeans::Block block{700, std::vector<double>(functions + pressure_bins().size())};
@@ -72,8 +72,8 @@ std::vector<Replica> replicas_of(std::size_t segments) {
     Replica replica{.index = k, .step = 0.004, .state = lattice(a, random)};
     replica.dynamics.state = replica.state;
     for (std::size_t n = 0; n < segments; ++n)
-      replica.dynamics.segments.push_back(segment(a, random));
-    replica.dynamics.paired = {{0, segment(a, random)}};
+      replica.dynamics.segments.push_back(lattice_segment(a, random));
+    replica.dynamics.paired = {{0, lattice_segment(a, random)}};
     replicas.push_back(replica);
   }
   return replicas;

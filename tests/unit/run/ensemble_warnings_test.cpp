@@ -38,7 +38,7 @@ RunSummary npt(const BoxMoves& type = CellRescaling{0.5}) {
   return s;
 }
 
-RunSummary hybrid() {
+RunSummary hybrid_summary() {
   RunSummary s;
   s.samples = 1000;
   s.ensemble.settings = {300, {}, {}, HybridMonteCarloSettings{}};
@@ -114,7 +114,7 @@ TEST_CASE("runs too short for fluctuations of the volume have a warning") {
 }
 
 TEST_CASE("hybrid Monte Carlo: acceptance outside 0.5 to 0.99, beyond chance, is a warning") {
-  RunSummary s = hybrid();
+  RunSummary s = hybrid_summary();
   auto& h = *s.ensemble.hybrid_monte_carlo;
   CHECK(kinds(s).empty());
   h.accepted = 34;
@@ -128,7 +128,7 @@ TEST_CASE("hybrid Monte Carlo: acceptance outside 0.5 to 0.99, beyond chance, is
 }
 
 TEST_CASE("hybrid Monte Carlo: a mean of exp(-dH/kT) off 1 by three errors is a warning") {
-  RunSummary s = hybrid();
+  RunSummary s = hybrid_summary();
   auto& weight = s.ensemble.hybrid_monte_carlo->weight;
   for (const double sign : {1.0, -1.0}) {
     weight = {1 + sign * 0.029, 0.01, Known::yes};
@@ -142,7 +142,7 @@ TEST_CASE("hybrid Monte Carlo: a mean of exp(-dH/kT) off 1 by three errors is a 
 
 // Rare large weights make the mean of exp(−ΔH/kT) uncertain.
 TEST_CASE("hybrid Monte Carlo: the bounded mean finds what the error of the weights hides") {
-  RunSummary s = hybrid();
+  RunSummary s = hybrid_summary();
   auto& h = *s.ensemble.hybrid_monte_carlo;
   h.weight = {4, 2, Known::yes};
   CHECK(kinds(s).empty());
@@ -164,7 +164,7 @@ TEST_CASE("moves of the box beyond the bound of its shape are a warning") {
 }
 
 TEST_CASE("hybrid Monte Carlo has no warning about R and drift, a barostat none of the pressure") {
-  RunSummary s = hybrid();
+  RunSummary s = hybrid_summary();
   s.length = 10;
   s.potential_fluctuation = {20, 1, Known::yes};
   s.ratio = {0.2, 0.001, Known::yes};

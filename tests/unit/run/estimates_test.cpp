@@ -275,9 +275,9 @@ constexpr double D = 2e-3;           // [nm²/ps], in the periodic box
 constexpr double relaxation = 0.5;   // of the pressure and of orientations [ps]
 constexpr double edge = 2;           // [nm]
 constexpr double volume_of_box = 8;  // [nm³]
-constexpr double step = 0.004;       // [ps]
-constexpr double interval = step * steps_of_lags / lags;
-constexpr double length_of_segment = step * steps_of_lags * windows_in_segment;  // [ps]
+constexpr double time_step = 0.004;  // [ps]
+constexpr double interval = time_step * steps_of_lags / lags;
+constexpr double length_of_segment = time_step * steps_of_lags * windows_in_segment;  // [ps]
 
 /// The variance of a component of the pressure whose autocorrelation is an exponential:
 /// η = V/kT ∫ ⟨P(0) P(t)⟩ dt.
@@ -314,7 +314,7 @@ BlockMeans::Block correlations(const Topology& topology,
 Replica moving(std::uint64_t index, const std::vector<BlockMeans::Block>& segments,
                const Box& box = {Vec3<double>{edge, edge, edge}}) {
   return {.index = index,
-          .step = step,
+          .step = time_step,
           .state = State{1, Box{Vec3<double>{3, 3, 3}}},
           .dynamics = {.state = State{1, box}, .segments = segments, .paired = {}}};
 }
@@ -373,7 +373,7 @@ TEST_CASE("dynamics have the viscosity, diffusion and relaxation of their correl
 TEST_CASE("the viscosity of sampled pressures agrees within its error, which has 35 or 19 modes") {
   // Five independent components with the same exponential autocorrelation, between samples of
   // 0.008 ps as dynamics have them.
-  constexpr double sample = 2 * step;
+  constexpr double sample = 2 * time_step;
   constexpr std::size_t every = 5, segments = 12;
   const double decay = std::exp(-sample / relaxation), sigma = std::sqrt(pressure_variance());
   const std::vector<Replica> replicas = four([&](std::uint64_t replica) {

@@ -12,7 +12,7 @@ using namespace polhode;
 namespace {
 
 // Five rms fluctuations during a run of law(), 1 kJ/mol in 10 ps.
-const Drift matters{{0.5, 0.01}, 1e-6};
+const Drift relevant_drift{{0.5, 0.01}, 1e-6};
 
 // Points on an exact law R = c hᵏ.
 std::vector<EfficiencyPoint> law(const std::string& scheme, double c, int k, double evaluations) {
@@ -84,13 +84,13 @@ TEST_CASE("a drift matters from one rms fluctuation of the energy during a run")
 
 TEST_CASE("a curve ends where all longer steps drift, or at the first that blows up") {
   auto points = law("hoa2", 3e-4, 2, 2);
-  points[2].drift = matters;
+  points[2].drift = relevant_drift;
   CHECK(curves(points)[0].usable == 6);  // a lone drift in the middle
-  points[3].drift = matters;
+  points[3].drift = relevant_drift;
   CHECK(curves(points)[0].usable == 6);
   for (const std::size_t i : {4u, 5u}) points[i].drift = {{0.001, 1e-5}, 1e-6};
   CHECK(curves(points)[0].usable == 6);  // significant, but too small to matter
-  for (const std::size_t i : {4u, 5u}) points[i].drift = matters;
+  for (const std::size_t i : {4u, 5u}) points[i].drift = relevant_drift;
   const auto all = curves(points);
   CHECK(all[0].usable == 2);
   CHECK(cost_at(all[0], points[4].ratio.value)->step == points[1].step);

@@ -16,15 +16,15 @@ namespace {
 
 // SI, by CODATA 2018, independent of the units of the program.
 constexpr double k_B = 1.380649e-23, nm = 1e-9, pi = 3.14159265358979323846;
-constexpr double T = 300, eta = 0.7e-3;                                 // [K], [Pa s]
-constexpr double side = 1.5;                                            // [nm]
-constexpr double ratio = 2.7933596497;                                  // [busch2023]
-constexpr double step = 0.004, interval = step * steps_of_lags / lags;  // [ps]
-constexpr double D0 = 3e-9;                                             // [m²/s]
+constexpr double T = 300, liquid_viscosity = 0.7e-3;                              // [K], [Pa s]
+constexpr double side = 1.5;                                                      // [nm]
+constexpr double ratio = 2.7933596497;                                            // [busch2023]
+constexpr double time_step = 0.004, interval = time_step * steps_of_lags / lags;  // [ps]
+constexpr double D0 = 3e-9;                                                       // [m²/s]
 
 /// Displacements along the axes in a segment, times a factor.
 BlockMeans::Block segment(double factor) {
-  const double slower = 8.1711245653 * k_B * T / (6 * pi * eta * ratio * side * nm);
+  const double slower = 8.1711245653 * k_B * T / (6 * pi * liquid_viscosity * ratio * side * nm);
   BlockMeans::Block block{1000, std::vector<double>(3 * lags)};
   for (std::size_t k = 0; k < 3 * lags; ++k) {
     double D = D0 - slower;
@@ -38,7 +38,7 @@ BlockMeans::Block segment(double factor) {
 std::vector<Replica> replicas() {
   std::vector<Replica> list;
   for (std::uint64_t k = 0; k < 4; ++k) {
-    Replica replica{.index = k, .step = step, .state = State{1, Box{Vec3<double>{3, 3, 3}}}};
+    Replica replica{.index = k, .step = time_step, .state = State{1, Box{Vec3<double>{3, 3, 3}}}};
     replica.elongated = {State{1, Box{Vec3<double>{side, side, ratio * side}}},
                          std::vector<BlockMeans::Block>(12, segment(1)),
                          {{3, segment(1 + 0.01 * static_cast<double>(k))}}};
@@ -67,6 +67,6 @@ TEST_CASE("a long box has diffusion without a correction, and the viscosity") {
   const MeasuredProperty viscosity = measured("viscosity-orthoboxy");
   REQUIRE(viscosity.value.known == Known::yes);
   // The constants of the program have ten digits, and their difference loses one.
-  CHECK(viscosity.value.value == doctest::Approx(eta * 1e3).epsilon(1e-8));
+  CHECK(viscosity.value.value == doctest::Approx(liquid_viscosity * 1e3).epsilon(1e-8));
   CHECK(measured("diffusion").value.known != Known::yes);
 }

@@ -30,7 +30,7 @@ struct Flexible {
 };
 
 /// Benzene of OPLS: its ring is held flat by dihedrals only.
-Flexible benzene() {
+Flexible flexible_benzene() {
   Flexible molecule;
   for (const auto& [radius, element] : {std::pair{0.14, 'C'}, {0.248, 'H'}})
     for (int k = 0; k < 6; ++k) {
@@ -95,7 +95,7 @@ nvt = "1 ps"
 npt = "0 ps"
 )";
 
-Config config_in(const Folder& folder, const Flexible& molecule, unsigned seed) {
+Config prepared_config(const Folder& folder, const Flexible& molecule, unsigned seed) {
   std::mt19937 random(seed);
   std::ofstream(folder / "topol.top") << topology_of(molecule, 8);
   std::ofstream(folder / "conf.gro") << configuration_of(molecule, 2, 0.7, random);
@@ -107,12 +107,12 @@ Config config_in(const Folder& folder, const Flexible& molecule, unsigned seed) 
 }  // namespace
 
 TEST_CASE("a run has the shape and the axes of its preparation") {
-  for (const Flexible& molecule : {benzene(), asymmetric()})
+  for (const Flexible& molecule : {flexible_benzene(), asymmetric()})
     for (unsigned seed = 1; seed <= 8; ++seed) {
       CAPTURE(molecule.elements);
       CAPTURE(seed);
       const Folder folder;
-      const Config config = config_in(folder, molecule, seed);
+      const Config config = prepared_config(folder, molecule, seed);
       prepare(config);
       const System before = build_system(config);
       const System after = build_system(read_config(folder / "out-prepared.toml"));

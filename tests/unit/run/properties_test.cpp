@@ -36,7 +36,7 @@ namespace {
 constexpr double bar = 0.0602214076;  // [kJ/mol/nm³]
 
 /// 64 argon atoms: a segment takes some ten milliseconds.
-MeasureRequest argon(std::vector<std::string> properties = {"density"}) {
+MeasureRequest argon_request(std::vector<std::string> properties = {"density"}) {
   MeasureRequest request{.system = "argon", .properties = std::move(properties)};
   request.molecules = {"64", "molecules"};
   request.at = {"160 K, 500 bar", "at"};
@@ -118,9 +118,10 @@ TEST_CASE("a request that a system cannot meet is refused with the reason") {
     request.output = {folder / "m", "output"};
     check_error([&] { measure(request.settings()); }, words);
   };
-  refused(argon({"dielectric-constant"}), {"cannot be measured", "no molecule has a dipole"});
-  refused(argon({"rotational-relaxation"}), {"atoms do not rotate"});
-  MeasureRequest dense = argon({"pressure"});
+  refused(argon_request({"dielectric-constant"}),
+          {"cannot be measured", "no molecule has a dipole"});
+  refused(argon_request({"rotational-relaxation"}), {"atoms do not rotate"});
+  MeasureRequest dense = argon_request({"pressure"});
   refused(dense, {"pressure cannot be measured", "requires constant volume", "give a density"});
   dense.at = {"160 K, 1300 kg/m3; 160 K, 500 bar", "at"};
   refused(dense, {"requires constant volume", "'160 K, 500 bar'"});
@@ -135,24 +136,24 @@ TEST_CASE("a request that a system cannot meet is refused with the reason") {
   refused(dense, {"'160 K, 300 kg/m3' is too low for a liquid", "at least 437 kg/m3"});
   dense.at = {"160 K, 13000 kg/m3", "at"};
   refused(dense, {"too high for a liquid", "at most"});
-  MeasureRequest shards = argon();
+  MeasureRequest shards = argon_request();
   shards.shard = {"5/4", "shard"};
   refused(shards, {"shard"});
   shards.shard = {"1/9", "shard"};
   refused(shards, {"more parts than there are replicas"});
-  MeasureRequest mixture = argon({"second-virial-coefficient"});
+  MeasureRequest mixture = argon_request({"second-virial-coefficient"});
   mixture.system = "argon 16, krypton 16";
   refused(mixture, {"no meaning for a mixture"});
   mixture.molecules = {};
   refused(mixture, {"each pair of molecules"});
-  MeasureRequest unknown = argon();
+  MeasureRequest unknown = argon_request();
   unknown.system = "argn";
   refused(unknown, {"argn"});
-  refused(argon({}), {"no property is requested"});
+  refused(argon_request({}), {"no property is requested"});
 }
 
 TEST_CASE("a replica has the same bits in one piece and in several") {
-  const MeasureSettings settings = argon().settings();
+  const MeasureSettings settings = argon_request().settings();
   const std::string whole = bytes_after(settings, 14, 1);
   std::string pieces = bytes_after(settings, 2, 0);
   pieces = bytes_after(settings, 14, 0, pieces);
@@ -162,14 +163,14 @@ TEST_CASE("a replica has the same bits in one piece and in several") {
 
 TEST_CASE(
     "a replica at constant volume has the same bits in pieces, and is not one at a pressure") {
-  MeasureRequest request = argon({"pressure"});
+  MeasureRequest request = argon_request({"pressure"});
   request.at = {"160 K, 1300 kg/m3", "at"};
   const MeasureSettings settings = request.settings();
   const std::string whole = bytes_after(settings, 14, 1);
   const std::string pieces = bytes_after(settings, 14, 1, bytes_after(settings, 3, 0));
   CHECK(pieces == whole);
   // The number of this pressure in [kJ/mol/nm³] is the density in [u/nm³].
-  MeasureRequest other = argon();
+  MeasureRequest other = argon_request();
   other.at = {fmt::format("160 K, {:.17g} kJ/mol/nm3", settings.points[0].density), "at"};
   check_error([&] { bytes_after(other.settings(), 15, 1, whole); }, {"was written with other"});
   const Replica replica =
@@ -183,7 +184,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the first of eight segments of dynamics is repeated at half of the step") {
-  MeasureRequest request = argon();
+  MeasureRequest request = argon_request();
   CHECK(request.settings().paired_runs);
   const std::string with = bytes_after(request.settings(), 14, 1);
   request.paired_runs = {"no", "paired_runs"};
@@ -242,7 +243,7 @@ TEST_CASE("a force field that receives a choice of meshes has the bits of a new 
 TEST_CASE("a pilot whose box explodes at the first trial step chooses a shorter one") {
   // With this seed, half of the maximum stable step ends in a collision after which the barostat
   // makes the box explode.
-  MeasureRequest request = argon();
+  MeasureRequest request = argon_request();
   request.seed = {"0", "seed"};
   const MeasureSettings settings = request.settings();
   Replica replica{.index = pilot};
@@ -335,7 +336,7 @@ TEST_CASE("the manual has the properties as their rows state them") {
 
 TEST_CASE("the replicas of a measurement that is stopped have the same length") {
   const Folder folder;
-  MeasureRequest request = argon({"density", "diffusion"});
+  MeasureRequest request = argon_request({"density", "diffusion"});
   request.output = {folder / "out", "output"};
   const MeasureSettings settings = request.settings();
   constexpr int stop_after = 40;  // pieces; four replicas have 116 before the first decision
