@@ -227,7 +227,7 @@ BodyRecord body_of_particle(const Kind& kind, const Particle& particle, const Bo
     throw Error(
         "particle " + std::to_string(id) + " has an orientation of length " + four_digits(length) +
         "; it must be a unit quaternion (w, x, y, z), so give d2_orientation a value for each "
-        "particle");
+        "particle, and define its fix property/atom after read_restart");
   const Molecule& m = kind.molecule;
   BodyRecord body;
   body.pose = {particle.x, normalized(particle.orientation) * kind.frame};
