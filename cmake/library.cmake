@@ -29,12 +29,12 @@ polhode_embed(embedded_source ${embedded})
 # Compilers have no limit of 64 KiB, of which clang++ warns as the standard's.
 set_source_files_properties(${embedded_source} PROPERTIES COMPILE_OPTIONS -Wno-overlength-strings)
 
-# Compile time: files that read input, prepare and report runs are optimized less.
+# Compile time: files that read input, prepare and report runs are optimized less. In one of them, io/lammps/write_tables.cpp,
+# g++ 12 at -O2 takes values of pairs of sites that a shape does not have for uninitialized.
 set(cold_sources ${sources})
 list(FILTER cold_sources INCLUDE REGEX "/src/(io/(settings|figures|files|coordinates|topology|gromacs|lammps)/[^/]*|run/[^/]*|run/(adviser|analysis|canonical|conversion|listing|prepare|study|top)/[^/]*|run/simulation/(simulation|files/[^/]*|report/(averages|ensemble_[a-z]*|run_report|summary|warnings)|system/system[a-z_]*)\\.cpp|math/(fit|prediction)\\.cpp)$")
 list(REMOVE_ITEM sources ${cold_sources})
 add_library(polhode_cold_sources OBJECT ${cold_sources} ${embedded_source})
-# At -O2, g++ 12 takes values of pairs of sites that a shape does not have for uninitialized.
 target_compile_options(polhode_cold_sources PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
 polhode_make_shareable(polhode_cold_sources)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Most of the time of a build goes into headers. A quick build compiles the sources of a folder in groups, and headers of
 # the standard library once. Developers do without: a change compiles one file, and each file includes what it uses.
-# So that a group compiles, no two sources of a folder declare the same name in anonymous namespaces.
+# Sources of a group share their anonymous namespaces, so a name that two of them define is an error of the compiler.
 set(largest_group 10)
 
 # polhode_compile_in_groups(TARGET SOURCE...): these sources of the target, which have absolute paths

@@ -11,8 +11,8 @@ namespace polhode {
 namespace {
 
 constexpr std::int32_t xtc_magic = 1995;
-constexpr std::int32_t magic_of_large = 2023;  // xtc_magic number for lengths of packed coordinates
-                                               // with 64 bits
+constexpr std::int32_t magic_of_large = 2023;    // magic number for lengths of packed coordinates
+                                                 // with 64 bits
 constexpr std::size_t max_of_small = 298261617;  // number of atoms whose packed length certainly
                                                  // fits in 32 bits
 constexpr std::size_t unpacked_count = 9;        // number of atoms up to which coordinates are
