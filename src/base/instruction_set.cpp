@@ -25,14 +25,14 @@ struct Target {
   bool compiled;
 };
 template <class Loops>
-constexpr bool compiled = !std::is_same_v<Loops, loops_scalar::Loops>;
+constexpr bool is_compiled = !std::is_same_v<Loops, loops_scalar::Loops>;
 
 constexpr std::array targets{
     // instruction sets in the order of InstructionSet
-    Target{"scalar", 0, true}, Target{"sse4", HWY_SSE4, compiled<loops_sse4::Loops>},
-    Target{"avx2", HWY_AVX2, compiled<loops_avx2::Loops>},
-    Target{"avx512", HWY_AVX3, compiled<loops_avx512::Loops>},
-    Target{"neon", HWY_NEON, compiled<loops_neon::Loops>}};
+    Target{"scalar", 0, true}, Target{"sse4", HWY_SSE4, is_compiled<loops_sse4::Loops>},
+    Target{"avx2", HWY_AVX2, is_compiled<loops_avx2::Loops>},
+    Target{"avx512", HWY_AVX3, is_compiled<loops_avx512::Loops>},
+    Target{"neon", HWY_NEON, is_compiled<loops_neon::Loops>}};
 
 InstructionSet initial_instruction_set() {
   const std::vector<InstructionSet> instruction_sets = available_instruction_sets();

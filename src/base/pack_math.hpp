@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Elementary functions of packs.
+// Sine and cosine of packs.
 #pragma once
 
 #include <hwy/contrib/math/math-inl.h>
@@ -9,11 +9,6 @@
 namespace polhode {
 inline namespace HWY_NAMESPACE {
 
-/// Natural logarithm of positive numbers; the error is at most 3 ULP.
-template <class T>
-Pack<T> log(Pack<T> a) {
-  return Pack<T>(hn::Log(typename Pack<T>::Tag(), a.v));
-}
 /// Sine and cosine of |a| < 39000; the error is at most 3 ULP.
 template <class T>
 Pack<T> sin(Pack<T> a) {

@@ -11,7 +11,7 @@ namespace polhode {
 namespace {
 
 /// The variance of each mode in a spectrum, relative to the variance for white noise.
-std::vector<double> powers(const Spectrum& spectrum, const SlowModes& modes) {
+std::vector<double> powers(const NoiseSpectrum& spectrum, const SlowModes& modes) {
   std::vector<double> power(modes.count());
   for (std::size_t k = 0; k < power.size(); ++k)
     power[k] =
@@ -47,7 +47,7 @@ struct WeightedSums {
 /// probability is not normalized yet.
 /// @param known  variance per time of the known random walk
 /// @param scale  sum of squares of all modes, to which the likelihood is relative
-Hypothesis hypothesis(const SlowModes& modes, const Spectrum& spectrum, double known,
+Hypothesis hypothesis(const SlowModes& modes, const NoiseSpectrum& spectrum, double known,
                       double scale) {
   constexpr int iterations = 20;
   constexpr double precision = 0.01;
@@ -86,20 +86,20 @@ Hypothesis hypothesis(const SlowModes& modes, const Spectrum& spectrum, double k
 
 }  // namespace
 
-std::vector<Spectrum> stationary_noise() {
+std::vector<NoiseSpectrum> stationary_noise() {
   constexpr std::array times{1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8, 1.0 / 4};
   constexpr std::array amplitudes{1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0};
   constexpr double white_noise = 0.4;
-  std::vector<Spectrum> all{{white_noise}};
+  std::vector<NoiseSpectrum> all{{white_noise}};
   for (const double time : times)
     for (const double amplitude : amplitudes)
       all.push_back({(1 - white_noise) / (times.size() * amplitudes.size()), amplitude, time});
   return all;
 }
 
-std::vector<Spectrum> walking_noise() {
+std::vector<NoiseSpectrum> walking_noise() {
   constexpr double no_walk = 0.02, first = 1, last = 1e6;
-  std::vector<Spectrum> all{{no_walk}};
+  std::vector<NoiseSpectrum> all{{no_walk}};
   for (double walk = first; walk < 2 * last; walk *= std::sqrt(10.0))
     all.push_back({1, 0, 0, walk});
   for (std::size_t k = 1; k < all.size(); ++k)
@@ -107,7 +107,7 @@ std::vector<Spectrum> walking_noise() {
   return all;
 }
 
-std::vector<Hypothesis> posterior(const SlowModes& modes, const std::vector<Spectrum>& spectra,
+std::vector<Hypothesis> posterior(const SlowModes& modes, const std::vector<NoiseSpectrum>& spectra,
                                   std::span<const WalkStrength> walks) {
   constexpr WalkStrength none{};
   if (walks.empty()) walks = {&none, 1};
@@ -115,7 +115,7 @@ std::vector<Hypothesis> posterior(const SlowModes& modes, const std::vector<Spec
   for (const double value : modes.values) scale += value * value;
   std::vector<Hypothesis> all;
   for (const WalkStrength& walk : walks)
-    for (const Spectrum& spectrum : spectra) {
+    for (const NoiseSpectrum& spectrum : spectra) {
       all.push_back(hypothesis(modes, spectrum, walk.rate, scale));
       sum += all.back().probability *= walk.probability;
     }
@@ -124,9 +124,9 @@ std::vector<Hypothesis> posterior(const SlowModes& modes, const std::vector<Spec
 }
 
 double evidence_of_walk(const SlowModes& modes, std::span<const WalkStrength> walks) {
-  std::vector<Spectrum> spectra = stationary_noise();
+  std::vector<NoiseSpectrum> spectra = stationary_noise();
   const std::size_t stationary = spectra.size();
-  for (const Spectrum& spectrum : walking_noise())
+  for (const NoiseSpectrum& spectrum : walking_noise())
     if (spectrum.walk > 0) spectra.push_back(spectrum);
   double walking = 0, other = std::numeric_limits<double>::min(), prior = 0;
   const std::vector<Hypothesis> all = posterior(modes, spectra, walks);

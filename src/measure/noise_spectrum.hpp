@@ -11,7 +11,7 @@
 namespace polhode {
 
 /// A hypothesis about the noise: the variances of the modes, up to a common factor.
-struct Spectrum {
+struct NoiseSpectrum {
   double prior = 0;      ///< prior probability
   double amplitude = 0;  ///< amplitude of the correlated noise, relative to white noise
   double time = 0;       ///< correlation time of the correlated noise, divided by the length of the
@@ -20,10 +20,10 @@ struct Spectrum {
 };
 
 /// Spectra of white noise plus exponentially correlated noise.
-std::vector<Spectrum> stationary_noise();
+std::vector<NoiseSpectrum> stationary_noise();
 /// Spectra of white noise plus a random walk of any strength. Noise that is correlated over a part
 /// of the run cannot be distinguished from a random walk, which makes the slope more uncertain.
-std::vector<Spectrum> walking_noise();
+std::vector<NoiseSpectrum> walking_noise();
 
 /// A spectrum with its posterior probability and the resulting slope.
 struct Hypothesis {
@@ -38,7 +38,7 @@ struct Hypothesis {
 
 /// The posterior of each spectrum combined with each random walk in `walks`. The walks have prior
 /// probabilities.
-std::vector<Hypothesis> posterior(const SlowModes& modes, const std::vector<Spectrum>& spectra,
+std::vector<Hypothesis> posterior(const SlowModes& modes, const std::vector<NoiseSpectrum>& spectra,
                                   std::span<const WalkStrength> walks);
 
 /// The Bayes factor for a random walk. The factor is the probability of the modes with a random

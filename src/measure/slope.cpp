@@ -74,7 +74,7 @@ std::vector<WalkStrength> walk_strengths(const BlockMeans& blocks, std::size_t t
                                          std::size_t quantity) {
   const SlowModes modes = slow_modes(blocks, time, quantity);
   if (blocks.blocks().size() < min_samples || modes.count() == 0) return {};
-  const std::vector<Spectrum> spectra = walking_noise();
+  const std::vector<NoiseSpectrum> spectra = walking_noise();
   const std::vector<Hypothesis> all = posterior(modes, spectra, {});
   std::map<double, WalkStrength> walks;  // strengths of walks, by strength relative to white noise
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -23,7 +23,7 @@ constexpr double same_moment = 1e-9;
 // interacting sites, and the size of a molecule is found by looping over all pairs.
 constexpr std::size_t max_sites_of_molecule = 1024;
 
-void check(const Site& site, const std::string& molecule) {
+void check_site(const Site& site, const std::string& molecule) {
   const auto refuse = [&](const std::string& what) {
     throw Error("molecule '" + molecule + "', site '" + site.name + "': " + what);
   };
@@ -157,7 +157,7 @@ Molecule build(std::string name, std::vector<Site> sites,
   Vec3<double> centre{};
   double far = 0;  // upper bound Σ m r², before the centre is known
   for (const Site& site : sites) {
-    check(site, name);
+    check_site(site, name);
     molecule.mass += site.mass;
     centre += site.mass * site.r;
     far += site.mass * norm2(site.r);

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """clang-tidy finds nothing with the checks of .clang-tidy; skipped (exit 77) without clang-tidy 14.
 
-Most of its time goes into headers of libraries. So sources are examined in groups, each as one file that includes
-them; no name of an anonymous namespace is used in two sources of a group. Sources with errors in a group are
-examined alone as well. A group without findings is not examined again until one of its sources, a header or .clang-tidy
-changes."""
+Most of its time goes into headers of libraries. So sources are examined in groups, as one file that includes a copy of
+each, in which names of anonymous namespaces have a number. Sources with errors in a group are examined alone as well. Two
+headers that declare the same name are a finding. A group without findings is not examined again until one of its sources,
+a header or .clang-tidy changes."""
 
 import argparse
 import hashlib
@@ -15,6 +15,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -23,42 +24,41 @@ from tree import Finding, files, main, without_comments
 VERSION = "14"  # other versions find other things
 FOLDERS = ("src", "cli")
 HEADERS = ("include", *FOLDERS)
+SMALLEST_GROUP = 20
 BUILD = None  # the build folder, from the command line; otherwise that of the release preset
 ANONYMOUS = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.S | re.M)
-DECLARED = re.compile(r"^(?:struct|class|enum class|union) (\w+)|^using (\w+) ="
-                      r"|^\w[\w:<>,&* ]*[&*> ](\w+)(?:\(|\{|\[\d| =|;)", re.M)
-NOT_A_USE = re.compile(r'"(?:\\.|[^"\\\n])*"|(?:\.|->|::)\w+')  # text and members
+DECLARED = re.compile(r"^(?:struct|class|enum class|enum|union) (\w+)|^\w[\w:<>,&* ]*[&*> ](\w+)(?:\(|\{|\[\d| =|;)", re.M)
+ALIAS = re.compile(r"^using (\w+) =", re.M)
+ENUMERATORS = re.compile(r"^enum \w[^{]*\{(.*?)\}", re.M | re.S)
+# Names of which a source may have its own, and what looks like them: lines of includes, texts, members, names of headers.
+NAME = re.compile(r'#include .*|"(?:\\.|[^"\\\n])*"|(?:\.|->)\w+|\b(?:std|polhode)(?:::\w+)+|\b[A-Z]\w*::\w+|\b[A-Za-z_]\w*')
 FAILED = re.compile(r"^(/.+?):\d+:\d+: error: ", re.M)
 LOCATED = re.compile(r"^(/.+?):\d+:\d+: ")
 INCLUDED = re.compile(r'^#include "([^"]+)"', re.M)
 
 
 class Source:
-    """A source, the names that it alone declares, and those that it or one of its headers uses."""
+    """A source, and the names that it alone declares."""
 
-    def __init__(self, root, path, options):
+    def __init__(self, path, options):
         self.path, self.options = path, options
         self.is_kernel = "kernels" in path.parts  # compiled with definitions of its own
-        text = path.read_text(encoding="utf-8")
-        self.own = {name for part in ANONYMOUS.findall(text) for found in DECLARED.findall(part)
-                    for name in found if name}
-        self.used = words(without_comments(text))
-        for header in headers(root, path, set()):  # of these types only: their parameters hide other names
-            self.used |= {word for word in words(without_comments(header.read_text())) if word[0].isupper()}
+        self.text = path.read_text(encoding="utf-8")
+        anonymous = without_comments("\n".join(ANONYMOUS.findall(self.text)))
+        self.own = {name for found in DECLARED.findall(anonymous) for name in found if name}
+        self.own.update(ALIAS.findall(self.text), re.findall(r"\b[A-Za-z]\w*", " ".join(ENUMERATORS.findall(anonymous))))
 
+    def numbered(self, number):
+        """The text for another folder, with a number behind the names that this source alone declares."""
+        near = lambda name: self.path.parent / name if (self.path.parent / name).exists() else name
+        text = INCLUDED.sub(lambda line: f'#include "{near(line[1])}"', self.text)
+        return NAME.sub(lambda name: self.numbered_name(name[0], number), text)
 
-def words(text):
-    return set(re.findall(r"\b[A-Za-z]\w*", NOT_A_USE.sub(" ", text)))
-
-
-def headers(root, path, found):
-    """The project's headers that a file includes, and those that they include."""
-    for name in INCLUDED.findall(path.read_text(encoding="utf-8")):
-        for header in (root / "include" / name, root / "src" / name, (path.parent / name).resolve()):
-            if header.exists() and header not in found:
-                found.add(header)
-                headers(root, header, found)
-    return found
+    def numbered_name(self, name, number):
+        """A member of a type keeps its name, unless it is a constructor."""
+        first, *members = name.split("::")
+        numbered = f"{first}_{number}" if first in self.own else first
+        return "::".join([numbered, *(numbered if member == first else member for member in members)])
 
 
 def sources(root, build):
@@ -73,7 +73,7 @@ def sources(root, build):
                 is_wanted = "kernels" not in source.parts or "-DPOLHODE_LOOPS=loops_scalar" in command
                 if is_wanted and source not in seen:
                     seen.add(source)
-                    yield Source(root, source, options_of(command, folder))
+                    yield Source(source, options_of(command, folder))
 
 
 def options_of(command, folder):
@@ -90,52 +90,59 @@ def options_of(command, folder):
 
 
 def groups(of):
-    """Lists of sources that fit together, by first fit."""
-    found = []
-    for source in sorted(of, key=lambda source: (-len(source.own), source.path)):
-        for group in found:
-            if all(source.is_kernel == other.is_kernel and not source.own & other.used and
-                   not source.used & other.own for other in group):
-                group.append(source)
-                break
-        else:
-            found.append([source])
-    return found
+    """Kernels, and other sources, each as one list of at least SMALLEST_GROUP for each processor."""
+    of = sorted(of, key=lambda source: source.path)
+    for is_kernel in (False, True):
+        some = [source for source in of if source.is_kernel == is_kernel]
+        size = max(-(-len(some) // os.cpu_count()), SMALLEST_GROUP)
+        yield from (some[start:start + size] for start in range(0, len(some), size))
+
+
+def copies(root, folder, group):
+    """Writes numbered copies of the sources to a folder."""
+    for number, source in enumerate(group):
+        path = folder / source.path.relative_to(root)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(source.numbered(number))
+        yield path
 
 
 def examine(root, cache, group):
     """What clang-tidy writes about a group; nothing if it was examined before."""
     options = list(dict.fromkeys(option for source in group for option in source.options))
-    text = "".join(f'#include "{source.path}"\n' for source in group)
-    state = hashlib.sha256(repr((options, text)).encode())
-    for path in [root / ".clang-tidy", *files(root, (".hpp",), HEADERS), *(source.path for source in group)]:
-        state.update(path.read_bytes())
-    unit = cache / f"{state.hexdigest()}.cpp"
-    if unit.exists():
+    state = hashlib.sha256(repr(options).encode())
+    for path in [Path(__file__), root / ".clang-tidy", *files(root, (".hpp",), HEADERS), *(source.path for source in group)]:
+        state.update(str(path).encode() + path.read_bytes())
+    mark = cache / state.hexdigest()
+    if mark.exists():
         return ""
-    unit.write_text(text)
-    run = subprocess.run(["clang-tidy", "--quiet", f"--config-file={root / '.clang-tidy'}",
-                          f"--header-filter=^{re.escape(str(root))}/({'|'.join(HEADERS)})/", unit, "--", "-ferror-limit=0", *options],
-                         text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
-    found = run.stdout
+    with tempfile.TemporaryDirectory() as folder:
+        unit = Path(folder) / "unit.cpp"
+        paths, included = [group[0].path], []
+        if len(group) > 1:
+            paths = list(copies(root, Path(folder), group))
+            included = dict.fromkeys(name for path in paths for name in INCLUDED.findall(path.read_text()))  # before names clash
+        unit.write_text("".join(f'#include "{path}"\n' for path in [*included, *paths]))
+        shown = f"^({re.escape(str(root))}|{re.escape(folder)})/({'|'.join(HEADERS)})/"
+        run = subprocess.run(["clang-tidy", "--quiet", f"--config-file={root / '.clang-tidy'}", f"--header-filter={shown}",
+                              unit, "--", "-ferror-limit=0", *options],
+                             text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
+        found = run.stdout.replace(f"{folder}/", f"{root}/")
     if len(group) > 1 and "[clang-diagnostic-error]" in found:  # perhaps because names collide
-        found = apart(root, cache, group, found)
-    elif run.returncode:
-        found = found or f"{group[0].path}:1:1: error: clang-tidy failed with exit code {run.returncode}"
-    if found:
-        unit.unlink()
+        return apart(root, cache, group, found)
+    if run.returncode:
+        return found or f"{group[0].path}:1:1: error: clang-tidy failed with exit code {run.returncode}"
+    if not found:
+        mark.touch()
     return found
 
 
 def apart(root, cache, group, found):
-    """What is found in a group with errors, whose sources with errors are examined alone; all others were examined."""
-    named = {Path(path) for path in FAILED.findall(found) if Path(path).is_relative_to(root)}
-    alone = [source for source in group if source.path in named]
-    if not alone or len(alone) < len(named):  # errors in headers: of any source
-        half = len(group) // 2
-        return examine(root, cache, group[:half]) + examine(root, cache, group[half:])
+    """What is found in a group with errors. Its sources with errors are examined alone; errors in headers are findings."""
+    named = set(FAILED.findall(found))
+    alone = [source for source in group if str(source.path) in named]
     places = [(LOCATED.match(line), line) for line in found.splitlines(True)]
-    others = "".join(line for at, line in places if at and Path(at[1]).is_relative_to(root) and Path(at[1]) not in named)
+    others = "".join(line for at, line in places if at and all(at[1] != str(source.path) for source in alone))
     return others + "".join(examine(root, cache, [source]) for source in alone)
 
 

@@ -6,6 +6,7 @@
 
 #include "base/pack.hpp"
 #include "base/pack_column.hpp"
+#include "base/pack_functions.hpp"
 #include "base/pack_math.hpp"
 #include "base/word_pack.hpp"
 #include "ensemble/langevin_terms.hpp"

@@ -19,7 +19,6 @@
 namespace polhode {
 namespace {
 
-using gromacs::Line;
 using Kind = GromacsRelation::Kind;
 
 // Maximum counts, above the needs of any rigid body. These limits bound the memory that a file can
@@ -31,7 +30,7 @@ constexpr std::int64_t lennard_jones_function = 1, buckingham_function = 2;
 class Parser {
  public:
   explicit Parser(const std::string& file) { topology_.file = file; }
-  void take(const Line& line);
+  void take(const gromacs::Line& line);
   GromacsTopology result() &&;
 
  private:
@@ -129,7 +128,7 @@ const std::map<std::string, Parser::Reader, std::less<>>& Parser::readers() {
   return all;
 }
 
-void Parser::take(const Line& line) {
+void Parser::take(const gromacs::Line& line) {
   const FieldLine fields(line.text, line.place);
   if (line.text.front() == '[') {
     begin_section(fields, line.text);

@@ -85,7 +85,7 @@ std::string toml_complaint(const std::string& what) {
 }
 
 /// A TOML value as text, as in a file. Numbers have as many digits as necessary.
-std::string written(const toml::node& node) {
+std::string source_text(const toml::node& node) {
   if (node.is_string()) return fmt::format("\"{}\"", *node.value<std::string>());
   if (node.is_floating_point()) return fmt::format("{}", *node.value<double>());
   std::ostringstream text;
@@ -123,7 +123,7 @@ std::string TomlTable::full(std::string_view key) const {
 
 std::string TomlTable::written(std::string_view key) const {
   const toml::node* node = table_->get(key);
-  return node != nullptr ? polhode::written(*node) : "";
+  return node != nullptr ? source_text(*node) : "";
 }
 
 const Override* TomlTable::override_of(std::string_view key) const {

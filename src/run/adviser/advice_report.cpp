@@ -144,7 +144,7 @@ AdviceFigure::Curve curve_of(const Candidate& c, std::size_t first) {
 }
 
 /// @param rows  number of rows in the table; the last row is the answer
-AdviceFigure figure(const AdviceReport& report, std::size_t rows) {
+AdviceFigure figure_of(const AdviceReport& report, std::size_t rows) {
   const Advice& advice = report.advice;
   AdviceFigure figure{report.files.points, {}};
   std::size_t row = 0;
@@ -269,7 +269,7 @@ void write_advice(const AdviceReport& report, const Provenance& provenance,
   write_file(files.json, [&](std::ostream& out) { out << json_text(quantities(report)) << '\n'; });
   if (files.figure.empty()) return;
   pass_messages(callbacks, [&](std::ostream& warnings) {
-    advice_plot(figure(report, points.rows.size()), files.figure.substr(files.prefix.size() + 1),
+    advice_plot(figure_of(report, points.rows.size()), files.figure.substr(files.prefix.size() + 1),
                 warnings);
   });
 }

@@ -15,7 +15,7 @@ namespace {
 /// The energy drift of the run, tested against the random walk of the conserved energy. The
 /// strength of the random walk is taken from the shadow energy, if sampled, and is at least the
 /// strength due to round-off. Without a shadow energy the strength of the random walk is unknown.
-Drift drift(const TrajectoryStatistics& statistics, double rounding) {
+Drift drift_of(const TrajectoryStatistics& statistics, double rounding) {
   std::vector<WalkStrength> walks = statistics.shadow.walks();
   if (walks.empty()) return statistics.energies.drift_over_walk(rounding);
   for (WalkStrength& walk : walks) walk.rate = std::max(walk.rate, rounding);
@@ -95,7 +95,7 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   const double rounding = rounding_walk(noise, scheme, settings.lambda, settings.step) +
                           double_walk(energies.first, settings.step);
   s.walk_known = system.forces.precision == Precision::double_precision || noise.power > 0;
-  s.drift = drift(trajectory.statistics, rounding);
+  s.drift = drift_of(trajectory.statistics, rounding);
   if (std::abs(s.drift.rate.value) <= double_drift(energies.first, settings.step))
     s.drift.p_value = 1;  // the drift is not larger than round-off
   s.shadow = shadow_summary(trajectory.statistics.shadow, s.drift);
