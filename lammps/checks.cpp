@@ -211,6 +211,12 @@ std::vector<int> intervals_of_fixes(const LAMMPS* lammps, const Fix* own) {
   return intervals;
 }
 
+bool are_there_other_fixes(const LAMMPS* lammps, const Fix* own) {
+  return std::ranges::any_of(lammps->modify->get_fix_list(), [&](const Fix* fix) {
+    return fix != own && std::string_view(fix->style) != "property/atom";
+  });
+}
+
 void check_intervals(LAMMPS* lammps, const Fix* own, std::size_t evaluations, std::size_t phase) {
   if (evaluations == 1) return;
   const LAMMPS_NS::Update* const update = lammps->update;

@@ -70,6 +70,7 @@ void FixPolhode::init() {
   has_pair_style_ = force->pair_match("^polhode$", 0) != nullptr;
   half_step_velocities_ = needs_half_step_velocities(lmp, this);
   other_intervals_ = intervals_of_fixes(lmp, this);
+  has_other_fixes_ = are_there_other_fixes(lmp, this);
 }
 
 std::optional<double> FixPolhode::lambda_of_kicks() const {
@@ -169,14 +170,23 @@ void FixPolhode::final_integrate() {
   if (++phase_ < program_.size()) return;
   phase_ = 0;
   ++cycles_;
-  set_velocities();
+  velocities_are_old_ = true;
+  if (velocities_are_read()) set_velocities();
   if (vflag_either != 0) tally_virial();
   if (box_move_is_due()) measure_pressure();
   if (has_pair_style_ && output_is_due()) set_forces();
 }
 
+/// Whether anything may read the velocities of atoms before the end of the next step: output, a
+/// pressure, another fix, or a pair style with friction.
+bool FixPolhode::velocities_are_read() const {
+  return program_.size() > 1 || has_other_fixes_ || comm->ghost_velocity != 0 ||
+         vflag_either != 0 || box_move_is_due() || output_is_due();
+}
+
 /// A run can end within a step of the scheme, for example at a time limit.
 void FixPolhode::post_run() {
+  if (velocities_are_old_) set_velocities();
   if (phase_ == 0 || comm->me != 0) return;
   error->warning(FLERR,
                  "fix polhode: the run ended after {} of {} force evaluations of a step, so "
@@ -199,10 +209,18 @@ void FixPolhode::end_displacement() {
 }
 
 void FixPolhode::place_atoms() {
+  int body = -1;  // whose pose is known; the atoms of a molecule are usually next to each other
+  Vec3<double> q{};
+  Mat3<double> to_lab{};
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (owner(i).body < 0) continue;
-    const Pose p = pose_of_origin(owner(i).body);
-    set(atom->x[i], centre(owner(i)) + to_lab(p.orientation, site_position(owner(i))));
+    const Owner& of = owner(i);
+    if (of.body < 0) continue;
+    if (of.body != body) {
+      body = of.body;
+      const Pose pose = pose_of_origin(body);
+      q = pose.q, to_lab = transpose(matrix_S(pose.orientation));
+    }
+    set(atom->x[i], q + shift(of) + to_lab * site_position(of));
   }
 }
 
@@ -300,6 +318,7 @@ void FixPolhode::set_forces() {
 }
 
 void FixPolhode::set_velocities() {
+  velocities_are_old_ = false;
   set_particle_columns();
   forward(Message::motions, 6);
   motions_.clear();

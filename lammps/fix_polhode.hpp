@@ -184,8 +184,11 @@ class FixPolhode : public LAMMPS_NS::Fix {
   Pose pose_of_origin(int body) const {
     return is_ghost_body(body) ? ghost(body).pose : columns_->pose(static_cast<std::size_t>(body));
   }
+  Vec3<double> shift(const Owner& owner) const {
+    return shifts_[static_cast<std::size_t>(owner.shift)].by;
+  }
   Vec3<double> centre(const Owner& owner) const {
-    return pose_of_origin(owner.body).q + shifts_[static_cast<std::size_t>(owner.shift)].by;
+    return pose_of_origin(owner.body).q + shift(owner);
   }
   Vec3<double> site_position(const Owner& owner) const {
     return site_positions_[static_cast<std::size_t>(owner.site)];
@@ -246,6 +249,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   void place_atoms();
   void begin_loads(Load& load);
   void collect_forces(Load& load);
+  bool velocities_are_read() const;
   void set_velocities();
   bool output_is_due() const;
   void set_forces();
@@ -268,12 +272,14 @@ class FixPolhode : public LAMMPS_NS::Fix {
   bool recognised_ = false;
   bool has_all_atoms_ = false;  // whether all atoms are in bodies, so that the bath conserves their
                                 // momentum
-  bool half_step_velocities_ = false;        // whether another fix needs velocities of half steps
-  bool is_run_ = false;                      // whether a step began since setup()
-  bool has_pair_style_ = false;              // whether there is pair_style polhode
-  bool has_pair_loads_ = false;              // whether its loads are to be collected
-  bool sends_accelerations_ = false;         // what motion() gives
-  std::vector<int> other_intervals_;         // of fixes that act at the end of steps
+  bool half_step_velocities_ = false;  // whether another fix needs velocities of half steps
+  bool has_other_fixes_ = false;       // which may read velocities at any step
+  bool velocities_are_old_ = false;    // whether the velocities of atoms are of an earlier step
+  bool is_run_ = false;                // whether a step began since setup()
+  bool has_pair_style_ = false;        // whether there is pair_style polhode
+  bool has_pair_loads_ = false;        // whether its loads are to be collected
+  bool sends_accelerations_ = false;   // what motion() gives
+  std::vector<int> other_intervals_;   // of fixes that act at the end of steps
   LAMMPS_NS::bigint atoms_ = 0, sites_ = 0;  // numbers of all atoms, and of atoms in bodies
   bool virial_is_old_ = false;  // whether forces were computed without a call of setup()
   std::vector<AtomInfo> info_;  // links of local atoms to their bodies
