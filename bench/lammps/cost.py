@@ -162,13 +162,13 @@ def main():
         print("| waters | program | ms per step | against polhode in the same precision |\n| --- | --- | --- | --- |")
         for copies in options.copies:
             bench.export(bench.run_file(copies, 1000, prefix="particles"), "polhode-particles")
-            own = {precision: bench.step(lambda steps, p=precision: bench.polhode(copies, p, steps), copies)
-                   for precision in ("double", "mixed")}
-            rows = [(f"polhode, {precision}", time, precision) for precision, time in own.items()]
-            rows += [(name, bench.step(lambda steps, s=style: bench.lammps(copies, s, steps), copies),
-                      "mixed" if "mixed" in name else "double") for name, style in STYLES.items()]
-            for name, time, precision in rows:
-                print(f"| {512 * copies**3} | {name} | {time:.3f} | {time / own[precision]:.2f} |", flush=True)
+            own = {}
+            show = lambda name, time, precision: print(f"| {512 * copies**3} | {name} | {time:.3f} | {time / own[precision]:.2f} |", flush=True)
+            for precision in ("double", "mixed"):
+                own[precision] = bench.step(lambda steps: bench.polhode(copies, precision, steps), copies)
+                show(f"polhode, {precision}", own[precision], precision)
+            for name, style in STYLES.items():
+                show(name, bench.step(lambda steps: bench.lammps(copies, style, steps), copies), "mixed" if "mixed" in name else "double")
 
 
 if __name__ == "__main__":

@@ -233,12 +233,13 @@ class Settings(Guarded):
     with other values are ``polhode.settings(these, step="2 fs")``.
     """
 
-    __slots__ = ("_name", "_own_forces", "_core", "_call", "__weakref__")
+    __slots__ = ("_name", "_own_forces", "_core", "_call", "_tables", "__weakref__")
     _remedy = "settings with another value are polhode.settings(these, step=\"2 fs\")"
     _instead = dict.fromkeys((*PATH_OF, *TABLES), _remedy)
 
     def __init__(self, core, name, own_forces=None, call=""):
         self._core, self._name, self._own_forces, self._call = core, name, own_forces, call
+        self._tables = None
         core.own_forces = None
         if own_forces is not None:
             add_forces(core, own_forces)
@@ -246,7 +247,9 @@ class Settings(Guarded):
     @property
     def tables(self) -> Mapping:
         """The tables of a run file, read-only."""
-        return _view(parsed(self.text))
+        if self._tables is None:
+            self._tables = _view(parsed(self.text))
+        return self._tables
 
     @property
     def name(self) -> str:

@@ -77,6 +77,7 @@ class Keywords(unittest.TestCase):
                              barostat="monte-carlo")
         self.assertEqual(s.tables["thermostat"], {"type": "langevin", "friction": "2 1/ps"})
         self.assertEqual(s.tables["barostat"], {"pressure": "3 bar", "type": "monte-carlo"})
+        self.assertIs(s.tables, s.tables)  # read once, since each run() asks for them
 
     def test_numpy_numbers_and_paths(self):
         self.assertEqual(polhode.settings(WATER, seed=np.int64(3)).tables["system"]["seed"], 3)
