@@ -38,6 +38,11 @@ class Bias(unittest.TestCase):
         self.assertGreater(potential["value"], 3 * potential["error"])
         self.assertIs(polhode.time_step_bias, polhode.bias)
 
+    def test_a_column_is_named_with_or_without_its_unit(self):
+        found = [polhode.bias(self.columns, total=name, potential=of)["columns"] for name, of in (("total", "potential [kJ/mol]"), ("total [kJ/mol]", None))]
+        self.assertEqual(found[0], found[1])
+        self.assertEqual(found[0], polhode.bias(self.columns)["columns"])
+
     def test_options(self):
         half = polhode.bias(self.columns, "150 K", start=50.0)
         self.assertEqual(half["temperature"], 150)

@@ -50,15 +50,6 @@ std::string quoted_part(std::string_view line) {
   return begin < end ? std::string(line.substr(begin + 1, end - begin - 1)) : "";
 }
 
-/// A column from a title such as "Total Energy (kJ/mole)", "total [kJ/mol]" or "LJ (SR) (kJ/mol)".
-LogColumn column_of(const std::string& title) {
-  const auto open = title.find_last_of("([");
-  if (open == title.npos) return {title, "", {}};
-  const auto close = title.find_first_of(")]", open);
-  return {
-      std::string(trimmed(title.substr(0, open))), title.substr(open + 1, close - open - 1), {}};
-}
-
 std::optional<std::vector<double>> numbers_of(const std::vector<std::string>& fields) {
   std::vector<double> row;
   for (const std::string& field : fields) {
@@ -83,7 +74,7 @@ void add_row(EngineLog& log, const Lines& lines, const std::vector<std::string>&
 
 /// The unit of a column of `gmx energy`, which lists each unit once for all columns.
 std::string gromacs_unit(const std::string& name, const std::string& units) {
-  if (units.find(')') == units.rfind(')')) return column_of(units).unit;
+  if (units.find(')') == units.rfind(')')) return titled_column(units).unit;
   const std::string known = lower(name);
   if (known.starts_with("temperature") || known.starts_with("t-")) return "K";
   if (known.starts_with("pres")) return "bar";
@@ -124,7 +115,7 @@ EngineLog read_csv(Lines& lines) {
       separator = *std::ranges::max_element(std::string_view(",;\t"), {},
                                             [&](char c) { return std::ranges::count(head, c); });
       for (const std::string& title : fields_of(head, separator))
-        log.columns.push_back(column_of(title));
+        log.columns.push_back(titled_column(title));
     } else if (!line->starts_with('#')) {
       add_row(log, lines, fields_of(*line, separator));
     }
@@ -209,6 +200,14 @@ bool has_line_starting(const std::string& text, const std::string& start) {
 
 }  // namespace
 
+LogColumn titled_column(const std::string& title) {
+  const auto open = title.find_last_of("([");
+  if (open == title.npos) return {title, "", {}};
+  const auto close = title.find_first_of(")]", open);
+  return {
+      std::string(trimmed(title.substr(0, open))), title.substr(open + 1, close - open - 1), {}};
+}
+
 const LogColumn* EngineLog::find(const std::vector<std::string>& names) const {
   for (const std::string& name : names)
     for (const LogColumn& column : columns)
@@ -240,7 +239,7 @@ EngineLog log_of_columns(const std::string& name, const std::vector<std::string>
                          const std::vector<std::vector<double>>& columns) {
   EngineLog log{name, "columns", {}, 1, {}};
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    log.columns.push_back(column_of(titles.at(k)));
+    log.columns.push_back(titled_column(titles.at(k)));
     if (columns[k].size() != columns[0].size())
       throw Error(
           fmt::format("'{}' has {} values, but '{}' has {}; all columns must be equally long",

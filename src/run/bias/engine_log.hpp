@@ -28,6 +28,10 @@ struct EngineLog {
   const LogColumn* find(const std::vector<std::string>& names) const;
 };
 
+/// A column without values, from a title such as "Total Energy (kJ/mole)", "total [kJ/mol]" or
+/// "LJ (SR) (kJ/mol)".
+LogColumn titled_column(const std::string& title);
+
 /// Reads a log. The contents determine the format:
 /// - a log of LAMMPS with thermo output in lines; the last of several runs is used;
 /// - an .xvg file of `gmx energy`, with its legends;

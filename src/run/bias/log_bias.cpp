@@ -49,11 +49,13 @@ std::vector<std::string_view> names_of(const EngineLog& log) {
   return names;
 }
 
-/// The column that an option names, or the first column with a known name; null if there is none.
+/// The column that an option names, with or without its unit, or the first column with a known
+/// name; null if there is none.
 const LogColumn* column_for(const EngineLog& log, const Given& given,
                             const std::vector<std::string>& known) {
   if (!given) return log.find(known);
-  if (const LogColumn* column = log.find({given.text})) return column;
+  for (const std::string& name : {given.text, titled_column(given.text).name})
+    if (const LogColumn* column = log.find({name})) return column;
   refuse(given, "is not a column of the log; it " + must_be_one_of(names_of(log), given.text));
 }
 
