@@ -10,10 +10,14 @@
 #include <vector>
 
 #include "forces/pairs/reference.hpp"
+#include "polhode/base/units.hpp"
 #include "polhode/forces/force_field.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 
 namespace polhode::scenes {
+
+/// A usual temperature [K], with its kT [kJ/mol].
+inline constexpr double kelvin = 300, kT = units::boltzmann * kelvin;
 
 struct Scene {
   Topology topology;
@@ -88,6 +92,9 @@ inline std::vector<Pose<double>> poses(const State& state) {
   for (std::size_t i = 0; i < state.size(); ++i) all.push_back({state.q[i], state.orientation[i]});
   return all;
 }
+
+/// Forces of free bodies.
+inline void no_forces(const State&, Load& load) { load = Load(load.f.size()); }
 
 }  // namespace polhode::scenes
 

@@ -18,9 +18,9 @@ using namespace polhode;
 
 namespace {
 
-constexpr double kelvin = 300, kT = units::boltzmann * kelvin, pressure = 0.5;
-
-void no_forces(const State&, Load& load) { load = Load(load.f.size()); }
+using scenes::kelvin;
+using scenes::kT;
+constexpr double pressure = 0.5;
 
 struct Volume {
   SeriesEstimate mean, variance;
@@ -40,7 +40,7 @@ Volume volume_of(const scenes::Scene& scene, BarostatSettings settings, int move
   TimeBlocks blocks;
   for (int k = 0; k < moves; ++k) {
     refresh_momenta(state, scene.bodies, maxwell, 0, std::uint64_t(k));
-    barostat.move(state, load, no_forces, std::uint64_t(k));
+    barostat.move(state, load, scenes::no_forces, std::uint64_t(k));
     const double V = state.box.volume() * pressure / kT;
     blocks.add(std::array{V, V * V});
   }
@@ -123,7 +123,7 @@ TEST_CASE(
       const LangevinSettings maxwell{.kT = kT, .seed = 4};
       for (std::uint64_t k = 0; k < 4000; ++k) {
         refresh_momenta(state, scene.bodies, maxwell, 0, k);
-        barostat.move(state, load, no_forces, k);
+        barostat.move(state, load, scenes::no_forces, k);
         const Vec3<double> s = {state.box.edge.x / first.x, state.box.edge.y / first.y,
                                 state.box.edge.z / first.z};
         widest = std::max(widest, std::max({s.x, s.y, s.z}) / std::min({s.x, s.y, s.z}));
@@ -189,7 +189,7 @@ TEST_CASE("a barostat has other random numbers for each seed and step") {
       Load load(state.size());
       std::vector<double> all;
       for (std::uint64_t step = first; step < first + 40; ++step) {
-        barostat.move(state, load, no_forces, step);
+        barostat.move(state, load, scenes::no_forces, step);
         all.push_back(state.box.volume());
       }
       return all;

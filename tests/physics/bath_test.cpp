@@ -48,8 +48,6 @@ struct Shaking {
   }
 };
 
-void no_forces(const State&, Load&) {}
-
 bool equal(const State& a, const State& b) {
   for (std::size_t i = 0; i < a.size(); ++i)
     if (a.q[i] != b.q[i] || a.p[i] != b.p[i] || a.ell[i] != b.ell[i] ||
@@ -191,7 +189,7 @@ TEST_CASE("free bodies in a bath that damps go through the free motion ever slow
     const int steps = finer ? 80 : 40;
     const double h = length / steps;
     State state = scene.state;
-    with_bath(scheme_of(baoab), scene.bodies, no_forces, Damping{gamma})
+    with_bath(scheme_of(baoab), scene.bodies, scenes::no_forces, Damping{gamma})
         .advance(state, h, static_cast<std::size_t>(steps));
     double tau = 0;
     for (int n = 0; n < steps; ++n)
@@ -267,10 +265,10 @@ TEST_CASE("a bath has the number of its step and stage, however steps are groupe
   std::vector<StageNumber> numbers;
   const auto record = [&](State&, double, StageNumber at) { numbers.push_back(at); };
   State state = scene.state;
-  auto integrator = with_bath(scheme, scene.bodies, no_forces, record);
+  auto integrator = with_bath(scheme, scene.bodies, scenes::no_forces, record);
   integrator.advance(state, 0.001, 3);
   integrator.advance(state, 0.001, 1);
-  auto resumed = with_bath(scheme, scene.bodies, no_forces, record);
+  auto resumed = with_bath(scheme, scene.bodies, scenes::no_forces, record);
   resumed.resume_from(integrator.memory());
   resumed.advance(state, 0.001, 2);
   CHECK(resumed.steps() == 6);
@@ -334,6 +332,6 @@ TEST_CASE("a nested scheme may have a bath in its outer one") {
 
 TEST_CASE("a scheme with a bath is refused where there is none") {
   const scenes::Scene scene = scenes::water_cluster();
-  check_error([&] { Integrator(scheme_of(baoab), scene.bodies, no_forces); },
+  check_error([&] { Integrator(scheme_of(baoab), scene.bodies, scenes::no_forces); },
               {"has a bath", "leave the stages O out"});
 }

@@ -8,38 +8,23 @@
 #include <cmath>
 #include <vector>
 
+#include "hot_water.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/math/fit.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
-#include "scenes.hpp"
 
 using namespace polhode;
 
 namespace {
 
-constexpr unsigned runs = 8;
-constexpr double kelvin = 500;       // water relaxes in half a picosecond
+constexpr unsigned seeds = 8;
 constexpr double long_step = 0.004;  // [ps]: R of velocity Verlet is 3 %, of hoa2 0.2 %
-constexpr double molecules = 64;
+constexpr double number_of_waters = 64;
 
-const EnsembleSettings rescaling{.temperature = kelvin, .thermostat = Rescaling{0.2}};
-
-// 64 SPC/E waters at 0.95 g/cm³.
-System water(unsigned seed) {
-  const double box = std::cbrt(molecules * 18.0154 * 1.66053906660e-3 / 0.95);
-  const scenes::Scene scene = scenes::lattice({{"spce", 64}}, box / 4, box, seed);
-  return {scene.topology,
-          scene.bodies,
-          scene.state,
-          {.cutoff = 0.56,
-           .switch_from = 0.48,
-           .electrostatics = Electrostatics::reaction_field,
-           .precision = Precision::mixed},
-          kelvin};
-}
+const EnsembleSettings rescaled{.temperature = scenes::hot, .thermostat = Rescaling{0.2}};
 
 System equilibrated(unsigned seed) {
-  System system = water(seed);
+  System system = scenes::hot_water(seed);
   ForceField forces(system.topology, system.forces, system.state.box);
   equilibrate(system, forces, 4);
   return system;
@@ -75,27 +60,27 @@ void check_equal(const Estimate& one, const Estimate& other) {
 
 TEST_CASE("biases at constant energy are converted to those at constant temperature") {
   std::vector<System> starts;
-  for (unsigned k = 0; k < runs; ++k) starts.push_back(equilibrated(k + 1));
-  const IsochoricResponse response = isochoric_response(starts, kelvin, {long_step, 20});
+  for (unsigned k = 0; k < seeds; ++k) starts.push_back(equilibrated(k + 1));
+  const IsochoricResponse response = isochoric_response(starts, scenes::hot, {long_step, 20});
   REQUIRE(response.energy.known == Known::yes);
-  const BiasConversion conversion(starts.front(), rescaling, response);
+  const BiasConversion conversion(starts.front(), rescaled, response);
   std::vector<double> unconverted, energy, energy_error, pressure, pressure_error, own_energy,
       own_pressure, long_steps, short_steps;
-  for (unsigned k = 0; k < runs; ++k) {
+  for (unsigned k = 0; k < seeds; ++k) {
     Outcome run = outcome(starts[k], trajectory(starts[k], k, "velocity-verlet", 15, {}));
     unconverted.push_back(run.energy_bias);
     conversion.apply(run);
     energy.push_back(run.energy_bias), energy_error.push_back(run.energy_bias_error);
     pressure.push_back(run.pressure_bias), pressure_error.push_back(run.pressure_bias_error);
-    const Trajectory warm = trajectory(starts[k], k, "velocity-verlet-ends", 30, rescaling);
+    const Trajectory warm = trajectory(starts[k], k, "velocity-verlet-ends", 30, rescaled);
     const StepBias own = warm.statistics.step_bias.bias(degrees_of_freedom(starts[k].topology),
-                                                        FixedMeans::kinetic_energy, kelvin);
-    own_energy.push_back(own.potential.value / molecules);
+                                                        FixedMeans::kinetic_energy, scenes::hot);
+    own_energy.push_back(own.potential.value / number_of_waters);
     own_pressure.push_back(own.pressure.value);
-    long_steps.push_back(warm.statistics.energies.potential() / molecules);
+    long_steps.push_back(warm.statistics.energies.potential() / number_of_waters);
     short_steps.push_back(
-        trajectory(starts[k], k, "hoa2-ends", 30, rescaling).statistics.energies.potential() /
-        molecules);
+        trajectory(starts[k], k, "hoa2-ends", 30, rescaled).statistics.energies.potential() /
+        number_of_waters);
   }
   const auto with_common = [](const std::vector<double>& values,
                               const std::vector<double>& common) {

@@ -19,7 +19,9 @@ using namespace polhode;
 
 namespace {
 
-constexpr double kelvin = 300, kT = units::boltzmann * kelvin, depth = 4 * kT;
+using scenes::kelvin;
+using scenes::kT;
+constexpr double depth = 4 * kT;
 
 // U = −k (x·e_x + z·e_z) for the first and third principal axes x, z of each body; a linear body,
 // whose axis is the first, has the first term only.
@@ -67,7 +69,7 @@ scenes::Scene tops(const std::string& molecule, std::size_t count) {
 }
 
 // Of the fastest libration: √((k + k)/J) about the second axis, √(k/J) about the others.
-double step(const scenes::Scene& scene, double omega_h) {
+double step_of(const scenes::Scene& scene, double omega_h) {
   const Vec3<double> J = scene.bodies.J[0];
   const double stiffness =
       std::max({J.x > 0 ? depth / J.x : 0, (J.x > 0 ? 2 : 1) * depth / J.y, depth / J.z});
@@ -88,7 +90,7 @@ TEST_CASE("hybrid Monte Carlo samples orientations exactly, with steps that are 
       CAPTURE(refresh);
       const scenes::Scene scene = tops(molecule, 4);
       const Well well{linear(scene)};
-      const double h = step(scene, 1.4);
+      const double h = step_of(scene, 1.4);
       HybridMonteCarlo hybrid({.steps = 3, .refresh = refresh}, kelvin, scene.bodies, 5);
       Integrator integrator(scheme_of("velocity-verlet"), scene.bodies, well);
       State state = scene.state;
@@ -120,7 +122,7 @@ TEST_CASE("in a bath, orientations and momenta about each axis are canonical for
       CAPTURE(std::string(scheme));
       const scenes::Scene scene = tops(molecule, 200);
       const Well well{linear(scene)};
-      const double h = step(scene, omega_h);
+      const double h = step_of(scene, omega_h);
       Thermostat thermostat(Langevin{0.2 / h, 0.2 / h}, kelvin, scene.topology, scene.bodies, 5);
       const auto bath = [&](State& state, double t, StageNumber at) { thermostat(state, t, at); };
       Integrator integrator(scheme_of(scheme), scene.bodies, well,
@@ -161,7 +163,7 @@ TEST_CASE("in a bath, orientations and momenta about each axis are canonical for
 TEST_CASE("a linear molecule in a bath has no momentum about its axis after 10,000 steps") {
   const scenes::Scene scene = tops("co2", 8);
   const Well well{true};
-  const double h = step(scene, 0.5);
+  const double h = step_of(scene, 0.5);
   Thermostat thermostat(Langevin{0.1 / h, 0.1 / h}, kelvin, scene.topology, scene.bodies, 5);
   const auto bath = [&](State& state, double t, StageNumber at) { thermostat(state, t, at); };
   Integrator integrator(scheme_of("baoab"), scene.bodies, well,

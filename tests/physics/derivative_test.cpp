@@ -18,10 +18,10 @@ using namespace polhode;
 namespace {
 
 // Centres by about a nm, orientations by about 10 rad: both then move sites equally.
-struct Displacement {
+struct Direction {
   Vec3Column dq, dtheta;
 
-  Displacement(std::size_t bodies, unsigned seed) : dq(bodies), dtheta(bodies) {
+  Direction(std::size_t bodies, unsigned seed) : dq(bodies), dtheta(bodies) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
     for (std::size_t i = 0; i < bodies; ++i)
@@ -32,8 +32,8 @@ struct Displacement {
       }
   }
   /// The same, with the centre of mass fixed.
-  Displacement at_rest(const Bodies& bodies) const {
-    Displacement u = *this;
+  Direction at_rest(const Bodies& bodies) const {
+    Direction u = *this;
     const Vec3<double> common = centre_of_mass(dq, bodies);
     for (std::size_t i = 0; i < dq.size(); ++i) u.dq.add(i, -common);
     return u;
@@ -60,7 +60,7 @@ double rms_difference(const Vec3Column& a, const Vec3Column& b) {
 }
 
 // The work of forces and torques along a displacement, orientations in the lab frame.
-double work(const Load& load, const State& state, const Displacement& u) {
+double work(const Load& load, const State& state, const Direction& u) {
   double sum = 0;
   for (std::size_t i = 0; i < state.size(); ++i)
     sum += dot(load.f[i], u.dq[i]) + dot(load.tau[i], to_lab(state.orientation[i], u.dtheta[i]));
@@ -101,7 +101,7 @@ std::vector<NamedLaw> mesh_laws() {
 TEST_CASE(
     "the derivative over the list equals dual numbers over all pairs, for every instruction set") {
   const scenes::Scene scene = mixture();
-  const Displacement u(scene.state.size(), 5);
+  const Direction u(scene.state.size(), 5);
   for (const NamedLaw& law : all_laws()) {
     CAPTURE(law.name);
     const Load exact =
@@ -138,7 +138,7 @@ TEST_CASE("the derivative of waters of three and five sites equals dual numbers 
   for (const char* model : {"tip3p", "tip5p"}) {
     CAPTURE(std::string(model));
     const scenes::Scene scene = scenes::spread({{{read_molecule(model), 40}}}, {1.7, 1.6, 1.6}, 8);
-    const Displacement u(scene.state.size(), 6);
+    const Direction u(scene.state.size(), 6);
     for (const Truncation truncation :
          {Truncation::molecule_switch, Truncation::site_switch, Truncation::site_shift}) {
       const ForceSettings settings{truncation, 0.7, 0.6, 2, Electrostatics::reaction_field,
@@ -164,7 +164,7 @@ TEST_CASE("the derivative of waters of three and five sites equals dual numbers 
 // contribution of one charge, which does not happen here.
 TEST_CASE("with a mesh the derivative is the slope of forces and torques") {
   const scenes::Scene scene = charged_mixture();
-  const Displacement u(scene.state.size(), 7);
+  const Direction u(scene.state.size(), 7);
   constexpr double h = 1e-5;
   for (const NamedLaw& law : mesh_laws()) {
     CAPTURE(law.name);
@@ -205,7 +205,7 @@ TEST_CASE("with a mesh the derivative is the slope of forces and torques") {
 // then.
 TEST_CASE("the derivative does not depend on earlier evaluations") {
   const scenes::Scene scene = charged_mixture();
-  const Displacement u(scene.state.size(), 8);
+  const Direction u(scene.state.size(), 8);
   const ForceSettings settings = mesh_laws()[2].settings;
   Load fresh, again, load;
   ForceField(scene.topology, settings, scene.state.box)
@@ -234,8 +234,8 @@ TEST_CASE("the derivative does not depend on earlier evaluations") {
 TEST_CASE("the derivative is symmetric except for the commutator of rotations") {
   const auto check = [](const scenes::Scene& scene, const std::vector<NamedLaw>& laws) {
     const State& state = scene.state;
-    const auto u = Displacement(state.size(), 9).at_rest(scene.bodies);
-    const auto v = Displacement(state.size(), 10).at_rest(scene.bodies);
+    const auto u = Direction(state.size(), 9).at_rest(scene.bodies);
+    const auto v = Direction(state.size(), 10).at_rest(scene.bodies);
     for (const NamedLaw& law : laws) {
       CAPTURE(law.name);
       ForceField forces(scene.topology, law.settings, state.box);
@@ -245,7 +245,7 @@ TEST_CASE("the derivative is symmetric except for the commutator of rotations") 
       forces.directional_derivative(state, v.dq, v.dtheta, along_v);
       double commutator = 0, scale = 0;
       for (std::size_t i = 0; i < state.size(); ++i) {
-        const auto lab = [&](const Displacement& d) {
+        const auto lab = [&](const Direction& d) {
           return to_lab(state.orientation[i], d.dtheta[i]);
         };
         commutator += dot(cross(lab(u), lab(v)), load.tau[i]);
@@ -266,7 +266,7 @@ TEST_CASE("the derivative is symmetric except for the commutator of rotations") 
 // ten times smaller. Switches of class 3 and splines of order 8 are smooth enough.
 TEST_CASE("the derivative is the second derivative of the energy") {
   const auto check = [](const scenes::Scene& scene, const std::vector<NamedLaw>& laws) {
-    const auto u = Displacement(scene.state.size(), 11).at_rest(scene.bodies);
+    const auto u = Direction(scene.state.size(), 11).at_rest(scene.bodies);
     constexpr double h = 5e-5;
     for (const NamedLaw& law : laws) {
       if (law.settings.smoothness < 3) continue;

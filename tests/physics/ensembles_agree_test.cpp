@@ -7,18 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "hot_water.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/measure/radial_distribution.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
-#include "scenes.hpp"
 
 using namespace polhode;
 
 namespace {
 
-constexpr double kelvin = 500;  // water relaxes in half a picosecond
 constexpr std::size_t skipped = 4, blocks = 40;
 constexpr double block = 5;  // [ps]
 
@@ -30,7 +29,7 @@ struct Method {
   EnsembleSettings ensemble{};
 };
 
-EnsembleSettings thermostat(const ThermostatSettings& type, double temperature = kelvin) {
+EnsembleSettings thermostat(const ThermostatSettings& type, double temperature = scenes::hot) {
   return {.temperature = temperature, .thermostat = type};
 }
 
@@ -38,7 +37,7 @@ const Method hybrid{
     "hybrid Monte Carlo",
     "hoa2",
     0.004,
-    {.temperature = kelvin, .hybrid_monte_carlo = HybridMonteCarloSettings{.steps = 10}}};
+    {.temperature = scenes::hot, .hybrid_monte_carlo = HybridMonteCarloSettings{.steps = 10}}};
 
 const std::vector<Method> canonical{
     {"Langevin at the ends", "obabo", 0.001, thermostat(Langevin{5, 5})},
@@ -46,20 +45,6 @@ const std::vector<Method> canonical{
     {"rescaling", "hoa2-ends", 0.002, thermostat(Rescaling{0.2})},
     {"separate rescaling", "hoa2-ends", 0.002, thermostat(SeparateRescaling{0.2})},
     hybrid};
-
-// 64 SPC/E waters at 0.95 g/cm³.
-System water() {
-  const double box = std::cbrt(64 * 18.0154 * 1.66053906660e-3 / 0.95);
-  const scenes::Scene scene = scenes::lattice({{"spce", 64}}, box / 4, box, 1);
-  return {scene.topology,
-          scene.bodies,
-          scene.state,
-          {.cutoff = 0.56,
-           .switch_from = 0.48,
-           .electrostatics = Electrostatics::reaction_field,
-           .precision = Precision::mixed},
-          kelvin};
-}
 
 using Means = std::array<double, 3>;
 
@@ -111,7 +96,7 @@ Result sampled(System& system, const Method& method, std::uint64_t seed, std::si
 }
 
 System equilibrated() {
-  System system = water();
+  System system = scenes::hot_water(1);
   ForceField forces(system.topology, system.forces, system.state.box);
   equilibrate(system, forces, 2);
   return system;
@@ -126,9 +111,10 @@ Result at_constant_energy(System system, double mean_potential) {
   ForceField forces(system.topology, system.forces, system.state.box);
   Load load(system.state.size());
   forces(system.state, load);
-  const double kinetic = degrees_of_freedom(system.topology).all() * units::boltzmann * kelvin / 2;
+  const double kinetic =
+      degrees_of_freedom(system.topology).all() * units::boltzmann * scenes::hot / 2;
   const double excess = mean_potential - load.potential();
-  rescale(system.state, system.topology, system.bodies, kelvin * (kinetic + excess) / kinetic);
+  rescale(system.state, system.topology, system.bodies, scenes::hot * (kinetic + excess) / kinetic);
   CHECK(kinetic_energy(system) == doctest::Approx(kinetic + excess).epsilon(1e-9));
   return sampled(system, {"constant energy", "hoa2", 0.002}, 50);
 }
@@ -181,7 +167,7 @@ TEST_CASE(
   // The same bound finds a temperature that is too high by 3 %: the potential energy of water
   // rises by 37 kJ/mol, thirteen errors of a run of twice the length.
   System system = start;
-  const Method hot{"", "baoab", 0.002, thermostat(Langevin{5, 5}, 1.03 * kelvin)};
+  const Method hot{"", "baoab", 0.002, thermostat(Langevin{5, 5}, 1.03 * scenes::hot)};
   const Result result = sampled(system, hot, 60, 2 * blocks);
   CAPTURE(deviation(result, results, 0));
   CHECK(deviation(result, results, 0) > bound);

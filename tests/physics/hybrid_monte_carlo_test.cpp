@@ -21,7 +21,8 @@ using namespace polhode;
 
 namespace {
 
-constexpr double kelvin = 300, kT = units::boltzmann * kelvin;
+using scenes::kelvin;
+using scenes::kT;
 // Of gradient kicks by finite difference: far from the derivative, so that they are no gradients.
 constexpr double lambda = 1;
 constexpr double spring = 2000, stiffening = 4e4;  // k/2 q² + b/4 q⁴ [kJ/mol/nm², kJ/mol/nm⁴]

@@ -7,31 +7,19 @@
 #include <array>
 #include <cmath>
 
+#include "hot_water.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
-#include "scenes.hpp"
 
 using namespace polhode;
 
 namespace {
 
 constexpr std::size_t runs = 12;
-constexpr double kelvin = 500;  // water relaxes in half a picosecond
-
-// 64 SPC/E waters at 0.95 g/cm³.
-System water(unsigned seed) {
-  const double box = std::cbrt(64 * 18.0154 * 1.66053906660e-3 / 0.95);
-  const scenes::Scene scene = scenes::lattice({{"spce", 64}}, box / 4, box, seed);
-  return {scene.topology,
-          scene.bodies,
-          scene.state,
-          {.cutoff = 0.56, .switch_from = 0.48, .electrostatics = Electrostatics::reaction_field},
-          kelvin};
-}
 
 Trajectory trajectory(unsigned seed, const char* scheme, const EnsembleSettings& ensemble) {
-  System system = water(seed);
+  System system = scenes::hot_water(seed, Precision::double_precision);
   ForceField forces(system.topology, system.forces, system.state.box);
   equilibrate(system, forces, 4);
   TrajectorySettings settings{
@@ -66,7 +54,7 @@ constexpr double likely = 4.4;
 // the time-step bias, and has to be as large as predicted from fluctuations, of which it is no
 // part. R is 3 % here, and the next order of h² a twentieth of the bias.
 TEST_CASE("step bias: water has the predicted difference of temperatures") {
-  const EnsembleSettings rescaling{.temperature = kelvin, .thermostat = Rescaling{0.5}};
+  const EnsembleSettings rescaling{.temperature = scenes::hot, .thermostat = Rescaling{0.5}};
   for (const bool constant_energy : {true, false}) {
     CAPTURE(constant_energy);
     std::array<double, runs> predicted, unexplained, predicted_excess, unexplained_excess;
@@ -74,7 +62,8 @@ TEST_CASE("step bias: water has the predicted difference of temperatures") {
       const Trajectory t = constant_energy
                                ? trajectory(run + 1, "velocity-verlet", {})
                                : trajectory(run + 101, "velocity-verlet-ends", rescaling);
-      const DegreesOfFreedom n = degrees_of_freedom(water(1).topology);
+      const DegreesOfFreedom n =
+          degrees_of_freedom(scenes::hot_water(1, Precision::double_precision).topology);
       const Temperatures T = t.statistics.energies.temperatures(n);
       const FixedMeans fixed = constant_energy ? FixedMeans::energy : FixedMeans::kinetic_energy;
       predicted[run] = t.statistics.step_bias.bias(n, fixed).difference.value;
@@ -117,14 +106,16 @@ TEST_CASE("step bias: water has the predicted difference of temperatures") {
 // temperature. The next order of h² is a hundredth.
 TEST_CASE(
     "step bias: with the bath within the steps, the momenta of half steps have its temperature") {
-  const EnsembleSettings langevin{.temperature = kelvin, .thermostat = Langevin{5, 5}};
-  const DegreesOfFreedom n = degrees_of_freedom(water(1).topology);
+  const EnsembleSettings langevin{.temperature = scenes::hot, .thermostat = Langevin{5, 5}};
+  const DegreesOfFreedom n =
+      degrees_of_freedom(scenes::hot_water(1, Precision::double_precision).topology);
   std::array<double, runs> full, half;
   for (unsigned run = 0; run < runs; ++run) {
     const Trajectory t = trajectory(run + 201, "baoab", langevin);
     full[run] = t.statistics.energies.temperatures(n).all;
     half[run] = t.statistics.at_bath.temperatures(n).all;
   }
-  CHECK(std::abs(mean_of(half).value - kelvin) < likely * mean_of(half).error + 0.01 * kelvin);
-  CHECK(mean_of(full).value < kelvin - 2 * likely * mean_of(full).error);
+  CHECK(std::abs(mean_of(half).value - scenes::hot) <
+        likely * mean_of(half).error + 0.01 * scenes::hot);
+  CHECK(mean_of(full).value < scenes::hot - 2 * likely * mean_of(full).error);
 }

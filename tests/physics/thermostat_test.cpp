@@ -21,7 +21,8 @@ using namespace polhode;
 
 namespace {
 
-constexpr double kelvin = 300, kT = units::boltzmann * kelvin;
+using scenes::kelvin;
+using scenes::kT;
 
 // A deviation in standard errors that occurs by chance in 6 of 100,000 checks.
 constexpr double max_deviation = 4;

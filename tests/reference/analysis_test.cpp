@@ -19,9 +19,11 @@ using namespace polhode;
 
 namespace {
 
-const std::string folder = std::string(POLHODE_TEST_DATA) + "/analysis/";
+const std::string analysis_data = std::string(POLHODE_TEST_DATA) + "/analysis/";
 
-nlohmann::json expected() { return nlohmann::json::parse(std::ifstream(folder + "expected.json")); }
+nlohmann::json expected() {
+  return nlohmann::json::parse(std::ifstream(analysis_data + "expected.json"));
+}
 
 Analysis analysed() {
   AnalysisSettings settings;
@@ -29,7 +31,7 @@ Analysis analysed() {
   settings.pairs = {{"OW", "OW"}, {"OW", "HW"}, {"HW", "HW"}};
   settings.cutoff = 0.4;
   settings.bin = 0.02;
-  const auto reader = open_frames(folder + "spce24.gro");
+  const auto reader = open_frames(analysis_data + "spce24.gro");
   return analyze(*reader, {{{read_molecule("spce"), 24}}}, settings);
 }
 

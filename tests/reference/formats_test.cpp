@@ -16,7 +16,7 @@ using namespace polhode;
 
 namespace {
 
-const std::string folder = std::string(POLHODE_TEST_DATA) + "/formats/";
+const std::string formats_data = std::string(POLHODE_TEST_DATA) + "/formats/";
 
 Vec3<double> vector(const nlohmann::json& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
@@ -58,10 +58,10 @@ const std::vector<File> files = {
 }  // namespace
 
 TEST_CASE("files of other programs are read with the numbers written to them") {
-  const auto expected = nlohmann::json::parse(std::ifstream(folder + "expected.json"));
+  const auto expected = nlohmann::json::parse(std::ifstream(formats_data + "expected.json"));
   for (const File& file : files) {
     CAPTURE(file.name);
-    const auto reader = open_frames(folder + file.name);
+    const auto reader = open_frames(formats_data + file.name);
     Frame frame;
     std::size_t number = 0;
     double r_off = 0, v_off = 0;

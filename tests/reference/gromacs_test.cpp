@@ -16,14 +16,14 @@ using namespace polhode;
 
 namespace {
 
-const std::string folder = POLHODE_TEST_DATA "/gromacs/";
+const std::string gromacs_data = POLHODE_TEST_DATA "/gromacs/";
 
 struct GromacsEnergies {
   double van_der_waals = 0, coulomb = 0;  // [kJ/mol]
 };
 
 GromacsEnergies gromacs_energies() {
-  std::ifstream in(folder + "energies.txt");
+  std::ifstream in(gromacs_data + "energies.txt");
   std::string head;
   std::getline(in, head);
   double time = 0, real_space = 0, mesh = 0;
@@ -43,7 +43,7 @@ TEST_CASE("salt water made with GROMACS tools has the energies of GROMACS") {
       "[system]\ntopology = \"topol.top\"\ninitial_configuration = "
       "\"conf.gro\"\n[forces]\nelectrostatics = \"pme\"\n"
       "pme_accuracy = 1e-6\ncutoff = \"0.9 nm\"\nswitch = \"0.75 nm\"\nsmoothness = 2\n",
-      folder + "system.toml"));
+      gromacs_data + "system.toml"));
   REQUIRE(system.topology.parts.size() == 3);
   CHECK(system.topology.parts[0].count == 215);
   CHECK(system.origins[0] == "rigid by settles");
