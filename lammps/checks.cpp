@@ -7,8 +7,10 @@
 #include <string_view>
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "fix.h"
+#include "force.h"
 #include "lammps.h"
 #include "modify.h"
 #include "output.h"
@@ -211,7 +213,11 @@ std::vector<int> intervals_of_fixes(const LAMMPS* lammps, const Fix* own) {
   return intervals;
 }
 
-bool are_there_other_fixes(const LAMMPS* lammps, const Fix* own) {
+bool may_read_velocities(const LAMMPS* lammps, const Fix* own) {
+  const char* const pairs = lammps->force->pair_style;
+  if (lammps->comm->ghost_velocity != 0) return true;  // for pair styles with friction
+  if (pairs != nullptr && std::string_view(pairs).starts_with("hybrid/scaled"))
+    return true;  // by a variable
   return std::ranges::any_of(lammps->modify->get_fix_list(), [&](const Fix* fix) {
     return fix != own && std::string_view(fix->style) != "property/atom";
   });

@@ -41,8 +41,9 @@ bool needs_half_step_velocities(LAMMPS_NS::LAMMPS* lammps, const LAMMPS_NS::Fix*
 /// Intervals at which fixes other than fix polhode act at the end of a step.
 std::vector<int> intervals_of_fixes(const LAMMPS_NS::LAMMPS* lammps, const LAMMPS_NS::Fix* own);
 
-/// Whether there are fixes, other than fix polhode, that may read velocities at any step.
-bool are_there_other_fixes(const LAMMPS_NS::LAMMPS* lammps, const LAMMPS_NS::Fix* own);
+/// Whether something other than output and pressures may read velocities at any step: another fix,
+/// a pair style with friction, or a variable that scales pair styles.
+bool may_read_velocities(const LAMMPS_NS::LAMMPS* lammps, const LAMMPS_NS::Fix* own);
 
 /// Checks that a run, its thermodynamic output, its dumps, and fixes that act at the end of steps
 /// are at whole steps of the scheme.

@@ -70,7 +70,7 @@ void FixPolhode::init() {
   has_pair_style_ = force->pair_match("^polhode$", 0) != nullptr;
   half_step_velocities_ = needs_half_step_velocities(lmp, this);
   other_intervals_ = intervals_of_fixes(lmp, this);
-  has_other_fixes_ = are_there_other_fixes(lmp, this);
+  others_read_velocities_ = may_read_velocities(lmp, this);
 }
 
 std::optional<double> FixPolhode::lambda_of_kicks() const {
@@ -177,11 +177,10 @@ void FixPolhode::final_integrate() {
   if (has_pair_style_ && output_is_due()) set_forces();
 }
 
-/// Whether anything may read the velocities of atoms before the end of the next step: output, a
-/// pressure, another fix, or a pair style with friction.
+/// Whether anything may read the velocities of atoms before the end of the next step.
 bool FixPolhode::velocities_are_read() const {
-  return program_.size() > 1 || has_other_fixes_ || comm->ghost_velocity != 0 ||
-         vflag_either != 0 || box_move_is_due() || output_is_due();
+  return program_.size() > 1 || others_read_velocities_ || vflag_either != 0 || box_move_is_due() ||
+         output_is_due();
 }
 
 /// A run can end within a step of the scheme, for example at a time limit.

@@ -272,14 +272,14 @@ class FixPolhode : public LAMMPS_NS::Fix {
   bool recognised_ = false;
   bool has_all_atoms_ = false;  // whether all atoms are in bodies, so that the bath conserves their
                                 // momentum
-  bool half_step_velocities_ = false;  // whether another fix needs velocities of half steps
-  bool has_other_fixes_ = false;       // which may read velocities at any step
-  bool velocities_are_old_ = false;    // whether the velocities of atoms are of an earlier step
-  bool is_run_ = false;                // whether a step began since setup()
-  bool has_pair_style_ = false;        // whether there is pair_style polhode
-  bool has_pair_loads_ = false;        // whether its loads are to be collected
-  bool sends_accelerations_ = false;   // what motion() gives
-  std::vector<int> other_intervals_;   // of fixes that act at the end of steps
+  bool half_step_velocities_ = false;    // whether another fix needs velocities of half steps
+  bool others_read_velocities_ = false;  // whether other styles may, at any step
+  bool velocities_are_old_ = false;      // whether the velocities of atoms are of an earlier step
+  bool is_run_ = false;                  // whether a step began since setup()
+  bool has_pair_style_ = false;          // whether there is pair_style polhode
+  bool has_pair_loads_ = false;          // whether its loads are to be collected
+  bool sends_accelerations_ = false;     // what motion() gives
+  std::vector<int> other_intervals_;     // of fixes that act at the end of steps
   LAMMPS_NS::bigint atoms_ = 0, sites_ = 0;  // numbers of all atoms, and of atoms in bodies
   bool virial_is_old_ = false;  // whether forces were computed without a call of setup()
   std::vector<AtomInfo> info_;  // links of local atoms to their bodies

@@ -52,7 +52,7 @@ def scale(simulation, factor):
 
 
 def series(simulation, thermostat, length, molecules):
-    """The energies of a molecule after each action: columns of time, conserved energy, potential energy and kinetic energies."""
+    """The energies after each action: columns of time, conserved energy, potential energy and kinetic energies."""
     K0 = (6 * molecules - 3) / 2 * GAS_CONSTANT * TEMPERATURE
     heat, rows = 0.0, []
     for k in range(round(1000 * length / INTERVAL)):

@@ -82,6 +82,12 @@ class Commands(RunTest):
                 self.assertLess(squares[0], 0.01**2 * squares[1], f"{form}, step {step}")
             self.lammps(self.script(form, after=some, every=60))
             self.assertEqual(self.frames("some"), {step: each[step] for step in range(0, 61, 7)})
+            # A time limit can end a run between two outputs.
+            self.lammps(self.script(form, before="timer timeout 1 every 7\n", every=10**8, steps=10**8)
+                        + "write_dump all custom end id vx vy vz modify sort id format float %.15g\ntimer timeout off\nrun 0\n"
+                          "write_dump all custom again id vx vy vz modify sort id format float %.15g\n")
+            end, again = ([x for row in next(iter(self.frames(name).values())) for x in row] for name in ("end", "again"))
+            self.assert_close(end, again, 1e-9, form)
             drag = "variable back atom -500*vx\nfix drag all addforce v_back 0 0\n"
             alone, dumped = (self.lammps(self.script(form, before=drag, after=after, every=30), ranks)[0]["TotEng"]
                              for after, ranks in (("", 1), (dump.format("each", 1), 2)))

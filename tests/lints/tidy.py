@@ -3,7 +3,7 @@
 
 Most of its time goes into headers of libraries. So sources are examined in groups, as one file that includes a copy of
 each, in which names of anonymous namespaces have a number. Sources with errors in a group are examined alone as well. Two
-headers that declare the same name are a finding. A group without findings is not examined again until one of its sources,
+headers of a group that define the same type are a finding. A group without findings is not examined again until one of its sources,
 a header or .clang-tidy changes."""
 
 import argparse
@@ -90,7 +90,7 @@ def options_of(command, folder):
 
 
 def groups(of):
-    """Kernels, and other sources, each as one list of at least SMALLEST_GROUP for each processor."""
+    """Kernels, and other sources, each as one list for each processor; lists are not shorter than SMALLEST_GROUP, but for the last."""
     of = sorted(of, key=lambda source: source.path)
     for is_kernel in (False, True):
         some = [source for source in of if source.is_kernel == is_kernel]
@@ -140,7 +140,8 @@ def examine(root, cache, group):
 def apart(root, cache, group, found):
     """What is found in a group with errors. Its sources with errors are examined alone; errors in headers are findings."""
     named = set(FAILED.findall(found))
-    alone = [source for source in group if str(source.path) in named]
+    own = tuple(f"{root}/{folder}/" for folder in HEADERS)
+    alone = [source for source in group if str(source.path) in named or not all(path.startswith(own) for path in named)]
     places = [(LOCATED.match(line), line) for line in found.splitlines(True)]
     others = "".join(line for at, line in places if at and all(at[1] != str(source.path) for source in alone))
     return others + "".join(examine(root, cache, [source]) for source in alone)
