@@ -10,7 +10,7 @@ from typing import Any
 
 from . import _core
 from ._quantities import text_of
-from ._results import Report
+from ._results import EnergySeries, Report
 from ._types import Path, Quantity
 from .errors import Error
 
@@ -20,11 +20,12 @@ __all__ = ["bias", "time_step_bias"]
 def bias(log: Path | Mapping[str, Any], temperature: Quantity | None = None, *, total: str | None = None,
          potential: str | None = None, energy_unit: str | None = None, start: float | None = None,
          stop: float | None = None) -> Report:
-    """Computes the time-step bias of averages from energies at constant energy, as ``polhode bias``.
+    """Computes the time-step bias of averages from the energies of a run, as ``polhode bias``.
 
     Args:
-        log: a file (log of LAMMPS, .xvg, CSV; .edr if pyedr is installed), or columns by name, such as a
-            dict of arrays or a DataFrame. A name may contain its unit, as in "Total Energy (kJ/mol)".
+        log: a file (log of LAMMPS, .xvg, CSV; .edr if pyedr is installed), the energies of a Run, or columns
+            by name, such as a dict of arrays or a DataFrame. A name may contain its unit, as in
+            "Total Energy (kJ/mol)".
         temperature: temperature; default: the mean of the temperature in the log
         total: column of the total energy; default: the column with a usual name
         potential: column of the potential energy; default: the column with a usual name
@@ -36,7 +37,7 @@ def bias(log: Path | Mapping[str, Any], temperature: Quantity | None = None, *, 
         Report: with the keys of ``polhode bias --json``.
 
     Raises:
-        Error: if the energy was not constant, or has too few digits.
+        Error: if columns are missing or are not numbers, or the energy was not constant or has too few digits.
     """
     given = {"temperature": text_of(temperature), "total": total, "potential": potential, "energy_unit": energy_unit,
              "start": start, "stop": stop}
@@ -46,12 +47,36 @@ def bias(log: Path | Mapping[str, Any], temperature: Quantity | None = None, *, 
         if name.lower().endswith(".edr"):
             columns = _edr(name)
     else:
-        name, columns = "columns", {title: log[title] for title in log}
-    values = [[float(x) for x in column] for column in columns.values()]
+        name, columns = "columns", _columns(log)
+    values = [_numbers(title, column) for title, column in columns.items()]
     return Report("bias", json.loads(_core.bias(name, list(map(str, columns)), values, texts)), [])
 
 
 time_step_bias = bias
+
+
+def _columns(log):
+    """The columns of a table by name."""
+    if isinstance(log, EnergySeries):
+        units = log.units()
+        return {f"{name} [{units[name]}]" if units[name] else name: log[name] for name in log.names()}
+    try:
+        titles = list(log)
+        columns = {title: log[title] for title in titles}
+    except (TypeError, KeyError, IndexError, ValueError):
+        titles, columns = [], {}
+    if not columns:
+        raise Error("the log must be a file, the energies of a Run, or columns by name, such as a DataFrame or a dict of arrays")
+    if len(columns) < len(titles):
+        raise Error("two columns have the same name; give them different names")
+    return columns
+
+
+def _numbers(title, column):
+    try:
+        return [float(x) for x in column]
+    except (TypeError, ValueError):
+        raise Error(f"the column {title!r} must be a sequence of numbers") from None
 
 
 def _edr(path):

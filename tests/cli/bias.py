@@ -77,9 +77,9 @@ class Bias(Sandbox):
         self.write("a.csv", "time,total [kJ/mol],potential [kJ/mol]\n0,1,2\n1,2,x\n")
         self.refused(("bias", "a.csv"), ["a.csv:3", "'x'"])
         self.refused(("bias", "absent.csv"), ["absent.csv"])
-        self.write("b.csv", "time,total [kJ/mol],potential [kJ/mol]\n0,1,2\n1,1.5,7\n2,1,3\n")
-        self.refused(("bias", "b.csv"), ["--temperature"])
-        self.refused(("bias", "b.csv", "--temperature", "298 K", "--start", "5"), ["no row has a time from 5"])
+        self.write("b.csv", "time,total [kJ/mol],potential [kJ/mol]\n" + "".join(f"{k},{k % 3},{k % 7}\n" for k in range(12)))
+        self.refused(("bias", "b.csv"), ["no temperature", "298 K"])
+        self.refused(("bias", "b.csv", "--temperature", "298 K", "--start", "50"), ["no row has a time from 50"])
         self.refused(("bias", "b.csv", "--temperature", "-1 K"), ["--temperature", "-1 K"])
 
 

@@ -48,6 +48,23 @@ class Bias(unittest.TestCase):
         self.assertEqual(half["temperature"], 150)
         self.assertLess(half["samples"], polhode.bias(self.columns)["samples"])
 
+    def test_energies_of_a_run_and_of_openmm(self):
+        run = polhode.Simulation(molecules="spce", count=27, cutoff="0.4 nm", switch="0.3 nm", density="1 g/cm3", step="2 fs",
+                                 minimise=True).run("2 ps")
+        found = {c["name"]: c["bias"] for c in polhode.bias(run.energies)["columns"]}
+        alone = polhode.bias({"total [kJ/mol]": run.energies["total"], "potential [kJ/mol]": run.energies["potential"],
+                              "temperature [K]": run.energies["temperature"]})
+        self.assertEqual(found["potential"], alone["columns"][0]["bias"])
+        self.assertNotIn("time", found)
+        titles = ("#\"Time (ps)\"", "Potential Energy (kJ/mole)", "Total Energy (kJ/mole)", "Temperature (K)")
+        openmm = dict(zip(titles, (run.energies[name] for name in ("time", "potential", "total", "temperature")), strict=True))
+        self.assertEqual(polhode.bias(openmm)["columns"][0]["bias"], found["potential"])
+
+    def test_what_is_no_table(self):
+        for log in ({}, None, 3, [1, 2], {"total": "words"}, {"total": 1.0}, {"total": [None]}):
+            with self.assertRaises(polhode.Error):
+                polhode.bias(log)
+
     def test_wrong_input(self):
         with self.assertRaisesRegex(polhode.Error, "equally long"):
             polhode.bias({**self.columns, "total [kJ/mol]": self.columns["total [kJ/mol]"][:-1]})

@@ -44,6 +44,14 @@ std::vector<std::string> fields_of(std::string_view line, char separator) {
   return fields;
 }
 
+/// A title without a # before it and without quotation marks around it.
+std::string bare(std::string_view title) {
+  title.remove_prefix(std::min(title.find_first_not_of("# "), title.size()));
+  if (title.size() > 1 && title.front() == '"' && title.back() == '"')
+    title = title.substr(1, title.size() - 2);
+  return std::string(title);
+}
+
 /// The text between the first pair of quotation marks.
 std::string quoted_part(std::string_view line) {
   const auto begin = line.find('"'), end = line.rfind('"');
@@ -200,12 +208,23 @@ bool has_line_starting(const std::string& text, const std::string& start) {
 
 }  // namespace
 
-LogColumn titled_column(const std::string& title) {
+LogColumn titled_column(const std::string& text) {
+  const std::string title = bare(text);
   const auto open = title.find_last_of("([");
   if (open == title.npos) return {title, "", {}};
   const auto close = title.find_first_of(")]", open);
   return {
       std::string(trimmed(title.substr(0, open))), title.substr(open + 1, close - open - 1), {}};
+}
+
+const LogColumn* EngineLog::titled(const std::string& title) const {
+  if (const LogColumn* column = find({title})) return column;
+  const LogColumn wanted = titled_column(title);
+  for (const LogColumn& column : columns)
+    if (!wanted.unit.empty() && lower(column.name) == lower(wanted.name) &&
+        column.unit == wanted.unit)
+      return &column;
+  return nullptr;
 }
 
 const LogColumn* EngineLog::find(const std::vector<std::string>& names) const {
@@ -223,6 +242,11 @@ EngineLog parse_engine_log(const std::string& text, const std::string& file) {
     log = read_xvg(lines);
   else if (has_line_starting(text, "Step "))
     log = read_lammps(lines);
+  else if (has_line_starting(text, "LAMMPS ("))
+    throw Error(
+        "the log of LAMMPS has no rows of energies; print them with the step first, as in "
+        "'thermo_style custom step temp pe etotal'",
+        file);
   else
     log = read_csv(lines);
   drop_incomplete(log);

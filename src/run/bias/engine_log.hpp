@@ -26,10 +26,13 @@ struct EngineLog {
   std::size_t samples() const { return columns.empty() ? 0 : columns.front().values.size(); }
   /// The first column with one of these names, in any letter case; null if there is none.
   const LogColumn* find(const std::vector<std::string>& names) const;
+  /// The column with this name, or with this name and unit, as in "total [kJ/mol]"; null if there
+  /// is none.
+  const LogColumn* titled(const std::string& title) const;
 };
 
 /// A column without values, from a title such as "Total Energy (kJ/mole)", "total [kJ/mol]" or
-/// "LJ (SR) (kJ/mol)".
+/// "LJ (SR) (kJ/mol)". OpenMM's first title has a # and quotation marks.
 LogColumn titled_column(const std::string& title);
 
 /// Reads a log. The contents determine the format:

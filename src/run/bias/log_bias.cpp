@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -54,31 +55,77 @@ std::vector<std::string_view> names_of(const EngineLog& log) {
 const LogColumn* column_for(const EngineLog& log, const Given& given,
                             const std::vector<std::string>& known) {
   if (!given) return log.find(known);
-  for (const std::string& name : {given.text, titled_column(given.text).name})
-    if (const LogColumn* column = log.find({name})) return column;
+  if (const LogColumn* column = log.titled(given.text)) return column;
+  if (const LogColumn* other = log.find({titled_column(given.text).name}))
+    refuse(given, fmt::format("is not a column of the log; the unit of '{}' there is {}",
+                              other->name, other->unit.empty() ? "not given" : other->unit));
   refuse(given, "is not a column of the log; it " + must_be_one_of(names_of(log), given.text));
 }
 
 const LogColumn& total_of(const EngineLog& log, const Given& given) {
   if (const LogColumn* column = column_for(log, given, total_names)) return *column;
   throw Error(fmt::format("no column has a known name of the total energy; name this column with "
-                          "--total; the columns are: {}",
+                          "the option total; the columns are: {}",
                           fmt::join(names_of(log), ", ")),
               log.file);
 }
 
+const EnergyUnit* known_unit(std::string_view name) {
+  if (name == "kJ/mole") name = "kJ/mol";
+  const auto* const unit = std::ranges::find(energy_units, name, &EnergyUnit::name);
+  return unit != std::end(energy_units) ? unit : nullptr;
+}
+
+/// Checks that another energy of the log has the unit of the total energy.
+void check_unit(const EngineLog& log, const LogColumn* other, const LogColumn& total) {
+  const EnergyUnit *unit = known_unit(total.unit),
+                   *of_other = other ? known_unit(other->unit) : nullptr;
+  if (unit == nullptr || of_other == nullptr || unit == of_other) return;
+  throw Error(fmt::format("'{}' is in {}, but '{}' is in {}; convert one of them", other->name,
+                          other->unit, total.name, total.unit),
+              log.file);
+}
+
+/// Checks that there are enough rows, and that they are in the order of time.
+void check_rows(const EngineLog& log, const LogColumn* time) {
+  constexpr std::size_t fewest = 10;
+  if (log.samples() < fewest)
+    throw Error(fmt::format("the log has {} rows, and at least {} are needed; print energies every "
+                            "5 to 20 fs for 20 to 100 ps",
+                            log.samples(), fewest),
+                log.file);
+  if (time == nullptr) return;
+  const auto later = std::ranges::adjacent_find(time->values, std::greater<>());
+  if (later != time->values.end())
+    throw Error(fmt::format("'{}' has {:g} before {:g}; sort the rows by time", time->name, *later,
+                            *(later + 1)),
+                log.file);
+}
+
+/// Checks that no other column has the name of this one, unless the unit was given, too.
+void check_unique(const EngineLog& log, const LogColumn* column, const Given& given) {
+  if (column == nullptr || !titled_column(given.text).unit.empty()) return;
+  if (std::ranges::count(log.columns, column->name, &LogColumn::name) > 1)
+    throw Error(
+        fmt::format("several columns are called '{}'; give them different names", column->name),
+        log.file);
+}
+
 const EnergyUnit& unit_of(const LogColumn& total, const BiasRequest& request,
                           const EngineLog& log) {
-  std::string name = request.energy_unit ? request.energy_unit.text : total.unit;
-  if (name == "kJ/mole") name = "kJ/mol";
-  for (const EnergyUnit& unit : energy_units)
-    if (name == unit.name) return unit;
+  const EnergyUnit* const in_log = known_unit(total.unit);
+  const EnergyUnit* const unit =
+      request.energy_unit ? known_unit(request.energy_unit.text) : in_log;
+  if (unit != nullptr && in_log != nullptr && unit != in_log)
+    refuse(request.energy_unit,
+           fmt::format("contradicts the unit of '{}' in the log, {}; leave it out", total.name,
+                       total.unit));
+  if (unit != nullptr) return *unit;
   if (request.energy_unit)
     refuse(request.energy_unit, "is not known; write kJ/mol, kcal/mol, eV or lj");
   throw Error(
       fmt::format(
-          "the unit of '{}' is {}; give the unit with --energy-unit as kJ/mol, kcal/mol, eV or lj",
-          total.name,
+          "the unit of '{}' is {}; give the energy unit as kJ/mol, kcal/mol, eV or lj", total.name,
           total.unit.empty() ? "not in the file" : "'" + total.unit + "', which is not known"),
       log.file);
 }
@@ -227,10 +274,14 @@ double temperature_of(const EngineLog& log, const BiasRequest& request, const En
   if (request.temperature)
     return unit.boltzmann == 1 ? given_number(request.temperature, 1e-6, 1e6)
                                : given_positive(request.temperature, Dimension::temperature);
-  if (const LogColumn* temperature = log.find(temperature_names))
-    return mean_of(temperature->values);
-  throw Error("the log has no temperature; give the temperature with --temperature \"298 K\"",
-              log.file);
+  const LogColumn* temperature = log.find(temperature_names);
+  if (temperature == nullptr)
+    throw Error("the log has no temperature; give the temperature, such as \"298 K\"", log.file);
+  if (!temperature->unit.empty() && temperature->unit != "K" && unit.boltzmann != 1)
+    throw Error(fmt::format("'{}' is in {}; give the temperature in K, such as \"298 K\"",
+                            temperature->name, temperature->unit),
+                log.file);
+  return mean_of(temperature->values);
 }
 
 SeriesEstimate deviation_of(std::span<const double> deviations) {
@@ -304,6 +355,11 @@ LogBias log_bias(const EngineLog& whole, const BiasRequest& request) {
   const EngineLog log = within(whole, whole.find(time_names), request);
   const LogColumn& total = total_of(log, request.total);
   const LogColumn* potential = column_for(log, request.potential, potential_names);
+  check_rows(log, log.find(time_names));
+  check_unique(log, &total, request.total);
+  check_unique(log, potential, request.potential);
+  check_unit(log, potential, total);
+  check_unit(log, log.find(conserved_names), total);
   const EnergyUnit& unit = unit_of(total, request, log);
   LogBias b{
       .format = log.format, .energy_unit = unit.name, .samples = log.samples(), .notes = log.notes};

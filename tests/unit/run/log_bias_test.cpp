@@ -231,11 +231,43 @@ TEST_CASE("logs from which no bias follows are refused with the reason") {
   }
   SUBCASE("no temperature") {
     made.columns.pop_back();
-    check_error([&] { log_bias(made, {}); }, {"--temperature \"298 K\""});
+    check_error([&] { log_bias(made, {}); }, {"no temperature", "\"298 K\""});
   }
   SUBCASE("an unknown unit") {
     made.columns[1].unit = "erg";
-    check_error([&] { log_bias(made, {}); }, {"'erg', which is not known", "--energy-unit"});
+    check_error([&] { log_bias(made, {}); }, {"'erg', which is not known", "energy unit"});
+  }
+  SUBCASE("two units") {
+    made.columns[2].unit = "kcal/mol";
+    check_error([&] { log_bias(made, {}); }, {"'potential' is in kcal/mol", "convert one of them"});
+  }
+  SUBCASE("a unit that contradicts the log") {
+    BiasRequest request;
+    request.energy_unit = {"kcal/mol", "--energy-unit"};
+    check_error([&] { log_bias(made, request); }, {"contradicts the unit of 'total'", "kJ/mol"});
+    request = {};
+    request.total = {"total [eV]", "--total"};
+    check_error([&] { log_bias(made, request); }, {"the unit of 'total' there is kJ/mol"});
+  }
+  SUBCASE("a temperature in degrees Celsius") {
+    made.columns.back().unit = "C";
+    check_error([&] { log_bias(made, {}); }, {"is in C", "298 K"});
+  }
+  SUBCASE("two columns of one name") {
+    made.columns.push_back(made.columns[1]);
+    check_error([&] { log_bias(made, {}); }, {"several columns are called 'total'"});
+  }
+  SUBCASE("rows that are not in the order of time") {
+    std::swap(made.columns[0].values[5], made.columns[0].values[9]);
+    check_error([&] { log_bias(made, {}); }, {"sort the rows by time"});
+  }
+  SUBCASE("few rows") {
+    for (LogColumn& column : made.columns) column.values.resize(2);
+    check_error([&] { log_bias(made, {}); }, {"the log has 2 rows", "at least 10"});
+  }
+  SUBCASE("a log of LAMMPS without the step") {
+    check_error([] { parse_engine_log("LAMMPS (22 Jul 2025)\nTime Temp\n0 1\n", "log"); },
+                {"thermo_style custom step"});
   }
   SUBCASE("an incomplete row") {
     check_error([] { parse_engine_log("time,total,potential\n1,2,3\n1,2\n", "a.csv"); },
