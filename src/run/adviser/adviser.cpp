@@ -82,6 +82,11 @@ class Adviser {
     for (const NamedScheme& scheme : settings.schemes)
       advice_.candidates.push_back({label_of(scheme), single_scheme_of(scheme), {}, {}, 0, 0, {}});
     settled_.resize(advice_.candidates.size());
+    const DegreesOfFreedom n = degrees_of_freedom(base_.topology);
+    if (settings.criterion.quality == Quality::temperature_difference && n.all() == n.translation)
+      throw Error(
+          "no molecule rotates, so there is no difference between the temperatures of rotation and "
+          "translation; bound the bias of the energy (\"energy 0.01 kJ/mol\") or R (\"0.5 %\")");
   }
 
   Advice advice() {
@@ -230,7 +235,7 @@ class Adviser {
   }
 
   void judge(AdviserPoint& point) const {
-    point.bound = upper_bound(settings_.criterion.quality, point.runs);
+    point.bound = upper_bound(settings_.criterion, point.runs);
     point.usable = !blew_up(point.runs) && !drifts(point.runs, significance_level);
   }
 

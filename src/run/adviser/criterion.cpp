@@ -8,6 +8,7 @@
 #include "math/prediction.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
+#include "run/simulation/report/warning_rules.hpp"
 
 namespace polhode {
 
@@ -142,6 +143,14 @@ double upper_bound(Quality quality, const std::vector<Outcome>& runs) {
     }
   }
   return 0;
+}
+
+double upper_bound(const Criterion& criterion, const std::vector<Outcome>& runs) {
+  const double bound = upper_bound(criterion.quality, runs);
+  constexpr std::array predicted{Quality::temperature_difference, Quality::energy_bias,
+                                 Quality::pressure_bias};
+  if (std::ranges::find(predicted, criterion.quality) == predicted.end()) return bound;
+  return std::max(bound, criterion.bound * upper_bound(Quality::ratio, runs) / max_ratio);
 }
 
 Estimate AdviserPoint::ratio() const {

@@ -40,6 +40,16 @@ TEST_CASE(
   CHECK(!may_meet({Quality::ratio, whole * (1 - 1e-12)}, runs, 1));
 }
 
+TEST_CASE("a bias is bounded only where R is small enough for its prediction") {
+  std::vector<Outcome> runs = scattered_ratios(0);
+  for (Outcome& run : runs) run.energy_bias = 0.001;
+  const Criterion criterion{Quality::energy_bias, 0.01};
+  CHECK(upper_bound(criterion, runs) == upper_bound(Quality::energy_bias, runs));
+  for (Outcome& run : runs) run.ratio = 0.06;  // a run warns above 5 %
+  CHECK(upper_bound(criterion, runs) == doctest::Approx(0.01 * 0.06 / 0.05));
+  CHECK(upper_bound({Quality::drift, 0.01}, runs) == upper_bound(Quality::drift, runs));
+}
+
 // n runs, all but one equal: that one is δ above them, 1 − 1/n above the mean of the logarithms,
 // and no set of n has a larger deviation in units of its scatter δ/√n. The bound is 1/n + t √(n +
 // 1)/n times δ above the others, for n = 8 by 1/8 + 3 t(7)/8 = 1.0117.

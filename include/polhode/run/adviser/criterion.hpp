@@ -77,6 +77,11 @@ inline constexpr double guarantee_probability = 0.975;
 /// in quadrature. The bound is infinite if a run blew up.
 double upper_bound(Quality quality, const std::vector<Outcome>& runs);
 
+/// The upper bound of the quality that a criterion bounds. The prediction of a bias requires a
+/// small R: with the bound on R that causes a warning, the result is at least the bound of the
+/// criterion.
+double upper_bound(const Criterion& criterion, const std::vector<Outcome>& runs);
+
 /// The smallest upper_bound() of R that the full-length runs can still have, given the R of their
 /// first part. R grows with the length of a run. The scatter of R decreases at most as the square
 /// root of the length, as for independent parts.

@@ -25,7 +25,6 @@ namespace {
 constexpr double min_temperature_difference = 0.01;  // relative to the requested temperature
 constexpr double min_ignored_difference = 0.02;      // relative to the requested temperature, if
                                                      // this temperature had no effect on the run
-constexpr double max_ratio = 0.05;                   // bound on R
 constexpr double min_drift_share = 0.5;              // relative to R
 constexpr double min_drift_ratio = 0.001;            // relative to the fluctuation of the potential
                                                      // energy
