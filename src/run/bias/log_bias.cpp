@@ -308,11 +308,12 @@ void check_bath(LogBias& b) {
   for (const ColumnBias& c : b.columns)
     if (is_one_of({c.name, "", {}}, temperature_names) &&
         std::abs(c.bias.value) > 5 * c.bias.error + b.temperature / 300)
-      b.warnings.push_back(
-          fmt::format("the temperature has a bias of {:.2g} K, but this bias must be 0: the "
-                      "thermostat acts on single momenta (Langevin, Andersen), or the kinetic "
-                      "energy is averaged over half steps; use a log at constant energy",
-                      c.bias.value));
+      b.warnings.push_back(fmt::format(
+          "the temperature has a bias of {:.2g} K, but this bias must be 0: the "
+          "thermostat acts on single momenta (Langevin, Andersen) or is not canonical "
+          "(Berendsen), or the kinetic energy is averaged over half steps; use a log at "
+          "constant energy",
+          c.bias.value));
 }
 
 /// @param name  column whose bias must be precise
