@@ -20,7 +20,7 @@ constexpr double far = 3;
 /// significance level, because slopes are tested in every run.
 constexpr double significance_level = 0.001;
 
-/// The largest R of a run without a warning. Predictions of the time-step bias hold below it.
+/// The largest R of a run without a warning. Predictions of the time-step bias are used below it.
 constexpr double max_ratio = 0.05;
 
 /// "warning: text; remedy".
