@@ -142,7 +142,7 @@ class Advise(Sandbox):
 
     def test_bias_in_the_ensemble_of_the_run(self):
         """At constant temperature the bias of the energy is larger than at constant energy, so the step is shorter; other ensembles are refused."""
-        rescaling, bound = '[thermostat]\ntype = "rescaling"\n', ("--bias", "energy 0.01 kJ/mol", "--force", "--schemes", "velocity-verlet")
+        rescaling, bound = '[thermostat]\ntype = "rescaling"\n', ("--bias", "energy 0.002 kJ/mol", "--force", "--schemes", "velocity-verlet")
         steps = [self.advice(GAS + tables, *bound)["best"]["step_fs"] for tables in ("", rescaling)]
         self.assertLess(steps[1], steps[0])
         process = self.done("advise", GAS + rescaling, *bound)

@@ -82,11 +82,7 @@ class Adviser {
     for (const NamedScheme& scheme : settings.schemes)
       advice_.candidates.push_back({label_of(scheme), single_scheme_of(scheme), {}, {}, 0, 0, {}});
     settled_.resize(advice_.candidates.size());
-    const DegreesOfFreedom n = degrees_of_freedom(base_.topology);
-    if (settings.criterion.quality == Quality::temperature_difference && n.all() == n.translation)
-      throw Error(
-          "no molecule rotates, so there is no difference between the temperatures of rotation and "
-          "translation; bound the bias of the energy (\"energy 0.01 kJ/mol\") or R (\"0.5 %\")");
+    check_criterion(settings.criterion, base_.topology);
   }
 
   Advice advice() {
@@ -105,7 +101,6 @@ class Adviser {
     effort_.expect(std::max(min_work(), budget(1) / evaluation_ - effort_.done()));
     prepare_conversion();
     if (stop()) return stopped_advice();
-
     confirm();
     if (stop()) return stopped_advice();
     for (std::size_t c = 0; c < settled_.size(); ++c)

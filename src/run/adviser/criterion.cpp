@@ -73,6 +73,14 @@ Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& e
   return {Quality::pressure_bias, requirement.bound / ensemble.barostat->compressibility};
 }
 
+void check_criterion(const Criterion& criterion, const Topology& topology) {
+  const DegreesOfFreedom n = degrees_of_freedom(topology);
+  if (criterion.quality == Quality::temperature_difference && n.all() == n.translation)
+    throw Error(
+        "no molecule rotates, so there is no difference between the temperatures of rotation and "
+        "translation; bound the bias of the energy (\"energy 0.01 kJ/mol\") or R (\"0.5 %\")");
+}
+
 namespace {
 
 /// A confidence bound on the magnitude of a mean, for values that also have a common error.

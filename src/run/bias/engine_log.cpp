@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/bias/engine_log.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
@@ -117,7 +117,8 @@ EngineLog read_csv(Lines& lines) {
   char separator = ',';
   while (const auto line = lines.next()) {
     if (trimmed(*line).empty()) continue;
-    if (log.columns.empty()) {
+    const bool is_comment = line->starts_with('#') && line->find_first_of(",;\t") == line->npos;
+    if (log.columns.empty() && !is_comment) {
       const auto start = line->find_first_not_of("# ");
       const std::string_view head = line->substr(std::min(start, line->size()));
       separator = *std::ranges::max_element(std::string_view(",;\t"), {},
@@ -190,11 +191,15 @@ EngineLog read_lammps(Lines& lines) {
 
 /// Removes columns with empty fields: such quantities were not sampled in every row.
 void drop_incomplete(EngineLog& log) {
-  const auto dropped = std::erase_if(log.columns, [](const LogColumn& c) {
-    return std::ranges::any_of(c.values, [](double x) { return std::isnan(x); });
+  std::vector<std::string> dropped;
+  std::erase_if(log.columns, [&](const LogColumn& c) {
+    const bool has_gap = std::ranges::any_of(c.values, [](double x) { return std::isnan(x); });
+    if (has_gap) dropped.push_back(c.name);
+    return has_gap;
   });
-  if (dropped > 0)
-    log.notes.push_back(fmt::format("columns with empty fields are left out ({})", dropped));
+  if (!dropped.empty())
+    log.notes.push_back(
+        fmt::format("columns with empty fields are left out: {}", fmt::join(dropped, ", ")));
 }
 
 bool has_line_starting(const std::string& text, const std::string& start) {

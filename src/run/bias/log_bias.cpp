@@ -65,8 +65,9 @@ const LogColumn* column_for(const EngineLog& log, const Given& given,
 const LogColumn& total_of(const EngineLog& log, const Given& given) {
   if (const LogColumn* column = column_for(log, given, total_names)) return *column;
   throw Error(fmt::format("no column has a known name of the total energy; name this column with "
-                          "the option total; the columns are: {}",
-                          fmt::join(names_of(log), ", ")),
+                          "the option total; the columns are: {}{}",
+                          fmt::join(names_of(log), ", "),
+                          log.notes.empty() ? "" : "; " + log.notes.front()),
               log.file);
 }
 

@@ -237,6 +237,31 @@ TEST_CASE("logs from which no bias follows are refused with the reason") {
     made.columns[1].unit = "erg";
     check_error([&] { log_bias(made, {}); }, {"'erg', which is not known", "energy unit"});
   }
+  SUBCASE("a log of LAMMPS without the step") {
+    check_error([] { parse_engine_log("LAMMPS (22 Jul 2025)\nTime Temp\n0 1\n", "log"); },
+                {"thermo_style custom step"});
+  }
+  SUBCASE("an incomplete row") {
+    check_error([] { parse_engine_log("time,total,potential\n1,2,3\n1,2\n", "a.csv"); },
+                {"2 fields; it must have 3", "a.csv:3"});
+  }
+  SUBCASE("a total energy with a gap") {
+    const EngineLog log =
+        parse_engine_log("# made by hand\ntime,total,potential\n1,2,3\n2,,3\n", "a.csv");
+    CHECK(log.columns.front().name == "time");
+    check_error([&] { log_bias(log, {}); },
+                {"no column has a known name", "empty fields are left out: total"});
+  }
+  SUBCASE("no rows") {
+    check_error([] { parse_engine_log("", "a.csv"); }, {"no rows of energies"});
+  }
+  SUBCASE("a binary file") {
+    check_error([] { read_engine_log("x.edr"); }, {"gmx energy"});
+  }
+}
+
+TEST_CASE("logs whose units, names or rows contradict each other are refused") {
+  EngineLog made = made_up(1, 400, 2);
   SUBCASE("two units") {
     made.columns[2].unit = "kcal/mol";
     check_error([&] { log_bias(made, {}); }, {"'potential' is in kcal/mol", "convert one of them"});
@@ -264,20 +289,6 @@ TEST_CASE("logs from which no bias follows are refused with the reason") {
   SUBCASE("few rows") {
     for (LogColumn& column : made.columns) column.values.resize(2);
     check_error([&] { log_bias(made, {}); }, {"the log has 2 rows", "at least 10"});
-  }
-  SUBCASE("a log of LAMMPS without the step") {
-    check_error([] { parse_engine_log("LAMMPS (22 Jul 2025)\nTime Temp\n0 1\n", "log"); },
-                {"thermo_style custom step"});
-  }
-  SUBCASE("an incomplete row") {
-    check_error([] { parse_engine_log("time,total,potential\n1,2,3\n1,2\n", "a.csv"); },
-                {"2 fields; it must have 3", "a.csv:3"});
-  }
-  SUBCASE("no rows") {
-    check_error([] { parse_engine_log("", "a.csv"); }, {"no rows of energies"});
-  }
-  SUBCASE("a binary file") {
-    check_error([] { read_engine_log("x.edr"); }, {"gmx energy"});
   }
 }
 

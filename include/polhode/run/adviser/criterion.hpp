@@ -64,6 +64,10 @@ struct Criterion {
 ///   bounded in an ensemble in which the bias is not known
 Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& ensemble);
 
+/// @throws Error  if a difference between temperatures of rotation and translation is bounded, but
+///   no molecule rotates
+void check_criterion(const Criterion& criterion, const Topology& topology);
+
 /// Probability with which each new run is to meet the requirement. The aim is that 95 of 100 new
 /// runs meet the requirement. If each run meets the requirement with a probability of 0.975, fewer
 /// than 95 of 100 runs do so in only 5 % of cases.
