@@ -2,8 +2,8 @@
 """The time-step bias of the potential energy with Langevin thermostats of different friction: velocity Verlet at 4 fs, with the thermostat at both ends of a step.
 
 Theory: friction that is slow against all exchange of energy leads to the bias of a rescaling thermostat. The reference is velocity rescaling at 0.5 fs. Each
-seed equilibrates its own liquid, from which all runs continue. The criterion, fixed before the runs: the bias at the smallest friction agrees with the bias of
-rescaling at 4 fs within three standard errors of their difference; all other rows are reported as they are."""
+seed equilibrates its own liquid, from which all runs continue. The criterion was fixed before the runs. The bias at the smallest friction agrees with the bias of
+rescaling at 4 fs within three standard errors of their difference. All other rows are reported as they are."""
 
 from pathlib import Path
 

@@ -2,8 +2,9 @@
 """Whether `polhode.bias` corrects averages with Nosé-Hoover and Berendsen thermostats: velocity Verlet at 4 fs against 0.5 fs, over many seeds.
 
 Needs the Python package. The thermostats multiply all momenta by one factor every 8 fs, at constant energy between these times; they are written here, so no
-code of polhode knows about them. Each seed equilibrates its own liquid and continues from there with both steps. The criterion, fixed before the runs: the mean
-difference of each corrected average is within three of its standard errors of zero, and the mean difference of the potential energy without the correction is not."""
+code of polhode knows about them. Each seed equilibrates its own liquid and continues from there with both steps. The criterion was
+fixed before the runs. The mean difference of each corrected average is within three of its standard errors of zero. The mean difference of the potential energy
+without the correction is not."""
 
 from concurrent.futures import ProcessPoolExecutor
 from functools import partial
