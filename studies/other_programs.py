@@ -6,6 +6,7 @@ Criteria, stated before the data. All are in combined standard errors, and the b
 2. At constant energy, programs with velocity Verlet agree with velocity-verlet of polhode at the same step: in U, in T_rot - T_trans, and in the
    biases of both that `polhode bias` computes from the energies of each program. So does gier4-fd of polhode in LAMMPS.
 3. At constant temperature U and T_rot - T_trans agree with the counterpart in polhode at the same step (COUNTERPARTS).
+4. At constant temperature and pressure the density agrees with this counterpart, too.
 All points of an ensemble have the same length. Programs that are not installed are skipped."""
 
 import os
@@ -37,6 +38,7 @@ class Case(NamedTuple):
     thermostat: str  # none: constant energy
     step: float  # [fs]
     repartitioned: bool = False
+    barostat: str = ""  # none: constant volume
 
 
 CONSTANT_ENERGY = (("polhode", "velocity-verlet"), ("GROMACS", "md-vv"), ("OpenMM", "Verlet"), ("LAMMPS", "rigid/nve/small"))
@@ -47,12 +49,19 @@ CONSTANT_TEMPERATURE = (("polhode", "velocity-verlet", "rescaling"), ("polhode",
 # The run of polhode that a run at constant temperature is compared with, and why it is the counterpart.
 COUNTERPARTS = {("GROMACS", "md", "v-rescale"): ("baoab", "langevin"), ("GROMACS", "md-vv", "v-rescale"): ("velocity-verlet", "rescaling"),
                 ("GROMACS", "md-vv", "nose-hoover"): ("velocity-verlet", "rescaling"), ("LAMMPS", "shake nvt", "nose-hoover"): ("velocity-verlet", "rescaling"),
-                ("LAMMPS", "rigid/nvt/small", "nose-hoover"): ("velocity-verlet", "separate"), ("OpenMM", "LangevinMiddle", "langevin"): ("baoab", "langevin")}
+                ("LAMMPS", "rigid/nvt/small", "nose-hoover"): ("velocity-verlet", "separate"), ("OpenMM", "LangevinMiddle", "langevin"): ("baoab", "langevin"),
+                ("LAMMPS", "shake npt", "nose-hoover"): ("velocity-verlet", "rescaling"),
+                ("LAMMPS", "rigid/npt/small", "nose-hoover"): ("baoab", "langevin")}  # its thermostat controls velocities of half steps
+# The same at 1 bar. The fixes of LAMMPS have thermostat and barostat in one, and Langevin dynamics of OpenMM has Monte Carlo moves of the volume.
+CONSTANT_PRESSURE = (("polhode", "velocity-verlet", "rescaling", "cell-rescaling"), ("polhode", "baoab", "langevin", "cell-rescaling"), ("GROMACS", "md", "v-rescale", "c-rescale"),
+                     ("GROMACS", "md-vv", "v-rescale", "c-rescale"), ("OpenMM", "LangevinMiddle", "langevin", "monte-carlo"),
+                     ("LAMMPS", "rigid/npt/small", "nose-hoover", "nose-hoover"), ("LAMMPS", "shake npt", "nose-hoover", "nose-hoover"))
 REPARTITIONED = (Case("polhode", "velocity-verlet", "rescaling", 4, True), Case("GROMACS", "md-vv", "v-rescale", 4, True))
 # At constant temperature the errors exceed the bias of 0.5 and 1 fs. Cheap runs come first, and the longest ones last.
 CASES = sorted([*(Case(*of, "", step) for step in (4, 2, 1, 0.5) for of in CONSTANT_ENERGY), *(Case(*of, step) for step in (4, 2) for of in CONSTANT_TEMPERATURE),
-                Case("polhode", "gier4-fd", "", 4), Case("polhode", "gier4-fd", "rescaling", 4), *REPARTITIONED, *PLUGIN],
-               key=lambda case: {"polhode": 1, "GROMACS": 1, "OpenMM": 4, "LAMMPS": 8}[case.program] * (2 if case.thermostat else 1) / case.step)
+                Case("polhode", "gier4-fd", "", 4), Case("polhode", "gier4-fd", "rescaling", 4), *REPARTITIONED, *PLUGIN,
+                *(Case(*of, step, barostat=barostat) for step in (4, 2) for *of, barostat in (*CONSTANT_PRESSURE, ("polhode", "gier4-fd", "rescaling", "cell-rescaling")))],
+               key=lambda case: {"polhode": 1, "GROMACS": 1, "OpenMM": 4, "LAMMPS": 8}[case.program] * (20 if case.barostat else 2 if case.thermostat else 1) / case.step)
 RUNNERS = {"polhode": inputs.polhode, "GROMACS": inputs.gromacs, "LAMMPS": inputs.lammps, "OpenMM": inputs.openmm}
 
 
@@ -80,7 +89,7 @@ def bias(o, name, columns, case):
 
 
 def file_name(case):
-    return "-".join([*case[:3], f"{case.step:g}", *(["heavy"] if case.repartitioned else [])]).replace("/", "-").replace(" ", "-").lower()
+    return "-".join([*case[:3], f"{case.step:g}", *(["heavy"] if case.repartitioned else []), *(["1-bar"] if case.barostat else [])]).replace("/", "-").replace(" ", "-").lower()
 
 
 def point(o, case):
@@ -89,7 +98,7 @@ def point(o, case):
 
     def made():
         columns, extra = RUNNERS[case.program](o, case, name)
-        kept = columns["time"] >= o.discard - 1e-9
+        kept = columns["time"] >= o.unused(case) - 1e-9
         columns = {key: np.asarray(x, dtype=float)[kept] for key, x in columns.items()}
         for ending in ("", "_half"):
             if f"T_rot{ending}" in columns:
@@ -126,8 +135,9 @@ def published():
 
 
 def measured(o):
-    o.total = lambda case: o.discard + (o.canonical if case.thermostat else o.length)
-    o.sample = lambda case: 40 if case.thermostat else 8
+    o.unused = lambda case: o.discard * (5 if case.barostat else 1)  # a volume equilibrates slowly
+    o.total = lambda case: o.unused(case) + (o.isobaric if case.barostat else o.canonical if case.thermostat else o.length)
+    o.sample = lambda case: 200 if case.barostat else 40 if case.thermostat else 8
     o.gmx, o.lmp, o.openmm = (shutil.which(name) if name else None for name in (o.gmx, o.lmp, o.openmm))
     if o.openmm and subprocess.run([o.openmm, "-c", "import openmm"], capture_output=True, check=False).returncode:
         o.openmm = None
@@ -141,7 +151,7 @@ def measured(o):
             cases = [case for case in cases if (o.folder / f"{file_name(case)}-point.json").exists()]
         energies = runs.kept(o.folder, "energies", lambda: inputs.energies(o))
         points = runs.parallel(o, lambda case: point(o, case), cases)
-        return {"versions": versions(o), "length_ps": o.length, "canonical_ps": o.canonical, "discard_ps": o.discard, "energies": energies,
+        return {"versions": versions(o), "length_ps": o.length, "canonical_ps": o.canonical, "isobaric_ps": o.isobaric, "discard_ps": o.discard, "energies": energies,
                 "excluded_pairs_GROMACS": inputs.excluded_pairs(),
                 "velocities_in_files_GROMACS": inputs.gromacs_energies(o) if o.gmx else None, "points": points, "published": published()}
 
@@ -171,6 +181,11 @@ def of_bias(p, name):
     return [found["value"], found["error"]] if found else None
 
 
+def barostat_of(p):
+    """Records of 2026-11-27 have none."""
+    return p.get("barostat", "")
+
+
 def deviation(a, b):
     return (a[0] - b[0]) / hypot(a[1], b[1])
 
@@ -187,7 +202,7 @@ def energy_table(result):
 
 
 def temperature_table(result):
-    of = [p for p in result["points"] if p["thermostat"]]
+    of = [p for p in result["points"] if p["thermostat"] and not barostat_of(p)]
     both = lambda p, ending: f"{text(p['T_trans' + ending], 1)}, {text(p['T_rot' + ending], 1)}" if "T_rot" + ending in p else ""
     return study.table(
         ["program, integrator", "thermostat", "step [fs]", "U [kJ/mol]", "T_trans, T_rot of full steps [K]", "of half steps [K]", "pressure [bar]"],
@@ -195,17 +210,30 @@ def temperature_table(result):
          for p in sorted(of, key=lambda p: (p["repartitioned"], p["step"], p["program"] != "polhode"))])
 
 
+def pressure_table(result):
+    of = [p for p in result["points"] if barostat_of(p)]
+    own = next((p["density"] for p in of if p["integrator"] == "gier4-fd" and p["step"] == 4), None)
+    change = lambda p: [100 * (p["density"][0] / own[0] - 1), 100 * hypot(p["density"][1], own[1]) / own[0]]
+    return study.table(
+        ["program, integrator", "thermostat", "barostat", "step [fs]", "density [kg/m3]", "minus gier4-fd at 4 fs [%]", "U [kJ/mol]"],
+        [[name_of(p), p["thermostat"], p["barostat"], f"{p['step']:g}", text(p["density"], 1), text(change(p), 2), text(potential(result, p), 3)]
+         for p in sorted(of, key=lambda p: (p["step"], p["program"] != "polhode"))]) if own else ""
+
+
 def comparisons(result):
-    """(program, step, quantity, deviation in combined standard errors) of all criteria 2 and 3."""
-    points = {(p["program"], p["integrator"], p["thermostat"], p["step"], p["repartitioned"]): p for p in result["points"]}
+    """(program, step, quantity, deviation in combined standard errors) of criteria 2 to 4."""
+    points = {(p["program"], p["integrator"], p["thermostat"], p["step"], p["repartitioned"], bool(barostat_of(p))): p for p in result["points"]}
     found = []
     for key, p in points.items():
-        program, integrator, thermostat, step, heavy = key
+        program, integrator, thermostat, step, heavy, at_pressure = key
         if program == "polhode":
             continue
         own = COUNTERPARTS[program, integrator, thermostat] if thermostat else ("gier4-fd" if "gier4-fd" in integrator else "velocity-verlet", "")
-        other = points.get(("polhode", *own, step, heavy))
+        other = points.get(("polhode", *own, step, heavy, at_pressure))
         if not other:
+            continue
+        if at_pressure:
+            found.append((p, other, "density", deviation(p["density"], other["density"])))
             continue
         found.append((p, other, "U", deviation(potential(result, p), potential(result, other))))
         ending = "" if "difference" in p and "difference" in other else None
@@ -220,9 +248,9 @@ def comparisons(result):
 def agreement_table(result):
     rows = {}
     for p, other, quantity, d in comparisons(result):
-        key = (name_of(p), p["thermostat"] or "constant energy", f"{p['step']:g}", f"{other['integrator']} {other['thermostat']}".strip())
+        key = (name_of(p), p["thermostat"] + (", 1 bar" if barostat_of(p) else "") or "constant energy", f"{p['step']:g}", f"{other['integrator']} {other['thermostat']}".strip())
         rows.setdefault(key, {})[quantity] = f"**{d:+.1f}**" if abs(d) > BOUND else f"{d:+.1f}"
-    names = ("U", "T_rot − T_trans", "bias of U", "bias of T_rot − T_trans")
+    names = ("U", "T_rot − T_trans", "bias of U", "bias of T_rot − T_trans", "density")
     return study.table(["program, integrator", "thermostat", "step [fs]", "polhode", *names],
                        [[*key, *(values.get(name, "") for name in names)] for key, values in sorted(rows.items(), key=lambda r: (r[0][1], float(r[0][2]), r[0][0]))])
 
@@ -232,7 +260,7 @@ def report(result):
     lines = [[program, f"{u:.5f}", f"{u - (result['excluded_pairs_GROMACS'] if program == 'GROMACS' else 0) - own:+.6f}"]
              for program, u in result["energies"].items()]
     tables = [study.table(["program", "U of the initial configuration [kJ/mol]", "deviation"], lines), energy_table(result), temperature_table(result),
-              agreement_table(result)]
+              pressure_table(result), agreement_table(result)]
     if result["published"]:
         tables.append(study.table(["T [K]", "program", "step [fs]", "U minus Monte Carlo [kJ/mol]"],
                                   [[p["temperature"], p["program"], f"{p['step']:g}", f"{p['difference']:+.3f}"] for p in result["published"]]))
@@ -272,9 +300,9 @@ def draw(result):
 
 
 def main():
-    o = study.options(__doc__, {"length": 0.8, "canonical": 2.0, "discard": 0.2, "equilibrate": 0.2},
-                      length=(40.0, "length at constant energy [ps]"), canonical=(80.0, "length at constant temperature [ps]"),
-                      discard=(4.0, "length that is not used, of each run [ps]"), equilibrate=(20.0, "length of the equilibration [ps]"),
+    o = study.options(__doc__, {"length": 0.8, "canonical": 2.0, "isobaric": 4.0, "discard": 0.2, "equilibrate": 0.2},
+                      length=(40.0, "length at constant energy [ps]"), canonical=(80.0, "length at constant temperature [ps]"), isobaric=(800.0, "length at constant pressure [ps]"),
+                      discard=(4.0, "length that is not used, of each run [ps]; at constant pressure five times as long"), equilibrate=(20.0, "length of the equilibration [ps]"),
                       finished=(False, "use only the finished runs in --folder"), gmx=("gmx", "GROMACS"), lmp=("lmp", "LAMMPS"), plugin=("", "polhodeplugin.so of this LAMMPS; empty: no runs of it"),
                       openmm=("python3", "a Python that has OpenMM"))
     study.perform(o, measured, report, draw)

@@ -18,10 +18,17 @@ from other_programs_openmm import configuration, kicked, split
 COUNT, TEMPERATURE, CUTOFF, SWITCH = 216, 298.15, 0.85, 0.7225  # molecules, [K], [nm], [nm]
 FORCES = {"truncation": "site-shift", "electrostatics": "reaction-field", "dielectric": "infinite", "cutoff": f"{CUTOFF} nm", "precision": "mixed"}
 TIME_CONSTANT = 0.1  # of all thermostats but Langevin [ps]
+VOLUME_TIME, COMPRESSIBILITY = 1.0, 4.6e-5  # time constant of barostats [ps], [1/bar]
+WATER = 18.0154 * 1.66053907  # mass of a molecule over its volume in nm³ [kg/m³]
 MASSES = (15.9994, 1.008, 1.008)  # of the molecule file [u]
 REPARTITIONED = (11.9674, 3.024, 3.024)  # three times the mass of hydrogen
 TRANSLATION, ROTATION = 3 * COUNT - 3, 3 * COUNT  # degrees of freedom
 CALORIE, ATMOSPHERE, COULOMB = 4.184, 1.01325, 138.935458  # [kJ], [bar], [kJ/mol nm/e²]
+
+
+def density(volume):
+    """[kg/m³], of the volume [nm³]."""
+    return COUNT * WATER / np.asarray(volume, dtype=float)
 
 
 def temperatures(translation, rotation, degrees=TRANSLATION):
@@ -79,9 +86,12 @@ def polhode(o, case, name):
               "forces": FORCES, "integrator": {"scheme": case.integrator, "step": f"{case.step} fs"},
               "run": {"length": f"{o.total(case)} ps", "sample": f"{o.sample(case)} fs"}, "output": {"prefix": name, **runs.QUIET},
               "thermostat": kind.get(case.thermostat)}
+    if case.barostat:
+        tables["barostat"] = {"type": "cell-rescaling", "pressure": "1 bar", "time_constant": f"{VOLUME_TIME} ps", "compressibility": f"{COMPRESSIBILITY} 1/bar"}
     report = runs.run(o, tables, o.folder, name=name)
     of = runs.columns(o.folder / f"{name}-energies.csv")
-    columns = {"time": of.time, "potential": of.potential, "total": of.conserved if case.thermostat else of.total, "pressure": of.pressure,
+    own = {"density": density(of.volume)} if case.barostat else {}
+    columns = {**own, "time": of.time, "potential": of.potential, "total": of.conserved if case.thermostat else of.total, "pressure": of.pressure,
                **temperatures(of.kinetic_translation, of.kinetic_rotation, report["degrees_of_freedom_translation"])}
     half = report.get("half_steps")
     extra = {"T_trans_half": [half["temperature_translation_K"], half["temperature_translation_error_K"]],
@@ -100,7 +110,7 @@ gen-temp = {temperature}
 gen-seed = 1
 cutoff-scheme = Verlet
 verlet-buffer-tolerance = -1
-rlist = 0.93
+rlist = {list_range}
 nstlist = {list}
 vdwtype = cut-off
 vdw-modifier = potential-switch
@@ -118,6 +128,11 @@ tau-t = {tau}
 nh-chain-length = 1
 nsttcouple = {couple}
 ref-t = {temperature}
+pcoupl = {barostat}
+tau-p = {volume_time}
+ref-p = 1
+compressibility = {compressibility}
+nstpcouple = 10
 ld-seed = 1
 nstcalcenergy = {every}
 nstenergy = {every}
@@ -149,7 +164,8 @@ def topology(masses):
 def gromacs_run(o, name, **mdp):
     masses, start_file = mdp.pop("masses", MASSES), mdp.pop("start", "start-final.gro")
     text = MDP.format(**{"temperature": TEMPERATURE, "cutoff": CUTOFF, "switch": SWITCH, "tau": TIME_CONSTANT, "thermostat": "no", "new": "no", "continuation": "yes",
-                         "integrator": "md-vv", "dt": 0.001, "steps": 0, "couple": 1, "every": 1, "list": 10, "forces": 0, **mdp})
+                         "integrator": "md-vv", "dt": 0.001, "steps": 0, "couple": 1, "every": 1, "list": 10, "list_range": 0.93, "forces": 0,
+                         "barostat": "no", "volume_time": VOLUME_TIME, "compressibility": COMPRESSIBILITY, **mdp})
     (o.folder / f"{name}.mdp").write_text(text, encoding="utf-8")
     (o.folder / f"{name}.top").write_text(topology(masses), encoding="utf-8")
     npt.called(o.folder, o.gmx, "-nobackup", "grompp", "-f", f"{name}.mdp", "-c", start_file, "-p", f"{name}.top", "-o", f"{name}.tpr",
@@ -183,13 +199,15 @@ def gromacs(o, case, name):
     gromacs_run(o, name, integrator=case.integrator, dt=case.step / 1000, steps=round(1000 * o.total(case) / case.step), masses=masses, start=gromacs_start(o, case.step),
                 list=round(20 / case.step),
                 new="yes" if case.repartitioned else "no", continuation="no" if case.repartitioned else "yes", thermostat=case.thermostat or "no",
-                tau=TIME_CONSTANT * (5 if case.thermostat == "nose-hoover" else 1), every=round(o.sample(case) / case.step))
+                tau=TIME_CONSTANT * (5 if case.thermostat == "nose-hoover" else 1), every=round(o.sample(case) / case.step), barostat=case.barostat or "no",
+                list_range=0.89 if case.barostat else 0.93)  # the box of a barostat may become smaller
     energy = "Conserved-En." if case.thermostat else "Total-Energy"
     time, potential, total, pressure, temperature = npt.gromacs_table(o, name, ("Time", "Potential", energy, "Pressure", "Temperature"))
+    volume = {"density": density(npt.gromacs_table(o, name, ("Volume",))[0])} if case.barostat else {}
     kinetic = np.array([split(v, masses) for v in frames(o.folder / f"{name}.trr")])
     own = temperatures(*kinetic.T)
     ending = "_half" if case.integrator == "md" else ""
-    columns = {"time": time, "potential": potential, "total": total, "pressure": pressure, "temperature": temperature,
+    columns = {"time": time, "potential": potential, "total": total, "pressure": pressure, "temperature": temperature, **volume,
                **{key + ending: x for key, x in own.items()}}
     (o.folder / f"{name}.trr").unlink()
     return columns, {}
@@ -225,13 +243,15 @@ timestep {step}
 compute molecule all chunk/atom molecule
 compute centres all temp/chunk molecule kecom
 variable translation equal sum(c_centres[1])
-thermo_style custom step time pe {energy} press ke v_translation
+thermo_style custom step time pe {energy} press ke v_translation vol
 thermo_modify norm no format float %.15g
 thermo {every}
 run {steps}
 """
 FIXES = {"rigid/nve/small": "fix 1 all rigid/nve/small molecule", "rigid/nvt/small": "fix 1 all rigid/nvt/small molecule temp {t} {t} {tau}",
          **{f"polhode {scheme}": f"plugin load {{plugin}}\nfix 1 all polhode scheme {scheme}" for scheme in ("velocity-verlet", "gier4-fd")},
+         "rigid/npt/small": "fix 1 all rigid/npt/small molecule temp {t} {t} {tau} iso {p} {p} {tau_p}",
+         "shake npt": "fix 2 all shake 1e-8 200 0 b 1 a 1\nfix 1 all npt temp {t} {t} {tau} iso {p} {p} {tau_p}",
          "shake nvt": "fix 2 all shake 1e-8 200 0 b 1 a 1\nfix 1 all nvt temp {t} {t} {tau}"}
 
 
@@ -284,17 +304,18 @@ def lammps_run(o, name, fix, step, steps, every, thermostat):
 
 
 def lammps(o, case, name):
-    fix = FIXES[case.integrator].format(t=TEMPERATURE, tau=1000 * TIME_CONSTANT, plugin=o.plugin)
+    fix = FIXES[case.integrator].format(t=TEMPERATURE, tau=1000 * TIME_CONSTANT, plugin=o.plugin, p=1 / ATMOSPHERE, tau_p=1000 * VOLUME_TIME)
     of = lammps_run(o, name, fix, case.step, round(1000 * o.total(case) / case.step), round(o.sample(case) / case.step), case.thermostat)
     translation = CALORIE * of["v_translation"]
-    return {"time": of["Time"] / 1000, "potential": CALORIE * of["PotEng"], "total": CALORIE * of["Econserve" if case.thermostat else "TotEng"],
+    volume = {"density": density(of["Volume"] / 1000)} if case.barostat else {}
+    return {**volume, "time": of["Time"] / 1000, "potential": CALORIE * of["PotEng"], "total": CALORIE * of["Econserve" if case.thermostat else "TotEng"],
             "pressure": ATMOSPHERE * of["Press"], **temperatures(translation, CALORIE * of["KinEng"] - translation)}, {}
 
 
 # OpenMM
 
-def openmm_run(o, name, integrator, step, steps, every):
-    given = {"integrator": integrator, "step": step, "steps": steps, "every": every, "temperature": TEMPERATURE, "cutoff": CUTOFF, "switch": SWITCH, "masses": MASSES,
+def openmm_run(o, name, integrator, step, steps, every, barostat=""):
+    given = {"integrator": integrator, "step": step, "steps": steps, "every": every, "temperature": TEMPERATURE, "cutoff": CUTOFF, "switch": SWITCH, "masses": MASSES, "barostat": barostat,
              "site": [(a.charge, a.sigma, a.epsilon) for a in liquids.atoms(LIQUIDS["spce"])]}
     (o.folder / f"{name}-openmm.json").write_text(json.dumps(given), encoding="utf-8")
     npt.called(o.folder, o.openmm, "-B", ROOT / "studies/other_programs_openmm.py", f"{name}-openmm.json", "start-final.gro", f"{name}.npz")
@@ -302,12 +323,12 @@ def openmm_run(o, name, integrator, step, steps, every):
 
 
 def openmm(o, case, name):
-    of = openmm_run(o, name, case.integrator, case.step, round(1000 * o.total(case) / case.step), round(o.sample(case) / case.step))
+    of = openmm_run(o, name, case.integrator, case.step, round(1000 * o.total(case) / case.step), round(o.sample(case) / case.step), case.barostat)
     degrees = TRANSLATION + 3 if case.thermostat else TRANSLATION
     half = temperatures(of["translation_half"], of["rotation_half"], degrees)
     return {"time": of["time"], "potential": of["potential"], "total": of["potential"] + of["translation"] + of["rotation"],
             **temperatures(of["translation"], of["rotation"], degrees), **{key + "_half": x for key, x in half.items()},
-            **({"pressure": of["pressure"]} if "pressure" in of else {})}, {}
+            **({"density": density(of["volume"])} if case.barostat else {})}, {}
 
 
 # The same forces

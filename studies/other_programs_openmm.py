@@ -70,6 +70,10 @@ def main():
     positions, velocities, box = configuration(sys.argv[2])
     system, force = system_of(mm, given, box)
     add_molecules(system, force, given, positions)
+    if given["barostat"]:
+        barostat = mm.MonteCarloBarostat(1.0, given["temperature"], 25)  # 1 bar
+        barostat.setRandomNumberSeed(1)
+        system.addForce(barostat)
     h = given["step"] / 1000
     verlet = given["integrator"] == "Verlet"
     integrator = mm.VerletIntegrator(h) if verlet else mm.LangevinMiddleIntegrator(given["temperature"], 1.0, h)
@@ -86,10 +90,11 @@ def main():
         if k:
             integrator.step(given["every"])
         state = context.getState(energy=True, positions=True, velocities=True, forces=True)
+        box = np.diag(state.getPeriodicBoxVectors(asNumpy=True)._value)
         x, v, f = (of(asNumpy=True)._value for of in (state.getPositions, state.getVelocities, state.getForces))
         full = split(kicked(x, v, f, given["masses"], h / 2, box), given["masses"])
-        rows.append((k * given["every"] * h, state.getPotentialEnergy()._value, *full, *split(v, given["masses"])))
-    names = ("time", "potential", "translation", "rotation", "translation_half", "rotation_half")
+        rows.append((k * given["every"] * h, state.getPotentialEnergy()._value, *full, *split(v, given["masses"]), box.prod()))
+    names = ("time", "potential", "translation", "rotation", "translation_half", "rotation_half", "volume")
     np.savez(sys.argv[3], version=mm.version.full_version, **dict(zip(names, np.array(rows).T)))
 
 
