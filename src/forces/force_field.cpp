@@ -3,11 +3,10 @@
 
 #include <utility>
 
+#include "forces/constant_terms.hpp"
 #include "forces/laws/check_settings.hpp"
 #include "forces/laws/law_range.hpp"
 #include "forces/laws/slab_dispersion.hpp"
-#include "forces/laws/tail.hpp"
-#include "forces/mesh/self_interaction.hpp"
 #include "forces/pairs/pair_engine.hpp"
 #include "forces/system_size.hpp"
 #include "polhode/base/error.hpp"
@@ -29,27 +28,6 @@ ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& bo
   return s;
 }
 
-/// Computes the constant terms.
-/// @param tail  coefficient of the dispersion correction, see dispersion_tail()
-ConstantTerms constant_terms_of(const Topology& topology, const ForceSettings& s, const Box& box,
-                                double tail) {
-  ConstantTerms terms;
-  terms.dispersion = tail / box.volume();
-  for (std::size_t d = 0; d < 3; ++d) terms.virial[d][d] = terms.dispersion;
-  if (s.electrostatics == Electrostatics::pme) {
-    const MeshConstant mesh(topology, {s.mesh->cutoff, s.mesh->exponent}, box);
-    terms.self = mesh.self;
-    terms.intramolecular = mesh.intramolecular;
-    terms.background = mesh.background;
-    for (std::size_t d = 0; d < 3; ++d) terms.virial[d] += mesh.virial[d];
-  } else if (const auto smooth = smooth_polynomial(s)) {
-    const SelfInteraction own(topology, *smooth);
-    terms.self = own.self;
-    terms.intramolecular = own.intramolecular;
-  }
-  return terms;
-}
-
 const ForceSettings& without_other_mesh(const ForceSettings& settings) {
   if (settings.ewald_alpha)
     throw Error(
@@ -68,9 +46,7 @@ ForceField::ForceField(const Topology& topology, const ForceSettings& settings, 
       mesh_choice_(std::move(choice)),
       settings_(with_mesh(checked(without_other_mesh(settings)), topology, box, mesh_choice_)),
       box_(box),
-      tail_(settings_.dispersion_correction || settings_.slab_dispersion
-                ? dispersion_tail(topology, settings_)
-                : 0),
+      tail_(tail_of(topology, settings_)),
       constant_(constant_terms_of(topology, settings_, box, tail_)),
       engine_(pair_engine(topology, settings_, box, workers)) {
   set_slab(box);

@@ -28,7 +28,13 @@ class Slab(Sandbox):
         self.assertIsNotNone(tension["step_bias"])
         self.assertGreater(point["slab_length_ps"], 0)
         page = (self.folder / "slab.html").read_text()
-        self.assertIn("density of the slab", page)
+        profiles = {p["quantity"]: p for p in point["slab_profiles"]}
+        for quantity in profiles:
+            self.assertIn(quantity, page)
+        within = profiles["tension within a distance"]
+        # The profile has a fifth of the samples of the tension, of the same runs. Four of its standard errors.
+        self.assertLess(abs(within["value"][-1] - tension["value"]["value"] - tension["step_bias"]["value"]), 4 * within["error"][-1])
+        self.assertAlmostEqual(within["value"][24], 0, delta=4 * within["error"][24])  # the inner quarter is liquid
         again, notes = self.measured()
         self.assertEqual(again["properties"][0]["value"], tension["value"])
         self.assertEqual(again["slab_length_ps"], point["slab_length_ps"])

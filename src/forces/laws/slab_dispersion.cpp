@@ -77,14 +77,15 @@ void SlabDispersion::densities(const State& state) {
   });
 }
 
-/// Σ_b v̂_ab ρ_b of each kind a.
-SlabDispersion::Modes SlabDispersion::potentials_of(const Modes& densities) const {
+/// Σ_b v̂_ab ρ_b of each kind a, or the same with the slopes of v̂.
+SlabDispersion::Modes SlabDispersion::potentials_of(const Modes& densities,
+                                                    double TailTransform::Mode::*of) const {
   Modes sum(densities.size());
   std::size_t t = 0;
   for (std::size_t a = 0; a < kinds_.size(); ++a)
     for (std::size_t b = 0; b < kinds_.size(); ++b)
       for (std::size_t n = 0; n < modes_; ++n)
-        sum[a * modes_ + n] += transforms_[t++].value * densities[b * modes_ + n];
+        sum[a * modes_ + n] += transforms_[t++].*of * densities[b * modes_ + n];
   return sum;
 }
 
@@ -95,6 +96,26 @@ double SlabDispersion::slope_at(const Modes& potentials, std::size_t kind, doubl
     sum += static_cast<double>(n + 1) * (std::conj(wave) * potentials[kind * modes_ + n]).imag();
   });
   return 2 * k1_ / box_.volume() * sum;
+}
+
+/// Half of the energy of a site in the potentials of all sites.
+double SlabDispersion::energy_at(const Modes& potentials, std::size_t kind, double z) const {
+  double sum = 0;
+  each_mode(z, [&](std::size_t n, Complex wave) {
+    sum += (std::conj(wave) * potentials[kind * modes_ + n]).real();
+  });
+  return sum / box_.volume();
+}
+
+void SlabDispersion::add_virials(const State& state, Vec3Column& virials) {
+  densities(state);
+  const Modes potentials = potentials_of(densities_),
+              slopes = potentials_of(densities_, &TailTransform::Mode::slope);
+  each_site(state, [&](std::size_t kind, std::size_t i, const Vec3<double>& arm) {
+    const double z = state.q[i].z + arm.z, energy = energy_at(potentials, kind, z);
+    virials.add(i, {energy, energy,
+                    energy + energy_at(slopes, kind, z) + slope_at(potentials, kind, z) * arm.z});
+  });
 }
 
 /// @param moments  Σ f_z z over the sites, with z relative to the centre of the body

@@ -24,6 +24,9 @@ class SlabDispersion {
 
   /// Adds forces and torques; with `energies` also energy and virial.
   void add(const State& state, Load& load, bool energies);
+  /// Adds the virials of the bodies along each axis [kJ/mol]. Each site of a pair has half of the
+  /// virial of the pair, and a body has the part f_z z of the arms z of its own sites.
+  void add_virials(const State& state, Vec3Column& virials);
   /// Adds the derivative of forces and torques along a displacement, see
   /// ForceField::directional_derivative().
   void add_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
@@ -44,7 +47,9 @@ class SlabDispersion {
   template <class Add>
   void each_mode(double z, const Add& add) const;
   void densities(const State& state);
-  Modes potentials_of(const Modes& densities) const;
+  Modes potentials_of(const Modes& densities,
+                      double TailTransform::Mode::*of = &TailTransform::Mode::value) const;
+  double energy_at(const Modes& potentials, std::size_t kind, double z) const;
   double slope_at(const Modes& potentials, std::size_t kind, double z) const;
   void add_energies(Load& load, const Modes& potentials, double moments) const;
 

@@ -43,8 +43,10 @@ MeshHeatFlux::MeshHeatFlux(const Molecule& molecule, const MeshSettings& setting
   const Influence influence(settings, box);
   const auto [nx, ny, nz] = settings.points;
   for (std::size_t d = 0; d < 3; ++d)
-    for (std::size_t n = 0; n < settings.points[d]; ++n)
+    for (std::size_t n = 0; n < settings.points[d]; ++n) {
+      k_[d].push_back(influence.k(d, n));
       odd_k_[d].push_back(2 * n == settings.points[d] ? 0 : influence.k(d, n));
+    }
   const InfluenceTable table(influence, settings.points, box, Workers::serial());
   for (std::size_t x = 0; x < nx; ++x)
     for (std::size_t y = 0; y < ny; ++y)
@@ -155,6 +157,52 @@ Vec3<double> MeshHeatFlux::operator()(const Motion& motion) {
               (phi * (motion.v[i] + v) + (dot(gradient_phi, v) - chi) * motion.arms[a][i]);
     }
   return flux;
+}
+
+/// The waves of the charges, each multiplied by factor(influence, k), as a function on the grid.
+template <class Factor>
+MeshHeatFlux::Grid MeshHeatFlux::convolved(const Factor& factor) {
+  const auto [nx, ny, nz] = settings_.points;
+  std::size_t at = 0;
+  for (std::size_t x = 0; x < nx; ++x)
+    for (std::size_t y = 0; y < ny; ++y)
+      for (std::size_t z = 0; z < half(settings_); ++z, ++at)
+        change_modes_[at] =
+            factor(influence_[at], Vec3<double>{k_[0][x], k_[1][y], k_[2][z]}) * modes_[at];
+  Grid grid(potential_.size());
+  transform_back(change_modes_, grid);
+  return grid;
+}
+
+void MeshHeatFlux::add_virials(const Motion& motion, Vec3Column& virials) {
+  const std::size_t sites = charge_.size();
+  std::ranges::fill(potential_, 0);
+  std::vector<Charge> charges;
+  charges.reserve(motion.q.size() * sites);
+  for (std::size_t i = 0; i < motion.q.size(); ++i)
+    for (std::size_t a = 0; a < sites; ++a)
+      each_point(charges.emplace_back(place(motion.q[i] + motion.arms[a][i])),
+                 [&](std::size_t at, double weight, const Vec3<double>&) {
+                   potential_[at] += charge_[a] * weight;
+                 });
+  transform(potential_, modes_);
+  const Grid phi =
+      convolved([](const InfluenceValue& value, const Vec3<double>&) { return value.factor; });
+  std::array<Grid, 3> along;
+  for (std::size_t d = 0; d < 3; ++d)
+    along[d] = convolved([d](const InfluenceValue& value, const Vec3<double>& k) {
+      return value.factor + value.slope * k[d] * k[d];
+    });
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < motion.q.size(); ++i)
+    for (std::size_t a = 0; a < sites; ++a) {
+      Vec3<double> virial{}, gradient{};
+      each_point(charges[number++], [&](std::size_t at, double weight, const Vec3<double>& slope) {
+        virial += weight / 2 * Vec3<double>{along[0][at], along[1][at], along[2][at]};
+        gradient += phi[at] * slope;
+      });
+      virials.add(i, charge_[a] * (virial + scaled(motion.arms[a][i], gradient)));
+    }
 }
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The heat flux of the particle mesh.
+// The heat flux and the virials of molecules, of the particle mesh.
 #pragma once
 
 #include <complex>
@@ -29,6 +29,8 @@ class MeshHeatFlux {
 
   /// The flux without constant energies of each body [kJ/mol nm/ps].
   Vec3<double> operator()(const Motion& motion);
+  /// Adds the virials of the bodies along each axis [kJ/mol].
+  void add_virials(const Motion& motion, Vec3Column& virials);
 
  private:
   using Grid = std::vector<double>;
@@ -43,11 +45,13 @@ class MeshHeatFlux {
   void transform(const Grid& grid, std::vector<std::complex<double>>& modes) const;
   void transform_back(const std::vector<std::complex<double>>& modes, Grid& grid) const;
   Vec3<double> convolve();
+  template <class Factor>
+  Grid convolved(const Factor& factor);
 
   MeshSettings settings_;
   Box box_;
   std::vector<double> charge_;  // of each charged site [e]
-  std::array<std::vector<double>, 3> odd_k_;
+  std::array<std::vector<double>, 3> odd_k_, k_;
   std::vector<InfluenceValue> influence_;  // for all k with k_z ≥ 0
   Grid potential_, change_;                // charges and their change with time; later φ and χ
   std::vector<std::complex<double>> modes_, change_modes_;

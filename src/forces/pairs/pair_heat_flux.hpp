@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The heat flux of the interactions within the cutoff.
+// The heat flux and the virials of molecules, of the interactions within the cutoff.
 #pragma once
 
 #include <vector>
@@ -34,6 +34,9 @@ POLHODE_DECLARE_LOOPS(
     /// Sums u (s v_i + (1 − s) v_j) + R (s P_j − (1 − s) P_i) over all pairs i < j, including
     /// periodic images. R is the vector from i to j, u the energy of the pair, s the share, and P
     /// the power of the pair's force and torque on each body [kJ/mol nm/ps].
-    Vec3<double> pair_heat_flux(const PairHeatFluxJob& job);)
+    Vec3<double> pair_heat_flux(const PairHeatFluxJob& job);
+    /// Adds half of R F of each pair to the virials of both bodies, for each axis. F is the force
+    /// on the second body [kJ/mol].
+    void pair_virials(const PairHeatFluxJob& job, Vec3Column& virials);)
 
 }  // namespace polhode

@@ -177,7 +177,7 @@ MeasuredPoint described(const PointData& data) {
   point.traces = traces_of(data);
   point.curves = curves_of(data);
   for (MeasuredCurve& curve : spectrum_of_heat_flux(data)) point.curves.push_back(std::move(curve));
-  point.profiles = slab_profile(data);
+  point.profiles = slab_profiles(data);
   point.distributions = distributions(data);
   return point;
 }

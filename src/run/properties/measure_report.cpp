@@ -76,14 +76,30 @@ Quantities of_property(const MeasuredProperty& m) {
           {"", "", remarks(m), "", "remarks"}};
 }
 
+struct Points {
+  std::vector<double> value{}, error{};
+  explicit Points(const std::vector<SeriesEstimate>& estimates) {
+    for (const SeriesEstimate& e : estimates) {
+      value.push_back(e.value);
+      error.push_back(e.known == Known::yes ? e.error : std::nan(""));
+    }
+  }
+};
+
+Quantities of_profile(const MeasuredCurve& curve) {
+  Points points(curve.value);
+  return {
+      {"quantity", "", curve.title, "name of the quantity"},
+      {"unit", "", curve.unit, "unit of the values"},
+      {"distance", "nm", curve.x, "distances from the middle of the slab"},
+      {"value", "", std::move(points.value), "value at each distance, in `unit`"},
+      {"error", "", std::move(points.error), "standard error of each value; null if not known"}};
+}
+
 Quantities of_distribution(const MeasuredDistribution& d) {
   const auto& peak = d.peak;
   const bool shell = peak && peak->shell;
-  std::vector<double> g, error;
-  for (const SeriesEstimate& e : d.g) {
-    g.push_back(e.value);
-    error.push_back(e.known == Known::yes ? e.error : std::nan(""));
-  }
+  Points points(d.g);
   return {
       {"pair", "", std::vector<std::string>{d.pair[0], d.pair[1]}, "sites of the pair"},
       {"", "", d.pair[0] + " - " + d.pair[1], "", "pair"},
@@ -95,8 +111,9 @@ Quantities of_distribution(const MeasuredDistribution& d) {
       {"coordination", "", shell ? Value(peak->shell->coordination) : Value(),
        "number of second sites around a first site within this minimum", "neighbours"},
       {"r", "nm", d.r, "middles of the bins"},
-      {"g", "", std::move(g), "g(r) in each bin, relative to an ideal gas"},
-      {"g_error", "", std::move(error), "standard error of g(r) in each bin; null if not known"}};
+      {"g", "", std::move(points.value), "g(r) in each bin, relative to an ideal gas"},
+      {"g_error", "", std::move(points.error),
+       "standard error of g(r) in each bin; null if not known"}};
 }
 
 Quantities of_point(const MeasuredPoint& point) {
@@ -134,6 +151,12 @@ Quantities of_point(const MeasuredPoint& point) {
                   "radial distribution functions of molecular centres and of sites, with their "
                   "first peaks; if `coordination-number` is requested",
                   "radial distribution functions"});
+  std::vector<Quantities> profiles;
+  for (const MeasuredCurve& curve : point.profiles) profiles.push_back(of_profile(curve));
+  list.push_back(
+      {"slab_profiles", "", std::move(profiles),
+       "density, normal minus tangential pressure, and its integral, along the normal of "
+       "a slab; empty without a slab"});
   if (const std::string how = point.conditions("\n  "); !how.empty())
     list.push_back(row("", "  " + how));
   return list;

@@ -23,8 +23,9 @@ namespace polhode {
 
 /// Lengths of segments in steps, so that they scale with the time scale of the molecular motion.
 inline constexpr std::size_t steps_of_averages = 1250, steps_of_sample = 10,
-                             steps_of_shadow_sample = 50, parts_of_averages = 5,
-                             steps_of_lags = 4000, lags = 400, windows_in_segment = 4;
+                             steps_of_shadow_sample = 50, samples_of_virials = 5,
+                             parts_of_averages = 5, steps_of_lags = 4000, lags = 400,
+                             windows_in_segment = 4;
 /// The bins of the spectrum of the pressure, in modes of a segment of dynamics.
 inline const ModeBins& pressure_bins() {
   static const ModeBins bins(steps_of_lags * windows_in_segment / 8);
@@ -119,6 +120,9 @@ struct SlabSegment {
   BlockMeans::Block sums;
   std::vector<double> potentials{};  ///< means of U in parts of the segment, for its equilibrium
   StepResponse response;             ///< time-step response of the averages, in one block
+  /// Sums of the tangential pressure in each bin of the profile [kJ/mol/nm³]; empty for mixtures,
+  /// and in records of earlier versions.
+  BlockMeans::Block tangential{0, {}};
 };
 
 /// A chain of segments of a slab of the liquid.

@@ -110,9 +110,9 @@ CoupledChains coupled_of(const json& j) {
 
 json slab_json(const SlabChain& slab) {
   json segments = json::array();
-  for (const auto& [sums, potentials, response] : slab.segments)
-    segments.push_back(
-        {block_json(sums), potentials, response.first, block_json(response.blocks.blocks.front())});
+  for (const auto& [sums, potentials, response, tangential] : slab.segments)
+    segments.push_back({block_json(sums), potentials, response.first,
+                        block_json(response.blocks.blocks.front()), block_json(tangential)});
   return {{"state", state_json(*slab.state)}, {"segments", segments}};
 }
 
@@ -122,7 +122,8 @@ SlabChain slab_of(const json& j) {
     slab.segments.push_back(
         {block_of(segment.at(0)),
          segment.at(1).get<std::vector<double>>(),
-         {segment.at(2).get<std::vector<double>>(), {{block_of(segment.at(3))}, 1}}});
+         {segment.at(2).get<std::vector<double>>(), {{block_of(segment.at(3))}, 1}},
+         segment.size() > 4 ? block_of(segment[4]) : BlockMeans::Block{0, {}}});
   return slab;
 }
 

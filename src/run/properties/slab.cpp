@@ -12,6 +12,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
+#include "polhode/forces/molecular_virials.hpp"
 #include "run/properties/chain.hpp"
 #include "run/properties/elongate.hpp"
 
@@ -27,18 +28,48 @@ double middle_of(const State& state, const Bodies& bodies) {
   return std::arg(wave) / k;
 }
 
-/// The density in bins of the distance from the middle of the slab [u/nm³].
-std::vector<double> profile_of(const State& state, const Bodies& bodies) {
+/// The density of a quantity in bins of the distance from the middle of the slab [1/nm³].
+/// @param of  the quantity of a molecule
+template <class Of>
+std::vector<double> profile_of(const State& state, const Bodies& bodies, const Of& of) {
   std::vector<double> bins(bins_of_profile);
   const double middle = middle_of(state, bodies), height = height_of_bin(state);
   const double volume = 2 * height * state.box.edge.x * state.box.edge.y;  // of both sides
   for (std::size_t i = 0; i < state.size(); ++i) {
     const double z = state.box.minimum_image({0, 0, state.q[i].z - middle}).z;
     const auto bin = static_cast<std::size_t>(std::abs(z) / height);
-    bins[std::min(bin, bins.size() - 1)] += bodies.m[i] / volume;
+    bins[std::min(bin, bins.size() - 1)] += of(i) / volume;
   }
   return bins;
 }
+
+/// The tangential pressure of a slab, from virials at the places of their molecules
+/// [harasima1958, sonne2005].
+class TangentialPressure {
+ public:
+  TangentialPressure(Chain& chain, double kT)
+      : bodies_(chain.system().bodies),
+        virials_(chain.system().topology, chain.force_settings(), chain.system().state.box),
+        kT_(kT) {}
+
+  /// Adds every fifth state; the first one is the last of the previous segment.
+  void add(const State& state) {
+    if (samples_++ % samples_of_virials != 0 || samples_ == 1) return;
+    const Vec3Column& w = virials_(state);
+    const std::vector<double> bins =
+        profile_of(state, bodies_, [&](std::size_t i) { return kT_ + (w[i].x + w[i].y) / 2; });
+    sums.weight += 1;
+    for (std::size_t k = 0; k < bins.size(); ++k) sums.sum[k] += bins[k];
+  }
+
+  BlockMeans::Block sums{0, std::vector<double>(bins_of_profile)};
+
+ private:
+  const Bodies& bodies_;
+  MolecularVirials virials_;
+  double kT_;
+  std::size_t samples_ = 0;
+};
 
 using SlabAverages = std::array<double, slab_averages_count>;
 
@@ -105,19 +136,23 @@ bool add_slab(Replica& replica, const ReplicaSettings& settings, std::size_t fro
                       .response = {}};
   if (!slab.segments.empty()) segment.response.first = slab.segments.front().response.first;
   // All N molecules, because the centre of mass has no momentum, but is anywhere in the box.
-  const double ideal =
-      static_cast<double>(system.state.size()) * units::boltzmann * settings.at.temperature;
+  const double kT = units::boltzmann * settings.at.temperature,
+               ideal = static_cast<double>(system.state.size()) * kT;
+  std::optional<TangentialPressure> pressure;
+  if (system.topology.parts.size() == 1) pressure.emplace(chain, kT);
   SlabAverages x{};
   double part = 0;
   constexpr std::size_t samples_of_part = steps_of_averages / steps_of_sample / parts_of_averages;
   const auto load = [&](const State& state, const Load& forces) {
     x[tension] = tension_of(state, forces);
     x[normal_pressure] = (ideal + forces.virial[2].z) / state.box.volume();
+    if (pressure) pressure->add(state);
   };
   const auto sample = [&](std::size_t steps, const State& state, const Energies& now) {
     if (steps == 0) return;  // the last sample of the previous segment
     segment.sums.weight += 1;
-    const std::vector<double> bins = profile_of(state, system.bodies);
+    const std::vector<double> bins =
+        profile_of(state, system.bodies, [&](std::size_t i) { return system.bodies.m[i]; });
     add_densities(x, bins);
     for (std::size_t k = 0; k < x.size(); ++k) segment.sums.sum[k] += x[k];
     for (std::size_t k = 0; k < bins.size(); ++k) segment.sums.sum[x.size() + k] += bins[k];
@@ -128,6 +163,7 @@ bool add_slab(Replica& replica, const ReplicaSettings& settings, std::size_t fro
   };
   if (!chain.run(t, {.sample = sample, .load = load})) return false;
   segment.response.blocks = {{segment.response.blocks.means().sum()}, 1};
+  if (pressure) segment.tangential = pressure->sums;
   check_slab(segment.sums.sum, settings.at);
   slab.state = system.state;
   slab.segments.push_back(std::move(segment));

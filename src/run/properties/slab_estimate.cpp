@@ -33,6 +33,25 @@ std::vector<BlockMeans> runs_of(const Contributions& contributions) {
   return separate_or_joined(std::move(runs));
 }
 
+/// Runs of the normal pressure, followed by the tangential pressure in each bin.
+std::vector<BlockMeans> pressure_runs_of(const Contributions& contributions) {
+  std::vector<std::vector<BlockMeans::Block>> runs;
+  for (const auto& [replica, from] : contributions.all) {
+    std::vector<BlockMeans::Block> run;
+    const std::vector<SlabSegment>& segments = replica->slab.segments;
+    for (std::size_t k = slab_from(*replica); k < segments.size(); ++k) {
+      const auto& [weight, tangential] = segments[k].tangential;
+      if (weight == 0) continue;
+      const BlockMeans::Block& sums = segments[k].sums;
+      BlockMeans::Block& block =
+          run.emplace_back(weight, std::vector{weight * sums.sum[normal_pressure] / sums.weight});
+      block.sum.insert(block.sum.end(), tangential.begin(), tangential.end());
+    }
+    if (!run.empty()) runs.push_back(std::move(run));
+  }
+  return separate_or_joined(std::move(runs));
+}
+
 std::vector<StepResponse> responses_of_slab(const Contributions& contributions) {
   std::vector<StepResponse> runs;
   for (const auto& [replica, from] : contributions.all) {
@@ -124,18 +143,34 @@ void estimate_slab(MeasuredProperty& m, const Contributions& contributions, cons
   m.value = without_bias(m.value, bias);
 }
 
-std::vector<MeasuredCurve> slab_profile(const PointData& data) {
+std::vector<MeasuredCurve> slab_profiles(const PointData& data) {
   const Contributions contributions(data, MeasuredIn::slab);
   if (contributions.all.empty()) return {};
   const std::vector<BlockMeans> runs = runs_of(contributions);
   if (runs.front().empty()) return {};
   const Profile profile(*contributions.all.front().replica->slab.state);
-  MeasuredCurve curve{"density of the slab", "distance from its middle (nm)", "kg/m3", {}, {}};
-  for (std::size_t k = 0; k < bins_of_profile; ++k) {
-    curve.x.push_back((static_cast<double>(k) + 0.5) * profile.height);
-    curve.value.push_back(pooled_estimate(runs, [&](Means all) { return profile.at(all, k); }));
-  }
-  return {curve};
+  const auto curve = [&](const char* title, const char* unit, double place,
+                         const std::vector<BlockMeans>& from, const auto& value) {
+    MeasuredCurve c{title, "distance from the middle of the slab (nm)", unit, {}, {}};
+    for (std::size_t k = 0; k < bins_of_profile; ++k) {
+      c.x.push_back((static_cast<double>(k) + place) * profile.height);
+      c.value.push_back(pooled_estimate(from, [&](Means all) { return value(all, k); }));
+    }
+    return c;
+  };
+  std::vector<MeasuredCurve> curves{curve(
+      "density", "kg/m3", 0.5, runs, [&](Means all, std::size_t k) { return profile.at(all, k); })};
+  const std::vector<BlockMeans> of_pressure = pressure_runs_of(contributions);
+  if (of_pressure.empty() || of_pressure.front().empty()) return curves;
+  curves.push_back(curve("normal minus tangential pressure", "bar", 0.5, of_pressure,
+                         [](Means all, std::size_t k) { return (all[0] - all[1 + k]) / bar; }));
+  curves.push_back(
+      curve("tension within a distance", "mN/m", 1, of_pressure, [&](Means all, std::size_t k) {
+        double sum = 0;
+        for (std::size_t n = 0; n <= k; ++n) sum += all[0] - all[1 + n];
+        return sum * profile.height / mN_per_m;
+      }));
+  return curves;
 }
 
 }  // namespace polhode

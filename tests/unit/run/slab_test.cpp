@@ -62,6 +62,9 @@ Replica made_up(std::uint64_t index, Random& random) {
       const double h = height / 2 / bins_of_profile, z = (static_cast<double>(bin) + 0.5) * h;
       segment.sums.sum.push_back(125 * density(z) * to_u_per_nm3);
     }
+    segment.tangential = {25, std::vector<double>(bins_of_profile, 25 * pressure)};
+    for (std::size_t bin = 45; bin < 55; ++bin)  // 0.4 nm around 2 nm, in the first slab
+      segment.tangential.sum[bin] -= 25 * to_kJ_per_mol * tension_of_model / (0.4 * scale);
     for (std::size_t part = 0; part < parts_of_averages; ++part)
       segment.potentials.push_back(random.normal());
     segment.response.add({0, 1, 1, 0, 1}, averages);
@@ -117,12 +120,30 @@ TEST_CASE("the surface tension and the profile follow from the segments of slabs
   CHECK(value_of("saturated-liquid-density") == doctest::Approx(1000).epsilon(1e-9));
   CHECK(value_of("saturated-vapour-density") == doctest::Approx(50).epsilon(1e-9));
   CHECK(value_of("saturation-pressure") == doctest::Approx(5).epsilon(1e-9));
-  const std::vector<MeasuredCurve> profile = slab_profile(data);
-  REQUIRE(profile.size() == 1);
-  REQUIRE(profile.front().x.size() == bins_of_profile);
+}
+
+TEST_CASE("the profiles of slabs: density, pressures, and the tension up to a distance") {
+  Random random(5);
+  std::vector<Replica> replicas{made_up(0, random)};
+  const Topology topology{{{read_molecule("spce"), 100}}};
+  const Mixing mixing;
+  const PointData data{topology, mixing, {300, 0}, replicas};
+  const std::vector<MeasuredCurve> profile = slab_profiles(data);
+  REQUIRE(profile.size() == 3);
+  for (const MeasuredCurve& curve : profile) REQUIRE(curve.x.size() == bins_of_profile);
   for (std::size_t k = 0; k < bins_of_profile; ++k)
     CHECK(profile.front().value[k].value ==
           doctest::Approx(density(profile.front().x[k])).epsilon(1e-9));
+  // 60 mN/m in 0.4 nm are 1500 bar.
+  for (std::size_t k = 0; k < bins_of_profile; ++k)
+    CHECK(std::abs(profile[1].value[k].value - (k >= 45 && k < 55 ? 1500 : 0)) < 1e-6);
+  CHECK(std::abs(profile[2].value[44].value) < 1e-9);
+  CHECK(profile[2].value[49].value == doctest::Approx(30).epsilon(1e-9));
+  CHECK(profile[2].x[49] == doctest::Approx(2).epsilon(1e-9));
+  CHECK(profile[2].value.back().value == doctest::Approx(60).epsilon(1e-9));
+  // Records of earlier versions have no pressures.
+  for (SlabSegment& segment : replicas.front().slab.segments) segment.tangential = {0, {}};
+  CHECK(slab_profiles({topology, mixing, {300, 0}, replicas}).size() == 1);
 }
 
 TEST_CASE("the slab of a replica has the same bits in one piece and in several") {

@@ -137,7 +137,7 @@ struct MeasuredPoint {
   double edge = 0;                    ///< box edge in the dynamics, or the mean edge at constant
                                       ///< pressure [nm]
   std::vector<MeasuredCurve> curves;  ///< of the dynamics
-  std::vector<MeasuredCurve> profiles{};              ///< density of the slab along its normal
+  std::vector<MeasuredCurve> profiles{};  ///< density and pressures of the slab along its normal
   std::vector<MeasuredDistribution> distributions{};  ///< of centres, then of sites
   std::vector<EquilibrationTrace> traces;             ///< traces of all replicas
   /// Values for curves over state points, with the time-step bias subtracted; not known without

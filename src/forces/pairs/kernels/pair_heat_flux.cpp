@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The heat flux of pairs: a direct sum over all pairs within range, without a neighbour list. A
-// body interacts with a pack of partners at once.
+// The heat flux and the virials of pairs: a direct sum over all pairs within range, without a
+// neighbour list. A body interacts with a pack of partners at once.
 #include "forces/pairs/pair_heat_flux.hpp"
 
 #include <array>
@@ -79,52 +79,88 @@ Vec3<Real> lanes_of(const Vec3Column& column, const std::uint32_t* body) {
 
 Vec3<Real> all_lanes(const Vec3<double>& v) { return {Real(v.x), Real(v.y), Real(v.z)}; }
 
-class PairFlux {
+class FluidSums {
  public:
-  explicit PairFlux(const PairHeatFluxJob& job)
+  explicit FluidSums(const PairHeatFluxJob& job)
       : job_(job),
         shape_(job.table),
         own_(job.motion.arms.size()),
         partner_(job.motion.arms.size()) {}
 
   template <CutoffTreatment treatment>
-  Vec3<double> sum_over_pairs() {
+  Vec3<double> flux() {
     Vec3<Real> total{};
+    each_pack<treatment>(
+        [&](std::size_t i, const std::uint32_t* body, std::size_t count, const Vec3<Real>& R,
+            const PairLoad<Real>& pair) { total += first_of(flux_of(i, body, R, pair), count); });
+    return sum_of_lanes(total);
+  }
+
+  template <CutoffTreatment treatment>
+  void add_virials(Vec3Column& virials) {
+    each_pack<treatment>([&](std::size_t i, const std::uint32_t* body, std::size_t count,
+                             const Vec3<Real>& R, const PairLoad<Real>& pair) {
+      const Vec3<Real> half = first_of(
+          {Real(0.5) * R.x * pair.f.x, Real(0.5) * R.y * pair.f.y, Real(0.5) * R.z * pair.f.z},
+          count);
+      virials.add(i, sum_of_lanes(half));
+      alignas(pack_bytes) std::array<std::array<double, Real::width>, 3> of;
+      for (std::size_t d = 0; d < 3; ++d) half[d].store(of[d].data());
+      for (std::size_t lane = 0; lane < std::min<std::size_t>(count, Real::width); ++lane)
+        virials.add(body[lane], {of[0][lane], of[1][lane], of[2][lane]});
+    });
+  }
+
+ private:
+  static Vec3<double> sum_of_lanes(const Vec3<Real>& v) { return {sum(v.x), sum(v.y), sum(v.z)}; }
+  /// Zero in all lanes but the first ones.
+  static Vec3<Real> first_of(const Vec3<Real>& v, std::size_t count) {
+    const auto counted = first_lanes<double>(count);
+    return {select(counted, v.x, Real(0)), select(counted, v.y, Real(0)),
+            select(counted, v.z, Real(0))};
+  }
+
+  /// Calls visit(i, partners, count, R, loads) for each body i and each pack of its partners, of
+  /// which the first `count` are counted. R are the vectors to the partners.
+  template <CutoffTreatment treatment, class Visit>
+  void each_pack(const Visit& visit) {
     Partners partners(job_.motion.q.size());
     for (std::size_t i = 0; i + 1 < job_.motion.q.size(); ++i) {
       find(job_, i, partners);
       for (std::size_t a = 0; a < own_.size(); ++a) own_[a] = all_lanes(job_.motion.arms[a][i]);
-      for (std::size_t k = 0; k < partners.count; k += Real::width)
-        total += flux_of<treatment>(i, partners, k, partners.count - k);
+      for (std::size_t k = 0; k < partners.count; k += Real::width) {
+        const Vec3<Real> R = vectors_to(partners, k);
+        visit(i, &partners.body[k], partners.count - k, R,
+              loads_of<treatment>(&partners.body[k], R));
+      }
     }
-    return {sum(total.x), sum(total.y), sum(total.z)};
   }
 
- private:
-  /// The flux of a body and a pack of its partners, of which the first `count` are counted.
-  template <CutoffTreatment treatment>
-  Vec3<Real> flux_of(std::size_t i, const Partners& partners, std::size_t k, std::size_t count) {
-    const Motion& m = job_.motion;
-    const std::uint32_t* const body = &partners.body[k];
+  static Vec3<Real> vectors_to(const Partners& partners, std::size_t k) {
     alignas(pack_bytes) std::array<std::array<double, Real::width>, 3> at;
     for (std::size_t d = 0; d < 3; ++d)
       for (std::size_t lane = 0; lane < Real::width; ++lane) at[d][lane] = partners.R[d][k + lane];
-    const Vec3<Real> R{Real::load(at[0].data()), Real::load(at[1].data()),
-                       Real::load(at[2].data())};
-    for (std::size_t b = 0; b < partner_.size(); ++b) partner_[b] = lanes_of(m.arms[b], body);
-    const PairLoad<Real> pair = molecule_pair<treatment, true>(
+    return {Real::load(at[0].data()), Real::load(at[1].data()), Real::load(at[2].data())};
+  }
+
+  template <CutoffTreatment treatment>
+  PairLoad<Real> loads_of(const std::uint32_t* body, const Vec3<Real>& R) {
+    for (std::size_t b = 0; b < partner_.size(); ++b)
+      partner_[b] = lanes_of(job_.motion.arms[b], body);
+    return molecule_pair<treatment, true>(
         shape_, job_.table.any_law<double>(), job_.laws, R, [&](std::size_t a) { return own_[a]; },
         [&](std::size_t b) { return partner_[b]; });
+  }
+
+  Vec3<Real> flux_of(std::size_t i, const std::uint32_t* body, const Vec3<Real>& R,
+                     const PairLoad<Real>& pair) const {
+    const Motion& m = job_.motion;
     const Vec3<Real> v_i = all_lanes(m.v[i]), v_j = lanes_of(m.v, body);
     const Real power_i = dot(pair.tau_a(R), all_lanes(m.omega[i])) - dot(pair.f, v_i),
                power_j = dot(pair.tau_b, lanes_of(m.omega, body)) + dot(pair.f, v_j);
     const Real first(job_.share), second(1 - job_.share);
     const Real u = pair.van_der_waals + pair.coulomb;
-    const Vec3<Real> flux =
-        u * (first * v_i + second * v_j) + (first * power_j - second * power_i) * R;
-    const auto counted = first_lanes<double>(count);
-    return {select(counted, flux.x, Real(0)), select(counted, flux.y, Real(0)),
-            select(counted, flux.z, Real(0))};
+    return u * (first * v_i + second * v_j) + (first * power_j - second * power_i) * R;
   }
 
   const PairHeatFluxJob& job_;
@@ -132,20 +168,34 @@ class PairFlux {
   std::vector<Vec3<Real>> own_, partner_;  // arms of a body and of a pack of its partners
 };
 
+/// Calls a template with the treatment of the cutoff.
+template <class Sum>
+auto with_treatment(CutoffTreatment treatment, const Sum& sum) {
+  switch (treatment) {
+    case CutoffTreatment::molecule_switch:
+      return sum.template operator()<CutoffTreatment::molecule_switch>();
+    case CutoffTreatment::site_switch:
+      return sum.template operator()<CutoffTreatment::site_switch>();
+    case CutoffTreatment::site_shift:
+      return sum.template operator()<CutoffTreatment::site_shift>();
+    default:
+      return sum.template operator()<CutoffTreatment::smooth>();
+  }
+}
+
 }  // namespace
 
 Vec3<double> pair_heat_flux(const PairHeatFluxJob& job) {
-  PairFlux flux(job);
-  switch (job.treatment) {
-    case CutoffTreatment::molecule_switch:
-      return flux.sum_over_pairs<CutoffTreatment::molecule_switch>();
-    case CutoffTreatment::site_switch:
-      return flux.sum_over_pairs<CutoffTreatment::site_switch>();
-    case CutoffTreatment::site_shift:
-      return flux.sum_over_pairs<CutoffTreatment::site_shift>();
-    default:
-      return flux.sum_over_pairs<CutoffTreatment::smooth>();
-  }
+  FluidSums sums(job);
+  return with_treatment(
+      job.treatment, [&]<CutoffTreatment treatment>() { return sums.template flux<treatment>(); });
+}
+
+void pair_virials(const PairHeatFluxJob& job, Vec3Column& virials) {
+  FluidSums sums(job);
+  with_treatment(job.treatment, [&]<CutoffTreatment treatment>() {
+    sums.template add_virials<treatment>(virials);
+  });
 }
 
 }  // namespace polhode::POLHODE_LOOPS
