@@ -153,6 +153,12 @@ class Coupling(Sandbox):
         self.write("liquid.toml", RUN.format(count=64))
         self.agrees(self.measured("liquid.toml", "chemical-potential", "0.15 kJ/mol", "--at", f"{T:g} K, 300 bar"), 0.15)
 
+    def test_hybrid_monte_carlo_has_the_same_free_energy_and_no_bias(self):
+        self.write("liquid.toml", RUN.format(count=64))
+        found = self.measured("liquid.toml", "chemical-potential", "0.3 kJ/mol", "--at", f"{T:g} K, 300 bar", "--sampling", "hybrid-monte-carlo")
+        self.agrees(found, 0.3)
+        self.assertIsNone(found["step_bias"])
+
     def test_a_solute_like_the_solvent_has_the_same_free_energy(self):
         self.write("twin.toml", TWIN)
         self.write("liquid.toml", RUN.format(count=63))

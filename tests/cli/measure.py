@@ -131,8 +131,9 @@ plot = "none"
         self.assertIn("out-160K-500bar-pilot.replica", common)
 
     def test_merge_names_the_replicas_that_are_missing(self):
-        self.measured("--shard", "1/4")
-        self.measured("--shard", "3/4")
+        self.measured_before()
+        for k in (1, 3):
+            (self.folder / f"out-160K-500bar-r{k}.replica").unlink()
         merged = self.measured("--json", verb="merge")
         self.assertIn("2 of 4 replicas have no record: 'out-160K-500bar-r1.replica', 'out-160K-500bar-r3.replica'", merged.err)
         point = json.loads(merged.out)["points"][0]
@@ -207,6 +208,7 @@ plot = "none"
             self.assertIn(words, process.err)
 
     def test_the_page_needs_no_other_file(self):
+        self.measured_before()
         self.measured("second-virial-coefficient", "5 %")
         page = Text()
         page.feed((self.folder / "out.html").read_text(encoding="utf-8"))
@@ -275,6 +277,26 @@ epsilon = "1 kJ/mol"
         process = self.polhode("measure", *arguments[:-1], "without", "--paired-runs", "no", "--time-limit", "0.01 s")
         self.assertEqual(process.returncode, 0, process.err)
         self.assertNotIn("is repeated at half of the step", process.err)
+
+    def test_hybrid_monte_carlo_has_the_same_density_and_no_bias(self):
+        self.measured_before()
+        before = json.loads(self.measured("--json", verb="merge").out)["points"][0]["properties"][0]
+        records = self.records()
+        mixed = self.polhode(*LIQUID, "--sampling", "hybrid-monte-carlo")
+        self.assertEqual(mixed.returncode, 2, mixed.err)
+        self.assertIn("sampling", mixed.err)
+        self.assertEqual(self.records(), records)
+        arguments = (*LIQUID[1:-1], "hybrid", "--sampling", "hybrid-monte-carlo")
+        process = self.polhode("measure", *arguments)
+        self.assertEqual(process.returncode, 0, process.err)
+        self.assertIn("hybrid Monte Carlo by hoa2 at", process.err)
+        self.assertIn("hybrid Monte Carlo by hoa2 at", " ".join(process.out.split()))
+        found = json.loads(self.polhode("merge", *arguments, "--json").out)["points"][0]["properties"][0]
+        self.assertTrue(found["reached"])
+        self.assertIsNone(found["step_bias"])
+        one, other = before["value"], found["value"]
+        # Four standard errors of the difference, and the seeds are fixed.
+        self.assertLess(abs(one["value"] - other["value"]), 4 * (one["error"]**2 + other["error"]**2)**0.5)
 
     def test_the_thermal_conductivity_of_a_pure_substance(self):
         arguments = ("argon", "thermal-conductivity", "40 %", "--molecules", "32", "--at", "160 K, 500 bar", "--paired-runs", "no", "--output", "out")
@@ -377,6 +399,7 @@ plot = "none"
                 (("argon", "density", "--replicas", "1"), ["--replicas"]),
                 (("argon", "density", "--shard", "3"), ["--shard", "2/8"]),
                 (("argon", "density", "--paired-runs", "some"), ["--paired-runs", "yes or no"]),
+                (("argon", "density", "--sampling", "monte-carlo"), ["--sampling", "molecular-dynamics or hybrid-monte-carlo"]),
                 (("argon", "density", "--time-limit", "5"), ["--time-limit", "unit"]),
                 (("argon 4", "density"), ["has 4 molecules", "at least 32"]),
                 (("argon", "density", "--at", "160 K, 1e7 bar"), ["--at", "from -100000 to 1e+06 bar"]),

@@ -90,6 +90,12 @@ class Measure(unittest.TestCase):
         alone = polhode.measure(**call, output="without", paired_runs=False)["points"][0]["properties"][0]
         self.assertIsNone(alone["step_bias_bound"])
 
+    def test_hybrid_monte_carlo(self):
+        found = polhode.measure(**CALL, output="hybrid", sampling="hybrid-monte-carlo")["points"][0]["properties"][0]
+        self.assertIsNone(found["step_bias"])
+        with self.assertRaisesRegex(polhode.Error, "sampling must be molecular-dynamics or hybrid-monte-carlo"):
+            polhode.measure(**CALL, output="other", sampling="monte-carlo")
+
     def test_wrong_input(self):
         with self.assertRaisesRegex(polhode.Error, "did you mean 'density'"):
             polhode.measure("argon", "densty")

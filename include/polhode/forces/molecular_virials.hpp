@@ -16,10 +16,9 @@ namespace polhode {
 /// has half of the virial. If the virials parallel to a surface are assigned to the places of their
 /// molecules, they give the tangential pressure with the contour of Harasima [harasima1958].
 ///
-/// In the mesh part, the virial of two charges is shared in the same way, and a molecule has the
-/// part Σ d_a F_a of the arms d of its own charges. The terms of dispersion beyond the cutoff and
-/// of the Ewald sum that do not depend on the configuration belong to all molecules equally. The
-/// sum of the virials is the diagonal of Load::virial.
+/// In the mesh part, two charges share their virial in the same way. The part −Σ d_a F_a belongs to
+/// the molecule with the arms d_a. Terms that do not depend on the configuration belong to all
+/// molecules equally. The sum of all virials is the diagonal of Load::virial.
 ///
 /// The function is a direct sum over all pairs and a mesh in double precision, so a call takes as
 /// long as several force evaluations.

@@ -16,6 +16,20 @@
 #include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {
+namespace {
+
+/// @throws RunError  if nearly all trajectories are rejected
+void check_acceptance(const HybridMonteCarloMemory& hybrid, const StatePoint& at) {
+  constexpr std::uint64_t min_trajectories = 20, one_in = 10;
+  if (hybrid.trajectories < min_trajectories || one_in * hybrid.accepted >= hybrid.trajectories)
+    return;
+  throw RunError(
+      fmt::format("at {}: hybrid Monte Carlo accepts only {} of {} trajectories; give sampling = "
+                  "molecular-dynamics, or fewer molecules",
+                  at.text(), hybrid.accepted, hybrid.trajectories));
+}
+
+}  // namespace
 
 Chain::Chain(const ReplicaSettings& settings, const Replica& replica,
              std::optional<MeshChoice>& meshes)
@@ -61,6 +75,7 @@ std::optional<Trajectory> Chain::run(const TrajectorySettings& t, Watch watch) {
   if (!done.failure.empty())
     throw RunError(fmt::format("at {}: {}", settings_.at.text(), done.failure));
   if (done.stopped) return std::nullopt;
+  check_acceptance(done.ensemble.hybrid, settings_.at);
   return done;
 }
 
@@ -140,6 +155,16 @@ TrajectorySettings averages_of(const Chain& chain, double compressibility, doubl
   t.ensemble.thermostat = Rescaling{std::max(0.5, 100 * step)};
   if (!chain.settings().at.constant_volume())
     t.ensemble.barostat = barostat(chain.settings(), compressibility, step);
+  return t;
+}
+
+TrajectorySettings sampling_of(const Chain& chain, double compressibility, double step,
+                               std::size_t steps, std::uint64_t stream) {
+  TrajectorySettings t = averages_of(chain, compressibility, step, steps, stream);
+  if (chain.settings().sampling == Sampling::molecular_dynamics) return t;
+  t.scheme = scheme_of("hoa2");
+  t.ensemble.thermostat.reset();
+  t.ensemble.hybrid_monte_carlo = HybridMonteCarloSettings{.steps = steps_of_sample};
   return t;
 }
 

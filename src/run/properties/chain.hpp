@@ -52,7 +52,7 @@ class Chain {
   Trajectory attempt(const TrajectorySettings& t, Watch watch = {});
   /// Runs a trajectory.
   /// @return  the trajectory; empty if it was stopped
-  /// @throws RunError  if it blows up
+  /// @throws RunError  if it blows up, or if hybrid Monte Carlo rejects nearly all trajectories
   std::optional<Trajectory> run(const TrajectorySettings& t, Watch watch = {});
   double max_stable_step(const TrajectorySettings& t);
   /// The force settings of a run, with the mesh for the box of the state.
@@ -94,6 +94,9 @@ bool extend(DynamicsChain& segments, Chain& chain, std::uint64_t stream,
 /// point.
 /// @param compressibility  compressibility that sets the size of volume moves [nm³ mol/kJ]
 TrajectorySettings averages_of(const Chain& chain, double compressibility, double step,
+                               std::size_t steps, std::uint64_t stream);
+/// The same, by the sampling of the settings. Each sample ends a trajectory of hybrid Monte Carlo.
+TrajectorySettings sampling_of(const Chain& chain, double compressibility, double step,
                                std::size_t steps, std::uint64_t stream);
 
 }  // namespace polhode

@@ -16,6 +16,15 @@ namespace {
 /// Whether a replica with `all` segments has at least as many in equilibrium as before it.
 bool is_in_equilibrium(std::size_t before, std::size_t all) { return 2 * before <= all; }
 
+/// A run of a replica: the responses of segments, relative to their first sample.
+StepResponse response_of(const std::vector<const StepResponse*>& segments) {
+  StepResponse run{.first = segments.front()->first, .blocks = {}};
+  for (const StepResponse* segment : segments)
+    run.blocks.blocks.push_back(segment->blocks.blocks.front());
+  run.blocks.samples_per_block = run.blocks.blocks[0].weight;
+  return run;
+}
+
 }  // namespace
 
 std::size_t equilibrium_of(const std::vector<double>& parts, std::size_t parts_of_segment) {
@@ -99,25 +108,24 @@ std::vector<BlockMeans> separate_or_joined(std::vector<std::vector<BlockMeans::B
   return {BlockMeans(std::move(all))};
 }
 
-StepResponse response_of(const std::vector<const StepResponse*>& segments) {
-  StepResponse run{.first = segments.front()->first, .blocks = {}};
-  for (const StepResponse* segment : segments)
-    run.blocks.blocks.push_back(segment->blocks.blocks.front());
-  run.blocks.samples_per_block = run.blocks.blocks[0].weight;
-  return run;
-}
-
-std::vector<StepResponse> responses_of(const Contributions& contributions) {
+std::vector<StepResponse> responses_of(const Contributions& contributions, const ResponsesOf& of) {
   std::vector<StepResponse> runs;
-  for (const auto& [replica, from] : contributions.all) {
-    std::vector<const StepResponse*> segments;
-    for (std::size_t k = from; k < replica->averages.size(); ++k)
-      segments.push_back(&replica->averages[k].response);
-    if (segments.empty()) continue;
+  for (const Contribution& contribution : contributions.all) {
+    const std::vector<const StepResponse*> segments = of(contribution);
+    if (segments.empty() || segments.front()->first.empty()) continue;
     const StepResponse run = response_of(segments);
     runs.push_back(runs.empty() ? run : run.relative_to(runs.front().first));
   }
   return runs;
+}
+
+std::vector<StepResponse> responses_of(const Contributions& contributions) {
+  return responses_of(contributions, [](const Contribution& c) {
+    std::vector<const StepResponse*> segments;
+    for (std::size_t k = c.from; k < c.replica->averages.size(); ++k)
+      segments.push_back(&c.replica->averages[k].response);
+    return segments;
+  });
 }
 
 Box box_of(const Contributions& contributions) {

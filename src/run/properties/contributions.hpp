@@ -2,6 +2,7 @@
 // The data of the replicas of a state point, and which of them contribute to a value.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -46,11 +47,13 @@ struct Contributions {
 const std::vector<BlockMeans::Block>& segments_of(const Replica& replica, MeasuredIn what);
 /// One run for each replica, or a single run if a replica is too short for an error.
 std::vector<BlockMeans> separate_or_joined(std::vector<std::vector<BlockMeans::Block>> runs);
-/// A run of a replica: the responses of segments, relative to their first sample.
-StepResponse response_of(const std::vector<const StepResponse*>& segments);
 /// The averages in equilibrium, with a run for each replica.
 std::vector<BlockMeans> averages_of(const Contributions& contributions);
-/// The step responses of the same segments, relative to a common first sample.
+/// The responses of segments of a replica, relative to their first sample.
+using ResponsesOf = std::function<std::vector<const StepResponse*>(const Contribution&)>;
+/// The step responses of runs, relative to a common first sample. Hybrid Monte Carlo has none.
+std::vector<StepResponse> responses_of(const Contributions& contributions, const ResponsesOf& of);
+/// The same, of the averages in equilibrium.
 std::vector<StepResponse> responses_of(const Contributions& contributions);
 /// The box of the dynamics with its mean edges, or at constant pressure without dynamics. The edges
 /// are 0 before any preparation.

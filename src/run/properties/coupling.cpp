@@ -78,11 +78,11 @@ class CoupledChain {
     if (!chain_.run(t, watch)) return std::nullopt;
     return chain_.system().state;
   }
-  FixedMeans fixed_means() const { return *settings(1, 0).fixed_means(); }
+  std::optional<FixedMeans> fixed_means() const { return settings(1, 0).fixed_means(); }
 
  private:
   TrajectorySettings settings(std::size_t steps, std::uint64_t stream) const {
-    TrajectorySettings t = averages_of(chain_, compressibility_, step_, steps, stream);
+    TrajectorySettings t = sampling_of(chain_, compressibility_, step_, steps, stream);
     t.sample = t.shadow_sample = step_ * static_cast<double>(steps_of_coupling_sample);
     return t;
   }
@@ -139,7 +139,7 @@ std::optional<StageSegment> segment_at(CoupledChain& chain, CoupledChains& chain
   if (k + 1 < path.size()) after.emplace(chain.whole(), path[k + 1]);
   StageSegment segment{.sums = {0, std::vector<double>(coupling_sums)}, .response = {}};
   if (!chains.segments.empty()) segment.response.first = chains.segments.front()[k].response.first;
-  const FixedMeans fixed = chain.fixed_means();
+  const auto fixed = chain.fixed_means();
   const auto sample = [&](const State& state, const Energies& now) {
     const auto reduced = [&](OtherStage& other) {
       return (other.potential(state) - now.potential()) / chain.kT();
@@ -149,7 +149,7 @@ std::optional<StageSegment> segment_at(CoupledChain& chain, CoupledChains& chain
         after ? fermi(reduced(*after) - path[k].next) : 0, k == 0 ? 1 / now.volume : now.volume};
     segment.sums.weight += 1;
     for (std::size_t s = 0; s < coupling_sums; ++s) segment.sums.sum[s] += x[s];
-    if (!std::isnan(now.step_error)) segment.response.add(step_error(now, fixed, 0), x);
+    if (fixed && !std::isnan(now.step_error)) segment.response.add(step_error(now, *fixed, 0), x);
   };
   const auto end = chain.run(chains.states[k], path[k], steps_of_coupling, stream, sample);
   if (!end) return std::nullopt;

@@ -53,18 +53,14 @@ std::vector<BlockMeans> runs_of(const Contributions& contributions) {
 }
 
 /// The step responses of a stage, relative to a common first sample.
-std::vector<StepResponse> responses_of(const Contributions& contributions, std::size_t stage) {
-  std::vector<StepResponse> runs;
-  for (const auto& [replica, from] : contributions.all) {
+std::vector<StepResponse> responses_at(const Contributions& contributions, std::size_t stage) {
+  return responses_of(contributions, [stage](const Contribution& c) {
     std::vector<const StepResponse*> of_stage;
-    const auto& segments = replica->coupled.segments;
-    for (std::size_t k = coupled_from(*replica); k < segments.size(); ++k)
+    const auto& segments = c.replica->coupled.segments;
+    for (std::size_t k = coupled_from(*c.replica); k < segments.size(); ++k)
       of_stage.push_back(&segments[k][stage].response);
-    if (of_stage.empty()) continue;
-    const StepResponse run = response_of(of_stage);
-    runs.push_back(runs.empty() ? run : run.relative_to(runs.front().first));
-  }
-  return runs;
+    return of_stage;
+  });
 }
 
 /// The time-step bias of the free energy [kT]. The stages are independent runs.
@@ -72,7 +68,7 @@ SeriesEstimate bias_of(const Contributions& contributions, std::size_t stages, F
                        double degrees_of_freedom) {
   SeriesEstimate sum{0, 0, Known::yes, 0};
   for (std::size_t k = 0; k < stages; ++k) {
-    const SeriesEstimate one = step_bias(responses_of(contributions, k), degrees_of_freedom, fixed,
+    const SeriesEstimate one = step_bias(responses_at(contributions, k), degrees_of_freedom, fixed,
                                          [&](Means means) { return part_of(means, k, stages); });
     if (one.known != Known::yes) return one;
     sum.value += one.value;

@@ -402,6 +402,7 @@ MeasuredPoint PointMeasurement::perform() {
     }
   }
   MeasuredPoint point = described(data(replicas_));
+  point.sampling = settings_.sampling;
   point.properties = evaluate(replicas_);
   if (!at().constant_volume()) {
     point.density = estimate({&property("density")}, data(replicas_)).value;

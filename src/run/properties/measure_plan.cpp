@@ -19,9 +19,9 @@ std::string Plan::text(double seconds) const {
                            segments(MeasuredIn::conduction)) *
                           steps_of_dynamics;
   std::string text = fmt::format(
-      "plan at {}: {} replicas of {} molecules, hoa2 at {:g} fs; first {:.0f} ps of each at "
+      "plan at {}: {} replicas of {} molecules, {} at {:g} fs; first {:.0f} ps of each at "
       "constant {}",
-      settings.at.text(), replicas, molecules, step * units::fs_per_ps,
+      settings.at.text(), replicas, molecules, text_of(settings.sampling), step * units::fs_per_ps,
       segments(MeasuredIn::averages) * steps_of_averages * step,
       settings.at.constant_volume() ? "volume" : "pressure");
   if (dynamics > 0)

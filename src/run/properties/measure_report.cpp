@@ -228,10 +228,10 @@ void append_curves(Quantities& list, const StateCurves& curves) {
 std::string MeasuredPoint::conditions(const std::string& line_break) const {
   if (length_of_averages == 0) return "";
   std::string text = fmt::format(
-      "{} replicas of {} molecules, hoa2 at {:g} fs; {:.0f} ps at constant {}{}after at most "
+      "{} replicas of {} molecules, {} at {:g} fs; {:.0f} ps at constant {}{}after at most "
       "{:.0f} "
       "ps of equilibration each",
-      replicas, molecules, step_max * units::fs_per_ps, length_of_averages,
+      replicas, molecules, text_of(sampling), step_max * units::fs_per_ps, length_of_averages,
       at.constant_volume() ? "volume" : "pressure", line_break, equilibration_max);
   if (length_of_dynamics > 0) text += fmt::format("; {:.0f} ps for dynamics", length_of_dynamics);
   if (length_of_coupling > 0)

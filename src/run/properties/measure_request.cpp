@@ -189,6 +189,14 @@ RequestedProperty with_error(const Property& property, const std::string& text) 
   return request;
 }
 
+constexpr std::array samplings{"molecular-dynamics", "hybrid-monte-carlo"};  // of Sampling
+
+Sampling sampling_of(const Given& sampling) {
+  for (std::size_t k = 0; k < samplings.size(); ++k)
+    if (sampling.text == samplings[k]) return static_cast<Sampling>(k);
+  refuse(sampling, fmt::format("must be {}", fmt::join(samplings, " or ")));
+}
+
 }  // namespace
 
 std::vector<RequestedProperty> requested_properties(const std::vector<std::string>& words) {
@@ -224,32 +232,37 @@ std::string properties_help() {
 std::vector<RequestOption<MeasureRequest>> MeasureRequest::options() {
   using R = MeasureRequest;
   const MeasureSettings defaults;
-  return {{"at", &R::at,
-           "state point or range, several separated by ';': \"298.15 K, 1 bar\", \"298.15 K, 997 "
-           "kg/m3\" at constant volume, \"250 K to 320 K, 7 points\"; default: the state point of "
-           "the run file or .mdp file, or \"298.15 K, 1 bar\""},
-          {"molecules", &R::molecules,
-           fmt::format("number of molecules of a pure substance; default: {}", usual_molecules)},
-          {"mixing", &R::mixing,
-           "mixing rule of unlike sites for a system of models: lorentz-berthelot or geometric; "
-           "default: the rule of the models"},
-          {"solute", &R::solute,
-           "name of a model or molecule file: one molecule of it is added as the first kind, for "
-           "its solvation-free-energy"},
-          {"replicas", &R::replicas,
-           fmt::format("number of independent simulations of each state point; default: {}",
-                       defaults.replicas)},
-          {"paired_runs", &R::paired_runs,
-           "whether an eighth of the dynamics is repeated at half of the step to bound its "
-           "time-step bias, for a quarter more time: yes or no; default: yes"},
-          {"time_limit", &R::time_limit,
-           "wall-clock time after which the results so far are reported: \"600 s\", \"2 h\""},
-          {"shard", &R::shard,
-           "part of the replicas for this process: \"2/8\"; 'polhode merge' then reports the "
-           "properties from all parts"},
-          {"seed", &R::seed,
-           fmt::format("seed of all replicas, a whole number; default: {}", SystemSettings{}.seed)},
-          {"output", &R::output, "prefix of the output files; default: " + R{}.prefix()}};
+  return {
+      {"at", &R::at,
+       "state point or range, several separated by ';': \"298.15 K, 1 bar\", \"298.15 K, 997 "
+       "kg/m3\" at constant volume, \"250 K to 320 K, 7 points\"; default: the state point of "
+       "the run file or .mdp file, or \"298.15 K, 1 bar\""},
+      {"molecules", &R::molecules,
+       fmt::format("number of molecules of a pure substance; default: {}", usual_molecules)},
+      {"mixing", &R::mixing,
+       "mixing rule of unlike sites for a system of models: lorentz-berthelot or geometric; "
+       "default: the rule of the models"},
+      {"solute", &R::solute,
+       "name of a model or molecule file: one molecule of it is added as the first kind, for "
+       "its solvation-free-energy"},
+      {"replicas", &R::replicas,
+       fmt::format("number of independent simulations of each state point; default: {}",
+                   defaults.replicas)},
+      {"paired_runs", &R::paired_runs,
+       "whether an eighth of the dynamics is repeated at half of the step to bound its "
+       "time-step bias, for a quarter more time: yes or no; default: yes"},
+      {"sampling", &R::sampling,
+       fmt::format("sampling of averages, chemical potentials and slabs: {}; hybrid Monte Carlo "
+                   "has no time-step bias; default: {}",
+                   fmt::join(samplings, " or "), samplings.front())},
+      {"time_limit", &R::time_limit,
+       "wall-clock time after which the results so far are reported: \"600 s\", \"2 h\""},
+      {"shard", &R::shard,
+       "part of the replicas for this process: \"2/8\"; 'polhode merge' then reports the "
+       "properties from all parts"},
+      {"seed", &R::seed,
+       fmt::format("seed of all replicas, a whole number; default: {}", SystemSettings{}.seed)},
+      {"output", &R::output, "prefix of the output files; default: " + R{}.prefix()}};
 }
 
 MeasureSettings MeasureRequest::settings() const {
@@ -291,6 +304,7 @@ MeasureSettings MeasureRequest::settings() const {
   if (paired_runs && paired_runs.text != "yes" && paired_runs.text != "no")
     refuse(paired_runs, "must be yes or no");
   s.paired_runs = paired_runs.text != "no";
+  if (sampling) s.sampling = sampling_of(sampling);
   if (shard) s.shard = shard_of(shard);
   if (s.shard.count > s.replicas)
     refuse(shard, fmt::format("has more parts than there are replicas, {}", s.replicas));

@@ -28,7 +28,8 @@ PointSystem::PointSystem(const MeasureSettings& settings, const StatePoint& at)
     : common{.config = settings.config,
              .at = at,
              .max_bias = max_bias(settings),
-             .paired_runs = settings.paired_runs} {
+             .paired_runs = settings.paired_runs,
+             .sampling = settings.sampling} {
   Config& config = common.config;
   config.system.temperature = at.temperature;
   topology = build_topology(config.system);
@@ -39,10 +40,11 @@ PointSystem::PointSystem(const MeasureSettings& settings, const StatePoint& at)
   const System system = build_system(built);
   topology = system.topology;
   mixing = system.forces.mixing;
-  // Three numbers at constant volume, so that records of both kinds are never mixed.
-  identity = text_hash(at.constant_volume()
-                           ? polhode::identity(config, system, {at.temperature, at.density, 1})
-                           : polhode::identity(config, system, {at.temperature, at.pressure}));
+  // More numbers at constant volume, and with another sampling, so that records are never mixed.
+  std::vector<double> state{at.temperature, at.constant_volume() ? at.density : at.pressure};
+  if (at.constant_volume()) state.push_back(1);
+  if (settings.sampling == Sampling::hybrid_monte_carlo) state.push_back(2);
+  identity = text_hash(polhode::identity(config, system, state));
 }
 
 }  // namespace polhode

@@ -47,6 +47,11 @@ struct PropertyConditions {
   double degrees_of_freedom = 0;
 };
 
+/// The sampling of averages in words.
+inline const char* text_of(Sampling sampling) {
+  return sampling == Sampling::hybrid_monte_carlo ? "hybrid Monte Carlo by hoa2" : "hoa2";
+}
+
 /// The kind of run in which a property is measured.
 enum class MeasuredIn {
   averages,    ///< runs at constant temperature, and at constant pressure or volume

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -134,8 +135,21 @@ bool relax(Chain& chain, Replica& replica) {
   return true;
 }
 
-/// Chooses the time step. It is half of the maximum stable step, or a shorter step at which R and
-/// the predicted potential energy bias are below their bounds. Both grow as the square of the step.
+/// How far a run of averages at some step is beyond the bounds of R and of the predicted bias of
+/// the potential energy. Hybrid Monte Carlo has no bias, but it must accept most trajectories:
+/// energies at their ends differ by √2 rms deviations, and an rms difference of 1 kT is accepted in
+/// 62 %.
+double beyond_bounds(const RunSummary& s, const Trajectory& done, const ReplicaSettings& settings) {
+  const double ratio = s.ratio.value / max_ratio;
+  if (settings.sampling == Sampling::hybrid_monte_carlo)
+    return std::max(ratio, std::numbers::sqrt2 * s.total_fluctuation.value /
+                               (units::boltzmann * settings.at.temperature));
+  const double bias = std::abs(s.step_bias->potential.value / done.statistics.energies.potential());
+  return std::max(ratio, bias / settings.max_bias);
+}
+
+/// Chooses the time step. It is half of the maximum stable step, or a shorter step within all
+/// bounds. They grow as the square of the step.
 bool choose_step(Chain& chain, Replica& replica) {
   constexpr std::uint64_t trials = 8;
   constexpr double shorter = 1.5;
@@ -151,10 +165,7 @@ bool choose_step(Chain& chain, Replica& replica) {
     if (done.stopped) return false;
     double beyond = shorter * shorter;
     if (done.failure.empty()) {
-      const RunSummary s = summary(chain.system(), trial, done);
-      const double bias =
-          std::abs(s.step_bias->potential.value / done.statistics.energies.potential());
-      beyond = std::max(s.ratio.value / max_ratio, bias / chain.settings().max_bias);
+      beyond = beyond_bounds(summary(chain.system(), trial, done), done, chain.settings());
       if (beyond <= 1) return true;
     } else {
       chain.system().state = start;
@@ -304,9 +315,9 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings) {
   System& system = chain.system();
   system.state = replica.state;
   const TrajectorySettings t =
-      averages_of(chain, compressibility_of_moves(replica, settings.at), replica.step,
+      sampling_of(chain, compressibility_of_moves(replica, settings.at), replica.step,
                   steps_of_averages, averaging + replica.averages.size());
-  const FixedMeans fixed = *t.fixed_means();
+  const auto fixed = t.fixed_means();
   const bool constant_volume = settings.at.constant_volume();
   const std::size_t count = constant_volume ? averages_count_at_constant_volume : averages_count;
   AveragesSegment segment{.sums = {0, std::vector<double>(count)}, .response = {}};
@@ -330,7 +341,7 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings) {
       segment.potentials.push_back(mean[0]);
       segment.volumes.push_back(mean[1]);
     }
-    if (!std::isnan(now.step_error)) segment.response.add(step_error(now, fixed, 0), x);
+    if (fixed && !std::isnan(now.step_error)) segment.response.add(step_error(now, *fixed, 0), x);
   };
   if (!chain.run(t, {.sample = sample})) return false;
   segment.response.blocks = {{segment.response.blocks.means().sum()}, 1};

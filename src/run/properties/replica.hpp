@@ -165,6 +165,7 @@ struct ReplicaSettings {
   double liquid_density = 0;  ///< estimated density of the liquid [u/nm³]
   double max_bias = 0;        ///< maximum relative time-step bias of the potential energy
   bool paired_runs = true;    ///< whether there are paired segments of dynamics
+  Sampling sampling{};        ///< of averages, stages of a coupling and slabs
   double step = 0;      ///< time step of all replicas [ps]; 0 for a pilot, which chooses the step
                         ///< during preparation
   CouplingPath path{};  ///< stages of a coupling of all replicas, which a pilot chooses

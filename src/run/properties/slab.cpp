@@ -128,10 +128,10 @@ bool add_slab(Replica& replica, const ReplicaSettings& settings, std::size_t fro
     system.state = *slab.state;
   else if (!relax_copies(chain, replica, relaxing_slab))
     return false;
-  TrajectorySettings t = averages_of(chain, replica.compressibility, replica.step,
+  TrajectorySettings t = sampling_of(chain, replica.compressibility, replica.step,
                                      steps_of_averages, slab_averaging + slab.segments.size());
   t.ensemble.barostat.reset();
-  const FixedMeans fixed = *t.fixed_means();
+  const auto fixed = t.fixed_means();
   SlabSegment segment{.sums = {0, std::vector<double>(slab_averages_count + bins_of_profile)},
                       .response = {}};
   if (!slab.segments.empty()) segment.response.first = slab.segments.front().response.first;
@@ -159,7 +159,7 @@ bool add_slab(Replica& replica, const ReplicaSettings& settings, std::size_t fro
     part += now.potential() / samples_of_part;
     if (steps % (samples_of_part * steps_of_sample) == 0)
       segment.potentials.push_back(std::exchange(part, 0));
-    if (!std::isnan(now.step_error)) segment.response.add(step_error(now, fixed, 0), x);
+    if (fixed && !std::isnan(now.step_error)) segment.response.add(step_error(now, *fixed, 0), x);
   };
   if (!chain.run(t, {.sample = sample, .load = load})) return false;
   segment.response.blocks = {{segment.response.blocks.means().sum()}, 1};

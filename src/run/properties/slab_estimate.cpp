@@ -53,17 +53,13 @@ std::vector<BlockMeans> pressure_runs_of(const Contributions& contributions) {
 }
 
 std::vector<StepResponse> responses_of_slab(const Contributions& contributions) {
-  std::vector<StepResponse> runs;
-  for (const auto& [replica, from] : contributions.all) {
+  return responses_of(contributions, [](const Contribution& c) {
     std::vector<const StepResponse*> responses;
-    const std::vector<SlabSegment>& segments = replica->slab.segments;
-    for (std::size_t k = slab_from(*replica); k < segments.size(); ++k)
+    const std::vector<SlabSegment>& segments = c.replica->slab.segments;
+    for (std::size_t k = slab_from(*c.replica); k < segments.size(); ++k)
       responses.push_back(&segments[k].response);
-    if (responses.empty()) continue;
-    const StepResponse run = response_of(responses);
-    runs.push_back(runs.empty() ? run : run.relative_to(runs.front().first));
-  }
-  return runs;
+    return responses;
+  });
 }
 
 double degrees_of_freedom_of_slab(Topology topology) {

@@ -42,6 +42,10 @@ struct RequestedProperty {
                          ///< unit of the property
 };
 
+/// How averages are sampled: by molecular dynamics, with a time-step bias that is predicted and
+/// subtracted, or by hybrid Monte Carlo, without any.
+enum class Sampling { molecular_dynamics, hybrid_monte_carlo };
+
 /// The share of a process in the work: the process computes the replicas with numbers equal to
 /// `index` modulo `count`.
 struct Shard {
@@ -61,6 +65,7 @@ struct MeasureSettings {
   /// Whether a part of the dynamics is repeated at half of the step, which bounds its time-step
   /// bias.
   bool paired_runs = true;
+  Sampling sampling{};         ///< of averages, stages of a coupling and slabs
   bool only_evaluate = false;  ///< whether to evaluate only existing records, without new
                                ///< computations
 };
@@ -126,6 +131,7 @@ struct MeasuredPoint {
   std::vector<MeasuredProperty> properties;
   std::size_t molecules = 0;
   std::uint64_t replicas = 0;
+  Sampling sampling{};
   double step_min = 0, step_max = 0;  ///< smallest and largest time step of the replicas [ps]
   double equilibration_max = 0;       ///< discarded equilibration time, maximum over all replicas
                                       ///< [ps]

@@ -96,7 +96,7 @@ std::map<std::string, std::string> settings_of(const std::string& run_identity) 
 }  // namespace
 
 std::string identity(const Config& config, const System& system,
-                     std::initializer_list<double> numbers) {
+                     const std::vector<double>& numbers) {
   std::ostringstream id;
   id.precision(17);
   for (const auto& [molecule, count] : system.topology.parts) {

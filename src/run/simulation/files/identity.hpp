@@ -3,9 +3,9 @@
 // mixed.
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "polhode/run/simulation/system/system.hpp"
 
@@ -15,7 +15,7 @@ namespace polhode {
 /// initial configuration, and the forces.
 /// @param numbers  further parameters of the computation, such as times
 std::string identity(const Config& config, const System& system,
-                     std::initializer_list<double> numbers);
+                     const std::vector<double>& numbers);
 
 /// The settings, other than the system, that determine a run. Each setting is a line such as
 /// "integrator.step = 2 fs".
