@@ -13,6 +13,9 @@ SYSTEMS = {  # model, state point, and errors requested of a call
     "argon": ("argon", "160 K, 500 bar", {"density": "0.6 %", "potential-energy": "1 %", "compressibility": "12 %", "heat-capacity": "8 %"}),
     "argon-dynamics": ("argon", "160 K, 500 bar", {"diffusion": "5 %", "viscosity": "15 %"}),
     "argon-coupling": ("argon", "160 K, 500 bar", {"chemical-potential": "0.2 kJ/mol"}),
+    "argon-slab": ("argon", "90 K, 1 bar", {"surface-tension": "10 %"}),
+    "argon-conduction": ("argon", "160 K, 500 bar", {"thermal-conductivity": "20 %"}),
+    "argon-hybrid": ("argon", "160 K, 500 bar", {"density": "0.6 %", "potential-energy": "1 %", "compressibility": "12 %", "heat-capacity": "8 %"}),
     "water": ("spce", "300 K, 1 bar", {"density": "0.4 %", "potential-energy": "0.3 %", "compressibility": "25 %", "heat-capacity": "15 %"}),
 }
 KEPT = ("value", "interval_68", "interval_95", "reached")
@@ -22,7 +25,7 @@ SEGMENTS = 24  # segments of averages of a replica before the first decision
 def values(o, words, seed, folder):
     """The properties that a call measures, by name."""
     model, at, _ = SYSTEMS[o.system]
-    report = runs.asked(o, "measure", model, *words, "--molecules", o.molecules, "--at", at, "--seed", seed, "--threads", 1,
+    report = runs.asked(o, "measure", model, *words, "--molecules", o.molecules, "--at", at, "--seed", seed, "--threads", 1, *(("--sampling", "hybrid-monte-carlo") if o.system == "argon-hybrid" else ()),
                         "--output", f"seed{seed}", folder=folder)
     point = report["points"][0]
     length = sum(value for key, value in point.items() if key.endswith("length_ps"))
@@ -65,7 +68,7 @@ def report(result):
 
 
 def main():
-    o = study.options(__doc__, {"calls": 2}, calls=(100, "calls, each with another seed"), first=(1, "seed of the first call"), molecules=(64, "molecules"), system=("argon", "argon, argon-dynamics, argon-coupling or water"))
+    o = study.options(__doc__, {"calls": 2}, calls=(100, "calls, each with another seed"), first=(1, "seed of the first call"), molecules=(64, "molecules"), system=("argon", ", ".join(SYSTEMS)))
     if o.system not in SYSTEMS:
         raise SystemExit(f"there is no system '{o.system}'; there are: {', '.join(SYSTEMS)}")
     study.perform(o, measured, report)
