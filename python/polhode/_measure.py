@@ -36,7 +36,7 @@ def _perform(system, words, texts, task):
 def measure(system: Path | Sequence[Path], properties: str | Sequence[str] | Mapping[str, Quantity | None], *,
             at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None, mixing: str | None = None,
             solute: Path | None = None, replicas: SupportsIndex | None = None, paired_runs: bool = True, sampling: str | None = None,
-            time_limit: Quantity | None = None, shard: str | None = None, seed: SupportsIndex | None = None,
+            scheme: str | None = None, step: Quantity | None = None, time_limit: Quantity | None = None, shard: str | None = None, seed: SupportsIndex | None = None,
             output: Path | None = None, executor: Executor | None = None,
             threads: int | None = None, progress: Progress = None,
             messages: Messages = None) -> Report:
@@ -60,6 +60,8 @@ def measure(system: Path | Sequence[Path], properties: str | Sequence[str] | Map
             more time.
         sampling (str): of averages, chemical potentials and slabs: "molecular-dynamics" or "hybrid-monte-carlo", which
             has no time-step bias; default: "molecular-dynamics".
+        scheme (str): of averages and dynamics, a single one without a bath; default: hoa2.
+        step: of averages and dynamics: "2 fs"; default: a pilot chooses it.
         time_limit: wall-clock time after which the results so far are returned: "2 h".
         shard (str): part of the replicas for this process: "2/8".
         seed (int): of all replicas.
@@ -80,11 +82,11 @@ def measure(system: Path | Sequence[Path], properties: str | Sequence[str] | Map
 def merge(system: Path | Sequence[Path], properties: str | Sequence[str] | Mapping[str, Quantity | None], *,
           at: str | Sequence[str] | None = None, molecules: SupportsIndex | None = None, mixing: str | None = None,
           solute: Path | None = None, replicas: SupportsIndex | None = None, sampling: str | None = None,
-          seed: SupportsIndex | None = None, output: Path | None = None) -> Report:
+          scheme: str | None = None, step: Quantity | None = None, seed: SupportsIndex | None = None, output: Path | None = None) -> Report:
     """The properties from the records of all shards, without new computations, as ``polhode merge``.
 
     Args:
-        system, properties, at, molecules, mixing, solute, replicas, sampling, seed, output: as in measure().
+        system, properties, at, molecules, mixing, solute, replicas, sampling, scheme, step, seed, output: as in measure().
 
     Returns:
         Report: as from measure().

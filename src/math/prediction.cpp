@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "math/prediction.hpp"
 
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,11 @@ namespace polhode {
 
 double t_quantile(double probability, double degrees_of_freedom) {
   return boost::math::quantile(boost::math::students_t(degrees_of_freedom), probability);
+}
+
+double f_quantile(double probability, double numerator_degrees, double denominator_degrees) {
+  return boost::math::quantile(boost::math::fisher_f(numerator_degrees, denominator_degrees),
+                               probability);
 }
 
 ErrorPart summed(std::initializer_list<ErrorPart> parts) {

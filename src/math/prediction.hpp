@@ -10,6 +10,8 @@ namespace polhode {
 /// Quantile of Student's t distribution: a deviate is below the quantile with the given
 /// probability.
 double t_quantile(double probability, double degrees_of_freedom);
+/// Quantile of the F distribution, the ratio of two estimates of one variance.
+double f_quantile(double probability, double numerator_degrees, double denominator_degrees);
 
 /// A standard error with its degrees of freedom.
 struct ErrorPart {

@@ -130,6 +130,32 @@ plot = "none"
         common = [name for name in whole if self.records()[name] == whole[name]]
         self.assertIn("out-160K-500bar-pilot.replica", common)
 
+    def test_a_record_with_another_step_is_refused(self):
+        """Without its pilot, a new one chooses a shorter step for a smaller error."""
+        self.measured_before()
+        for name in ("pilot", "r1"):
+            (self.folder / f"out-160K-500bar-{name}.replica").unlink()
+        process = self.polhode("measure", "argon", "density", "0.02 %", "--scheme", "hoa2", *LIQUID[4:], "--time-limit", "60 s")
+        self.assertEqual(process.returncode, 2, process.err)
+        for words in ("out-160K-500bar-r0.replica", "has the time step", "out-160K-500bar-pilot.replica", "remove one"):
+            self.assertIn(words, process.err)
+
+    def test_scheme_and_step_can_be_given(self):
+        arguments = (*LIQUID[1:-1], "verlet", "--scheme", "velocity-verlet", "--step", "20 fs")
+        process = self.polhode("measure", *arguments)
+        self.assertEqual(process.returncode, 0, process.err)
+        self.assertIn("velocity-verlet at 20 fs", " ".join(process.out.split()))
+        found = json.loads(self.polhode("merge", *arguments, "--json").out)["points"][0]["properties"][0]
+        self.measured_before()
+        other = json.loads(self.measured("--json", verb="merge").out)["points"][0]["properties"][0]
+        # The bias of velocity Verlet is larger, and subtracted. Four standard errors of the difference, and the seeds are fixed.
+        self.assertGreater(abs(found["step_bias"]["value"]), abs(other["step_bias"]["value"]))
+        one, two = found["value"], other["value"]
+        self.assertLess(abs(one["value"] - two["value"]), 4 * (one["error"]**2 + two["error"]**2)**0.5)
+        mixed = self.polhode(*LIQUID, "--step", "20 fs")
+        self.assertEqual(mixed.returncode, 2)
+        self.assertIn("step", mixed.err)
+
     def test_merge_names_the_replicas_that_are_missing(self):
         self.measured_before()
         for k in (1, 3):
@@ -339,7 +365,7 @@ scheme = "baoab"
 step = "10 fs"
 [run]
 equilibrate = "20 ps"
-length = "2 ns"
+length = "4 ns"
 sample = "1 ps"
 [thermostat]
 type = "langevin"
@@ -399,6 +425,10 @@ plot = "none"
                 (("argon", "density", "--replicas", "1"), ["--replicas"]),
                 (("argon", "density", "--shard", "3"), ["--shard", "2/8"]),
                 (("argon", "density", "--paired-runs", "some"), ["--paired-runs", "yes or no"]),
+                (("argon 64", "density", "--molecules", "100"), ["--molecules", "has a number of molecules"]),
+                (("argon", "density", "--scheme", "baoab"), ["--scheme", "is not suitable"]),
+                (("argon", "density", "--scheme", "hoa3"), ["--scheme", "hoa3"]),
+                (("argon", "density", "--step", "0 fs"), ["--step", "2 fs"]),
                 (("argon", "density", "--sampling", "monte-carlo"), ["--sampling", "molecular-dynamics or hybrid-monte-carlo"]),
                 (("argon", "density", "--time-limit", "5"), ["--time-limit", "unit"]),
                 (("argon 4", "density"), ["has 4 molecules", "at least 32"]),

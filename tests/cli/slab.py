@@ -34,7 +34,9 @@ class Slab(Sandbox):
         within = profiles["tension within a distance"]
         # The profile has a fifth of the samples of the tension, of the same runs. Four of its standard errors.
         self.assertLess(abs(within["value"][-1] - tension["value"]["value"] - tension["step_bias"]["value"]), 4 * within["error"][-1])
-        self.assertAlmostEqual(within["value"][24], 0, delta=4 * within["error"][24])  # the inner quarter is liquid
+        # Nearly all of it is at the surface, and the outer quarter is vapour. In so narrow a box the liquid has a part, too.
+        self.assertGreater(within["value"][74] - within["value"][24], 0.7 * within["value"][-1])
+        self.assertAlmostEqual(within["value"][74], within["value"][-1], delta=4 * within["error"][-1])
         again, notes = self.measured()
         self.assertEqual(again["properties"][0]["value"], tension["value"])
         self.assertEqual(again["slab_length_ps"], point["slab_length_ps"])

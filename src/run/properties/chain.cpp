@@ -29,6 +29,11 @@ void check_acceptance(const HybridMonteCarloMemory& hybrid, const StatePoint& at
                   at.text(), hybrid.accepted, hybrid.trajectories));
 }
 
+/// The scheme with a bath at the ends of its steps.
+Scheme with_ends(const ReplicaSettings& settings) {
+  return with_bath(scheme_of(settings.scheme), BathPlace::ends, "with a bath");
+}
+
 }  // namespace
 
 Chain::Chain(const ReplicaSettings& settings, const Replica& replica,
@@ -86,7 +91,7 @@ double Chain::max_stable_step(const TrajectorySettings& t) {
 TrajectorySettings segment_of_dynamics(const Chain& chain, double whole_step, std::size_t parts,
                                        std::uint64_t stream) {
   TrajectorySettings t = chain.trajectory(
-      with_ends(), whole_step / static_cast<double>(parts),
+      with_ends(chain.settings()), whole_step / static_cast<double>(parts),
       whole_step * static_cast<double>(steps_of_lags * windows_in_segment), stream);
   t.ensemble.thermostat = Rescaling{std::max(2.0, 500 * whole_step)};
   return t;
@@ -118,8 +123,6 @@ ForceSettings Chain::force_settings() {
   return forces.settings();
 }
 
-Scheme with_ends() { return with_bath(scheme_of("hoa2"), BathPlace::ends, "hoa2 with a bath"); }
-
 void scale_to(State& state, double volume) {
   const double factor = std::cbrt(volume / state.box.volume());
   for (std::size_t i = 0; i < state.size(); ++i) state.q.set(i, factor * state.q[i]);
@@ -140,7 +143,7 @@ bool relax_copies(Chain& chain, const Replica& replica, std::uint64_t stream) {
   check_separated(chain.system(), minimise(chain.system(), relaxed_start));
   draw_momenta(chain.system(),
                derived_seed(chain.settings().config.system.seed, stream + replica.index));
-  TrajectorySettings t = chain.trajectory(with_ends(), replica.step,
+  TrajectorySettings t = chain.trajectory(with_ends(chain.settings()), replica.step,
                                           replica.step * static_cast<double>(steps), stream);
   t.ensemble.thermostat = Langevin{0.01 / replica.step, 0.01 / replica.step};
   return chain.run(t).has_value();
@@ -148,8 +151,8 @@ bool relax_copies(Chain& chain, const Replica& replica, std::uint64_t stream) {
 
 TrajectorySettings averages_of(const Chain& chain, double compressibility, double step,
                                std::size_t steps, std::uint64_t stream) {
-  TrajectorySettings t =
-      chain.trajectory(with_ends(), step, step * static_cast<double>(steps), stream);
+  TrajectorySettings t = chain.trajectory(with_ends(chain.settings()), step,
+                                          step * static_cast<double>(steps), stream);
   t.sample = step * steps_of_sample;
   t.shadow_sample = step * steps_of_shadow_sample;
   t.ensemble.thermostat = Rescaling{std::max(0.5, 100 * step)};
@@ -162,7 +165,7 @@ TrajectorySettings sampling_of(const Chain& chain, double compressibility, doubl
                                std::size_t steps, std::uint64_t stream) {
   TrajectorySettings t = averages_of(chain, compressibility, step, steps, stream);
   if (chain.settings().sampling == Sampling::molecular_dynamics) return t;
-  t.scheme = scheme_of("hoa2");
+  t.scheme = scheme_of(chain.settings().scheme);
   t.ensemble.thermostat.reset();
   t.ensemble.hybrid_monte_carlo = HybridMonteCarloSettings{.steps = steps_of_sample};
   return t;

@@ -73,9 +73,6 @@ void scale_to_mean(State& state, const Replica& replica, std::size_t from,
 /// @return  false if it was stopped
 bool relax_copies(Chain& chain, const Replica& replica, std::uint64_t stream);
 
-/// The scheme hoa2 with a bath at the ends of its steps.
-Scheme with_ends();
-
 /// The trajectory of a segment of dynamics.
 /// @param parts  of each step of the replica
 TrajectorySettings segment_of_dynamics(const Chain& chain, double whole_step, std::size_t parts,

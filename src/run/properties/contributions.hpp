@@ -19,6 +19,8 @@ struct PointData {
   StatePoint at;
   std::span<const Replica> replicas;
   std::function<bool()> stop{};  ///< ends long integrals if it returns true
+  /// The second virial coefficient [nm³], which the caller keeps; computed each time without one.
+  std::function<Estimate()> second_virial{};
 };
 
 /// Whether each replica has at least as many segments in equilibrium as before it.

@@ -199,7 +199,11 @@ bool add_coupling(Replica& replica, const ReplicaSettings& settings) {
   }
   const State& start = chains.states.empty() ? replica.state : chains.states.back();
   CoupledChain chain(replica, settings, start, chains.compressibility, chains.meshes);
-  if (chains.states.empty() && !relax(chain, chains)) return false;
+  if (chains.states.empty()) {
+    if (!relax(chain, chains)) return false;
+    replica.coupled = std::move(chains);
+    return true;
+  }
   const std::size_t stages = chains.path.size();
   std::vector<StageSegment> segment;
   for (std::size_t k = 0; k < stages; ++k) {

@@ -17,7 +17,7 @@ inline constexpr std::size_t steps_of_relaxation = 1250;
 /// @throws RunError  if the system blows up
 bool choose_stages(Replica& pilot, const ReplicaSettings& settings);
 
-/// Adds a segment at each stage.
+/// Relaxes all stages, or adds a segment at each stage if they are relaxed.
 /// @return  false if it was stopped; the replica is then unchanged
 /// @throws RunError  if the system blows up
 bool add_coupling(Replica& replica, const ReplicaSettings& settings);

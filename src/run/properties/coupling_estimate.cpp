@@ -82,8 +82,8 @@ SeriesEstimate bias_of(const Contributions& contributions, std::size_t stages, F
 double smallest_overlap(Means means, std::size_t stages) {
   double smallest = 1;
   for (std::size_t k = 0; k + 1 < stages; ++k)
-    smallest = std::min(smallest,
-                        means[k * coupling_sums + after] + means[(k + 1) * coupling_sums + before]);
+    smallest = std::min({smallest, 2 * means[k * coupling_sums + after],
+                         2 * means[(k + 1) * coupling_sums + before]});
   return smallest;
 }
 
@@ -125,7 +125,14 @@ void to_vapour(MeasuredProperty& m, const PointData& data, double volume) {
   const double kT = units::boltzmann * data.at.temperature, bar = unit("bar", Dimension::pressure),
                liquid = static_cast<double>(data.topology.size()) / volume;
   const Molecule& molecule = data.topology.parts.front().molecule;
-  const Estimate B = second_virial(molecule, data.mixing, data.at.temperature).value;
+  const Estimate B = data.second_virial
+                         ? data.second_virial()
+                         : second_virial(molecule, data.mixing, data.at.temperature).value;
+  if (!std::isfinite(B.value)) {
+    m.value = {std::nan("")};
+    m.obstacle = "the second virial coefficient was not completed";
+    return;
+  }
   const auto vapour = [&](double coefficient) {
     return vapour_of(m.value.value / kT, liquid, data.at.pressure, kT, coefficient);
   };

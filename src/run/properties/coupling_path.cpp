@@ -20,6 +20,15 @@ Molecule at_stage(Molecule molecule, const CouplingStage& stage) {
   return molecule;
 }
 
+/// Whether a site that a pair of sites names has a short-range potential.
+bool has_site(const Topology& topology, const std::string& name) {
+  return std::ranges::any_of(topology.parts, [&](const auto& part) {
+    return std::ranges::any_of(part.molecule.sites, [&](const Site& site) {
+      return site.has_short_range() && part.molecule.name + '.' + site.name == name;
+    });
+  });
+}
+
 bool is_charged(const Molecule& molecule) {
   return std::ranges::any_of(molecule.sites, [](const Site& site) { return site.charge != 0; });
 }
@@ -45,6 +54,9 @@ System coupled(const System& whole, const CouplingStage& stage) {
   parts.insert(parts.begin() + 1, {at_stage(parts.front().molecule, stage), 1});
   if (--parts.front().count == 0) parts.erase(parts.begin());
   system.bodies = Bodies(system.topology);
+  std::erase_if(system.forces.mixing.pairs, [&](const PairOverride& pair) {
+    return !has_site(system.topology, pair.first) || !has_site(system.topology, pair.second);
+  });
   if (!has_charges(system.topology)) {  // a mesh would have nothing to compute
     system.forces.electrostatics = Electrostatics::coulomb;
     system.forces.mesh.reset();

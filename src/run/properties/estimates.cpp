@@ -271,6 +271,15 @@ void estimate_pair(MeasuredProperty& m, const PointData& data) {
   if (m.value.known != Known::yes) m.obstacle = "the integral was not completed";
 }
 
+/// Whether all replicas have the same time step, without which their dynamics cannot be joined.
+bool have_one_step(std::span<const Replica> replicas) {
+  double step = 0;
+  return std::ranges::all_of(replicas, [&](const Replica& replica) {
+    if (replica.prepared() && step == 0) step = replica.step;
+    return !replica.prepared() || replica.step == step;
+  });
+}
+
 }  // namespace
 
 double MeasuredProperty::requested_error() const {
@@ -284,7 +293,7 @@ bool MeasuredProperty::reached() const {
 std::optional<std::array<double, 2>> MeasuredProperty::interval(double probability) const {
   if (value.known != Known::yes) return std::nullopt;
   const double half = interval_factor(value, probability) * value.error;
-  if (!request.property->of_variance || value.value <= 0)
+  if (!request.property->logarithmic || value.value <= 0)
     return std::array{value.value - half, value.value + half};
   const double factor = std::exp(half / value.value);
   return std::array{value.value / factor, value.value * factor};
@@ -292,6 +301,14 @@ std::optional<std::array<double, 2>> MeasuredProperty::interval(double probabili
 
 MeasuredProperty estimate(const RequestedProperty& request, const PointData& data) {
   MeasuredProperty m{.request = request, .value = {std::nan("")}};
+  const Replica any;
+  if (chain_of(any, request.property->measured_in) != nullptr && !have_one_step(data.replicas)) {
+    m.obstacle =
+        "replicas have different time steps, because their shards had separate pilots; give all "
+        "shards the record of one pilot before they start";
+    m.longer_helps = false;
+    return m;
+  }
   switch (request.property->measured_in) {
     case MeasuredIn::averages:
       estimate_average(m, data);

@@ -27,20 +27,15 @@
 #include "run/properties/replica.hpp"
 #include "run/properties/replica_file.hpp"
 #include "run/properties/replica_task.hpp"
+#include "run/properties/schedule.hpp"
+#include "run/properties/second_virial.hpp"
 #include "run/properties/target.hpp"
 #include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {
 
-/// Numbers of segments of each replica before the first decision, which are enough for errors to be
-/// known. Lengths then grow by a factor. Frequent decisions would favour errors small by chance.
-constexpr PerKind<std::size_t> first_segments{{first_averages, 4, 4, 12, 24, 4}};
-constexpr double growth = 1.5;
-/// Number of segments after which a replica that has not reached equilibrium is not continued.
-constexpr std::size_t max_equilibration = 600;
-/// Minimum time between two writes of a record [s], because a segment of a small system takes only
-/// milliseconds.
+/// Minimum time between two writes of a record [s]; a segment may take only milliseconds.
 constexpr double writing_interval = 2;
 /// As many steps of hoa2 have the force evaluations of the pilot's preparation.
 constexpr double steps_of_pilot = 15'000;
@@ -56,7 +51,8 @@ class PointMeasurement {
         workers_(workers),
         executor_(executor),
         since_(since),
-        system_(settings, settings.points[point]) {
+        system_(settings, settings.points[point]),
+        schedule_(settings) {
     system_.common.stop = [this] { return stopped(); };
     std::vector<std::string> files;
     for (std::uint64_t k = settings.shard.index; k < settings.replicas; k += settings.shard.count)
@@ -80,22 +76,6 @@ class PointMeasurement {
     const std::string number = k == pilot ? "pilot" : fmt::format("r{}", k);
     return fmt::format("{}-{}-{}.replica", settings_.prefix, at().file_text(), number);
   }
-  bool wants(MeasuredIn what) const {
-    return std::any_of(settings_.properties.begin(), settings_.properties.end(),
-                       [&](const auto& p) { return p.property->measured_in == what; });
-  }
-
-  /// The standard error that the replicas must reach. With n shards, the replicas of a shard must
-  /// reach only √n times the requested error.
-  double required_error(const MeasuredProperty& m) const { return share() * m.requested_error(); }
-  double share() const { return std::sqrt(static_cast<double>(settings_.shard.count)); }
-  /// Whether the replicas must become longer for a property.
-  bool continues(const MeasuredProperty& m) const {
-    return m.request.property->measured_in != MeasuredIn::pair && m.longer_helps &&
-           !(m.value.known == Known::yes && m.obstacle.empty() &&
-             m.value.error <= required_error(m));
-  }
-
   void leave_out_missing();
   std::optional<double> choose_step();
   bool choose_path();
@@ -103,6 +83,8 @@ class PointMeasurement {
   TimeAllowed allowed() const;
   WorkDone work_of(const Target& target) const;
   void show_time(const std::vector<MeasuredProperty>& values, const Target& target);
+  void begin(Target& target);
+  bool extend_to(Target& target);
   void extend(const Target& target);
   void extend_in_turn(const Target& target);
   std::optional<std::size_t> take_shortest(const Target& target);
@@ -114,12 +96,19 @@ class PointMeasurement {
   void keep(Replica& replica, Replica changed);
   std::vector<Replica> first_of(const Target& target) const;
   std::vector<MeasuredProperty> evaluate(std::span<const Replica> replicas) const;
-  bool next(Target& target, const std::vector<MeasuredProperty>& values, bool equilibrium) const;
-  void show(const std::vector<MeasuredProperty>& values, bool equilibrium) const;
+  void show(const std::vector<MeasuredProperty>& values, const Target& target,
+            bool equilibrium) const;
   void warn_of_tension() const;
   PointData data(std::span<const Replica> replicas) const {
-    return {system_.topology, system_.mixing, at(), replicas, [this] { return stopped(); }};
+    return {system_.topology,
+            system_.mixing,
+            at(),
+            replicas,
+            [this] { return stopped(); },
+            [this] { return second_virial_of_liquid(); }};
   }
+  /// The second virial coefficient of the first kind of molecule, which is computed once.
+  Estimate second_virial_of_liquid() const;
 
   const MeasureSettings& settings_;
   std::size_t point_;
@@ -128,6 +117,7 @@ class PointMeasurement {
   const ReplicaExecutor& executor_;
   const Stopwatch& since_;
   PointSystem system_;
+  Schedule schedule_;
   std::vector<Replica> replicas_;
   std::vector<bool> is_taken_;  // whether a thread extends a replica
   std::vector<Stopwatch> since_written_;
@@ -135,7 +125,19 @@ class PointMeasurement {
   double done_ = 0, planned_ = 0;   // steps of this round: done and planned
   double seconds_ = 0, steps_ = 0;  // of all rounds, as far as they were computed here
   bool has_warned_ = false;
+  mutable std::optional<Estimate> second_virial_;
 };
+
+Estimate PointMeasurement::second_virial_of_liquid() const {
+  if (second_virial_) return *second_virial_;
+  constexpr std::size_t orientations = 4096;
+  const Estimate B =
+      second_virial(system_.topology.parts.front().molecule, system_.mixing, at().temperature,
+                    orientations, workers_, [this] { return stopped(); })
+          .value;
+  if (std::isfinite(B.value)) second_virial_ = B;
+  return B;
+}
 
 std::vector<std::string> PointMeasurement::files() const {
   std::vector<std::string> files;
@@ -173,6 +175,12 @@ std::optional<double> PointMeasurement::choose_step() {
     if (!prepare(first, system_.common)) return std::nullopt;
     write(first);
   }
+  for (const Replica& replica : replicas_)
+    if (replica.prepared() && first.prepared() && replica.step != first.step)
+      throw Error(fmt::format(
+          "'{}' has the time step {:g} fs, and its pilot '{}' {:g} fs; remove one of the two",
+          file_of(replica.index), replica.step * units::fs_per_ps, file_of(pilot),
+          first.step * units::fs_per_ps));
   system_.common.step = first.step;
   system_.common.path = first.coupled.path;
   return is_new ? std::optional(watch.seconds()) : std::nullopt;
@@ -294,36 +302,20 @@ std::vector<MeasuredProperty> PointMeasurement::evaluate(std::span<const Replica
   return values;
 }
 
-/// Increases the target lengths for properties that have not reached their requested error.
-/// @return  whether work is left
-bool PointMeasurement::next(Target& target, const std::vector<MeasuredProperty>& values,
+void PointMeasurement::show(const std::vector<MeasuredProperty>& values, const Target& target,
                             bool equilibrium) const {
-  const auto longer = [](std::size_t n) {
-    return static_cast<std::size_t>(std::ceil(growth * static_cast<double>(n)));
-  };
-  const auto any = [&](MeasuredIn what) {
-    return std::any_of(values.begin(), values.end(), [&](const MeasuredProperty& m) {
-      return m.request.property->measured_in == what && continues(m);
-    });
-  };
-  if (!equilibrium && target[MeasuredIn::averages] >= max_equilibration) return false;
-  const Target before = target;
-  for (const MeasuredIn kind : kinds_of_run)
-    if ((kind == MeasuredIn::averages && !equilibrium) || any(kind))
-      target[kind] = longer(target[kind]);
-  return target != before;
-}
-
-void PointMeasurement::show(const std::vector<MeasuredProperty>& values, bool equilibrium) const {
-  for (const MeasuredProperty& m : values)
-    callbacks_.note(fmt::format("  {} {}{}", m.request.property->name,
-                                m.value.known == Known::yes
-                                    ? fmt::format("{} {}", with_error(m.value.value, m.value.error),
-                                                  m.request.property->unit)
-                                    : "not known yet",
-                                continues(m) && m.value.known == Known::yes
-                                    ? fmt::format(", continues to ± {:.2g}", required_error(m))
-                                    : ""));
+  for (const MeasuredProperty& m : values) {
+    const bool known = m.value.known == Known::yes;
+    const std::string text = known ? fmt::format("{} {}", with_error(m.value.value, m.value.error),
+                                                 m.request.property->unit)
+                                   : "not known yet";
+    const std::string more =
+        !m.obstacle.empty() ? ": " + m.obstacle
+        : known && schedule_.continues(m, target)
+            ? fmt::format(", continues to ± {:.2g}", schedule_.required_error(m))
+            : "";
+    callbacks_.note(fmt::format("  {} {}{}", m.request.property->name, text, more));
+  }
   if (!equilibrium) callbacks_.note("  a replica is not in equilibrium yet and continues");
 }
 
@@ -366,43 +358,63 @@ WorkDone PointMeasurement::work_of(const Target& target) const {
 void PointMeasurement::show_time(const std::vector<MeasuredProperty>& values,
                                  const Target& target) {
   const WorkDone done = work_of(target);
-  const std::optional<double> time = expected_time(values, share(), done);
+  const std::optional<double> time = expected_time(values, schedule_.share(), done);
   if (!time) return;
   callbacks_.note(
       fmt::format("  expected time until all errors are reached: {}", duration_text(*time)));
   if (has_warned_) return;
   has_warned_ = true;
-  for (const std::string& warning : time_warnings(values, share(), done, allowed()))
+  for (const std::string& warning : time_warnings(values, schedule_.share(), done, allowed()))
     callbacks_.note("warning: " + warning);
 }
 
+/// Extends the averages until the other kinds of run may begin with their volume.
+void PointMeasurement::begin(Target& target) {
+  while (averages_alone(target) != target && !stopped()) {
+    const Target averages = averages_alone(target);
+    extend(averages);
+    if (stopped()) return;
+    const std::vector<Replica> replicas = first_of(averages);
+    if (schedule_.begins(averages, data(replicas), in_equilibrium(data(replicas)))) return;
+    target[MeasuredIn::averages] = longer(target[MeasuredIn::averages]);
+    callbacks_.note("  the mean volume is not precise enough for the other runs yet and continues");
+  }
+}
+
+/// Extends all runs to a target, and increases the target for properties that need more.
+/// @return  whether work is left
+bool PointMeasurement::extend_to(Target& target) {
+  extend(target);
+  if (stopped()) return false;
+  const std::vector<Replica> replicas = first_of(target);
+  const std::vector<MeasuredProperty> values = evaluate(replicas);
+  const bool equilibrium = in_equilibrium(data(replicas));
+  const Target reached = target;
+  if (!schedule_.next(target, values, equilibrium)) return false;
+  if (std::ranges::all_of(replicas_, [&](const Replica& r) { return has(r, target); }))
+    return true;  // computed in an earlier call
+  show(values, reached, equilibrium);
+  show_time(values, reached);
+  return true;
+}
+
 MeasuredPoint PointMeasurement::perform() {
-  const bool simulates = std::ranges::any_of(kinds_of_run, [&](auto kind) { return wants(kind); });
+  Target target = schedule_.first();
+  const bool simulates =
+      std::ranges::any_of(kinds_of_run, [&](auto kind) { return schedule_.wants(kind); });
   if (simulates && !settings_.only_evaluate) {
     const std::optional<double> seconds = choose_step();
-    Target target;
-    for (const MeasuredIn kind : kinds_of_run)
-      if (kind == MeasuredIn::averages || wants(kind)) target[kind] = first_segments[kind];
     std::size_t& coupled = target[MeasuredIn::coupling];
     if (coupled > 0 && system_.common.step > 0 && !choose_path()) coupled = 0;
-    if (system_.common.step > 0)
+    if (system_.common.step > 0) {
       show_plan(target, seconds ? std::optional(*seconds / steps_of_pilot) : std::nullopt);
-    while (system_.common.step > 0 && !stopped()) {
-      extend(target);
-      if (stopped()) break;
-      const std::vector<Replica> replicas = first_of(target);
-      const std::vector<MeasuredProperty> values = evaluate(replicas);
-      const bool equilibrium = in_equilibrium(data(replicas));
-      const Target reached = target;
-      if (!next(target, values, equilibrium)) break;
-      if (std::ranges::all_of(replicas_, [&](const Replica& r) { return has(r, target); }))
-        continue;  // computed in an earlier call
-      show(values, equilibrium);
-      show_time(values, reached);
+      begin(target);
+      while (!stopped() && extend_to(target)) {
+      }
     }
   }
   MeasuredPoint point = described(data(replicas_));
-  point.sampling = settings_.sampling;
+  point.scheme = text_of(settings_.sampling, settings_.scheme);
   point.properties = evaluate(replicas_);
   if (!at().constant_volume()) {
     point.density = estimate({&property("density")}, data(replicas_)).value;

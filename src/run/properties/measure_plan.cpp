@@ -21,8 +21,8 @@ std::string Plan::text(double seconds) const {
   std::string text = fmt::format(
       "plan at {}: {} replicas of {} molecules, {} at {:g} fs; first {:.0f} ps of each at "
       "constant {}",
-      settings.at.text(), replicas, molecules, text_of(settings.sampling), step * units::fs_per_ps,
-      segments(MeasuredIn::averages) * steps_of_averages * step,
+      settings.at.text(), replicas, molecules, text_of(settings.sampling, settings.scheme),
+      step * units::fs_per_ps, segments(MeasuredIn::averages) * steps_of_averages * step,
       settings.at.constant_volume() ? "volume" : "pressure");
   if (dynamics > 0)
     text += fmt::format(" and {:.0f} ps for dynamics{}", dynamics * step,

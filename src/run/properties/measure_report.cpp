@@ -231,7 +231,7 @@ std::string MeasuredPoint::conditions(const std::string& line_break) const {
       "{} replicas of {} molecules, {} at {:g} fs; {:.0f} ps at constant {}{}after at most "
       "{:.0f} "
       "ps of equilibration each",
-      replicas, molecules, text_of(sampling), step_max * units::fs_per_ps, length_of_averages,
+      replicas, molecules, scheme, step_max * units::fs_per_ps, length_of_averages,
       at.constant_volume() ? "volume" : "pressure", line_break, equilibration_max);
   if (length_of_dynamics > 0) text += fmt::format("; {:.0f} ps for dynamics", length_of_dynamics);
   if (length_of_coupling > 0)

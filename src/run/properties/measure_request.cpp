@@ -13,6 +13,8 @@
 #include "io/files/text_file.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/integrate/with_bath.hpp"
 #include "polhode/run/prepare/preparation.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 #include "run/properties/input_files.hpp"
@@ -75,6 +77,9 @@ Config config_of(const std::string& system, const Given& molecules, const Given&
       molecules ? given_whole_number(molecules, min_of_liquid, max_molecules) : usual_molecules;
   if (components.size() > 1 && molecules)
     refuse(molecules, "has no meaning for a mixture: give the number of each kind of molecule");
+  if (components.size() == 1 && components.front().count > 0 && molecules)
+    refuse(molecules,
+           fmt::format("has no meaning for '{}', which has a number of molecules", system));
   const bool is_mixture = components.size() > 1;
   if (solute) components.insert(components.begin(), {solute.text, 1});
   SystemSettings molecules_alone;
@@ -191,6 +196,16 @@ RequestedProperty with_error(const Property& property, const std::string& text) 
 
 constexpr std::array samplings{"molecular-dynamics", "hybrid-monte-carlo"};  // of Sampling
 
+/// The text of a scheme, to which a bath can be added.
+std::string single_scheme(const Given& scheme) {
+  try {
+    with_bath(scheme_of(scheme.text), BathPlace::ends);
+  } catch (const Error& e) {
+    refuse(scheme, fmt::format("is not suitable: {}", e.what()));
+  }
+  return scheme.text;
+}
+
 Sampling sampling_of(const Given& sampling) {
   for (std::size_t k = 0; k < samplings.size(); ++k)
     if (sampling.text == samplings[k]) return static_cast<Sampling>(k);
@@ -255,6 +270,11 @@ std::vector<RequestOption<MeasureRequest>> MeasureRequest::options() {
        fmt::format("sampling of averages, chemical potentials and slabs: {}; hybrid Monte Carlo "
                    "has no time-step bias; default: {}",
                    fmt::join(samplings, " or "), samplings.front())},
+      {"scheme", &R::scheme,
+       fmt::format("scheme of averages and dynamics, a single one without a bath; default: {}",
+                   defaults.scheme)},
+      {"step", &R::step,
+       "time step of averages and dynamics: \"2 fs\"; default: a pilot chooses it"},
       {"time_limit", &R::time_limit,
        "wall-clock time after which the results so far are reported: \"600 s\", \"2 h\""},
       {"shard", &R::shard,
@@ -305,6 +325,8 @@ MeasureSettings MeasureRequest::settings() const {
     refuse(paired_runs, "must be yes or no");
   s.paired_runs = paired_runs.text != "no";
   if (sampling) s.sampling = sampling_of(sampling);
+  if (scheme) s.scheme = single_scheme(scheme);
+  if (step) s.step = given_positive(step, Dimension::time, "2 fs");
   if (shard) s.shard = shard_of(shard);
   if (s.shard.count > s.replicas)
     refuse(shard, fmt::format("has more parts than there are replicas, {}", s.replicas));

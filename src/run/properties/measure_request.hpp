@@ -18,8 +18,8 @@ struct MeasureRequest {
   /// Names of properties. Each may be followed by the requested error, as in "density", "0.1 %".
   /// After a topology of GROMACS, the first words are its files, as in "conf.gro", "run.mdp".
   std::vector<std::string> properties;
-  Given at, molecules, mixing, solute, replicas, paired_runs, sampling, shard, time_limit, seed,
-      output;
+  Given at, molecules, mixing, solute, replicas, paired_runs, sampling, scheme, step, shard,
+      time_limit, seed, output;
 
   static std::vector<RequestOption<MeasureRequest>> options();
   std::string prefix() const { return output ? output.text : "measure"; }

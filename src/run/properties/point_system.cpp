@@ -29,7 +29,9 @@ PointSystem::PointSystem(const MeasureSettings& settings, const StatePoint& at)
              .at = at,
              .max_bias = max_bias(settings),
              .paired_runs = settings.paired_runs,
-             .sampling = settings.sampling} {
+             .sampling = settings.sampling,
+             .scheme = settings.scheme,
+             .given_step = settings.step} {
   Config& config = common.config;
   config.system.temperature = at.temperature;
   topology = build_topology(config.system);
@@ -40,11 +42,14 @@ PointSystem::PointSystem(const MeasureSettings& settings, const StatePoint& at)
   const System system = build_system(built);
   topology = system.topology;
   mixing = system.forces.mixing;
-  // More numbers at constant volume, and with another sampling, so that records are never mixed.
+  // More at constant volume, and with another sampling, scheme or step, so that records are never
+  // mixed.
   std::vector<double> state{at.temperature, at.constant_volume() ? at.density : at.pressure};
   if (at.constant_volume()) state.push_back(1);
   if (settings.sampling == Sampling::hybrid_monte_carlo) state.push_back(2);
-  identity = text_hash(polhode::identity(config, system, state));
+  if (settings.step > 0) state.insert(state.end(), {3, settings.step});
+  const std::string scheme = settings.scheme == MeasureSettings{}.scheme ? "" : settings.scheme;
+  identity = text_hash(polhode::identity(config, system, state) + scheme);
 }
 
 }  // namespace polhode

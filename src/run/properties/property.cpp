@@ -166,7 +166,7 @@ constexpr std::array all = {
     Property{"vapour-pressure", "bar", In::coupling,
              "pressure at which the vapour, with its second virial coefficient, has the chemical "
              "potential of the liquid; for pure substances far below the critical temperature",
-             "bennett1976", false, false, nullptr, At::constant_pressure},
+             "bennett1976", false, false, nullptr, At::constant_pressure, true},
     Property{"surface-tension", "mN/m", In::slab,
              "tension of the two surfaces of a slab of the liquid in its vapour, from the "
              "pressures normal and parallel to them",

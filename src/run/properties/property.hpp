@@ -47,9 +47,9 @@ struct PropertyConditions {
   double degrees_of_freedom = 0;
 };
 
-/// The sampling of averages in words.
-inline const char* text_of(Sampling sampling) {
-  return sampling == Sampling::hybrid_monte_carlo ? "hybrid Monte Carlo by hoa2" : "hoa2";
+/// Sampling and scheme of averages in words.
+inline std::string text_of(Sampling sampling, const std::string& scheme) {
+  return (sampling == Sampling::hybrid_monte_carlo ? "hybrid Monte Carlo by " : "") + scheme;
 }
 
 /// The kind of run in which a property is measured.
@@ -78,7 +78,8 @@ struct Property {
   /// Computes the value in `unit` from the means of averages; null for properties of other runs.
   double (*value)(std::span<const double> means, const PropertyConditions& conditions) = nullptr;
   DefinedAt at = DefinedAt::any;
-  bool of_variance = false;  ///< whether the value is proportional to a variance, or nearly so
+  bool logarithmic = false;  ///< whether the logarithm of the value has the distribution of a mean,
+                             ///< as variances have nearly
 };
 
 /// All properties, in the order of results.

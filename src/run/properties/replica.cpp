@@ -144,15 +144,20 @@ double beyond_bounds(const RunSummary& s, const Trajectory& done, const ReplicaS
   if (settings.sampling == Sampling::hybrid_monte_carlo)
     return std::max(ratio, std::numbers::sqrt2 * s.total_fluctuation.value /
                                (units::boltzmann * settings.at.temperature));
+  if (!s.step_bias) return ratio;
   const double bias = std::abs(s.step_bias->potential.value / done.statistics.energies.potential());
   return std::max(ratio, bias / settings.max_bias);
 }
 
-/// Chooses the time step. It is half of the maximum stable step, or a shorter step within all
-/// bounds. They grow as the square of the step.
+/// Chooses the time step, unless it was given. It is half of the maximum stable step, or a shorter
+/// step within all bounds. They grow as the square of the step.
 bool choose_step(Chain& chain, Replica& replica) {
   constexpr std::uint64_t trials = 8;
   constexpr double shorter = 1.5;
+  if (chain.settings().given_step > 0) {
+    replica.step = chain.settings().given_step;
+    return true;
+  }
   const State start = chain.system().state;
   const double compressibility = compressibility_of_moves(replica, chain.settings().at);
   const TrajectorySettings probe = averages_of(chain, compressibility, first_step, 1, 0);

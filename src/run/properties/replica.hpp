@@ -166,9 +166,11 @@ struct ReplicaSettings {
   double max_bias = 0;        ///< maximum relative time-step bias of the potential energy
   bool paired_runs = true;    ///< whether there are paired segments of dynamics
   Sampling sampling{};        ///< of averages, stages of a coupling and slabs
-  double step = 0;      ///< time step of all replicas [ps]; 0 for a pilot, which chooses the step
-                        ///< during preparation
-  CouplingPath path{};  ///< stages of a coupling of all replicas, which a pilot chooses
+  std::string scheme = "hoa2";
+  double given_step = 0;  ///< time step that was given [ps]; 0 if a pilot chooses it
+  double step = 0;        ///< time step of all replicas [ps]; 0 for a pilot, which chooses the step
+                          ///< during preparation
+  CouplingPath path{};    ///< stages of a coupling of all replicas, which a pilot chooses
   std::function<bool()> stop{};  ///< ends a segment, which is then discarded
 };
 

@@ -121,6 +121,14 @@ void estimate_slab(MeasuredProperty& m, const Contributions& contributions, cons
     return means[tension] / mN_per_m;
   };
   m.value = pooled_estimate(runs, value);
+  if (name == "saturated-vapour-density" && m.value.value == 0) {
+    m.value = {0, 0, Known::too_few_samples};
+    m.obstacle =
+        "no molecule was in the vapour; the vapour pressure from the chemical potential is more "
+        "precise";
+    m.longer_helps = false;
+    return;
+  }
   if (name == "surface-tension") {
     constexpr std::size_t wide =
         500;  // molecules; slabs of 200 argon atoms have an error of a tenth

@@ -62,11 +62,11 @@ std::vector<StageSegment> made_up_segment(const CouplingPath& path, Random& rand
 }
 
 /// Replicas with made-up stages, whose path has wrong estimates.
-std::vector<Replica> made_up_replicas(std::uint64_t seed) {
+std::vector<Replica> made_up_replicas(std::uint64_t seed, double wrong_by = 0.7) {
   CouplingPath path;
   for (std::size_t k = 0; k < stages; ++k) {
     const double here = static_cast<double>(k), exact = -(2 * here + 1) * shift * shift / 2;
-    path.push_back({here / 3, 0, k + 1 < stages ? exact + 0.7 : 0});
+    path.push_back({here / 3, 0, k + 1 < stages ? exact + wrong_by : 0});
   }
   std::vector<Replica> replicas;
   for (std::uint64_t r = 0; r < 4; ++r) {
@@ -190,6 +190,29 @@ TEST_CASE("the vapour pressure is that of a vapour with the chemical potential o
   // dp/dμ is the density of the vapour.
   CHECK(found.error * bar ==
         doctest::Approx(density * measured("chemical-potential").error).epsilon(0.02));
+}
+
+// The acceptance ratios then are nearly 1 one way and nearly 0 the other way, so their sum is near
+// 1 as well.
+TEST_CASE("stages without overlap are found also if the estimates of the path are wrong") {
+  const Topology topology{{{read_molecule("argon"), 64}}};
+  const Mixing mixing;
+  const RequestedProperty request{&property("chemical-potential")};
+  std::vector<Replica> replicas = made_up_replicas(3, 30);
+  const MeasuredProperty found = estimate(request, {topology, mixing, {300, 0.06}, replicas});
+  CHECK(found.obstacle.find("the overlap of two stages") != std::string::npos);
+}
+
+TEST_CASE("a pair of sites without a potential at a stage is left out there") {
+  MeasureSettings settings = coupling_settings("krypton 1, argon 63", "");
+  settings.config.forces.mixing.pairs = {{"krypton.Kr", "argon.Ar", 0.35, 1.2, {}}};
+  const PointSystem point(settings, settings.points.front());
+  const System whole = build_system(configuration_of(point.common));
+  REQUIRE(whole.forces.mixing.pairs.size() == 1);
+  CHECK(coupled(whole, {1, 1}).forces.mixing.pairs.size() == 1);
+  const System without = coupled(whole, {});
+  CHECK(without.forces.mixing.pairs.empty());
+  CHECK(std::isfinite(energy_of(without, whole.state)));
 }
 
 TEST_CASE("replicas with different stages are not joined, and the remedy is given") {

@@ -122,6 +122,21 @@ TEST_CASE("the surface tension and the profile follow from the segments of slabs
   CHECK(value_of("saturation-pressure") == doctest::Approx(5).epsilon(1e-9));
 }
 
+TEST_CASE("a vapour without molecules is not a density of 0") {
+  Random random(5);
+  std::vector<Replica> replicas{made_up(0, random), made_up(1, random)};
+  for (Replica& replica : replicas)
+    for (SlabSegment& segment : replica.slab.segments) segment.sums.sum[vapour_density] = 0;
+  const Topology topology{{{read_molecule("spce"), 100}}};
+  const Mixing mixing;
+  const MeasuredProperty found = estimate({&property("saturated-vapour-density"), 0.2},
+                                          {topology, mixing, {300, 0}, replicas});
+  CHECK(found.value.known != Known::yes);
+  CHECK(!found.reached());
+  CHECK(!found.longer_helps);
+  CHECK(found.obstacle.find("no molecule was in the vapour") != std::string::npos);
+}
+
 TEST_CASE("the profiles of slabs: density, pressures, and the tension up to a distance") {
   Random random(5);
   std::vector<Replica> replicas{made_up(0, random)};

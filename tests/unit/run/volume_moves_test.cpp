@@ -15,8 +15,8 @@ using namespace polhode;
 
 namespace {
 
-constexpr double temperature = 160, V = 3;
-constexpr StatePoint at{temperature, 30};
+constexpr double kelvins = 160, V = 3;
+constexpr StatePoint at{kelvins, 30};
 
 /// A segment of 100 independent volumes of a system with this compressibility.
 AveragesSegment segment(double compressibility, std::uint64_t number) {
@@ -24,7 +24,7 @@ AveragesSegment segment(double compressibility, std::uint64_t number) {
   AveragesSegment s{.sums = {samples, std::vector<double>(averages_count)}, .response = {}};
   Random random(4, number);
   const double deviation =
-      std::sqrt(compressibility * units::boltzmann * temperature * V);  // of the volume
+      std::sqrt(compressibility * units::boltzmann * kelvins * V);  // of the volume
   for (std::size_t k = 0; k < samples; ++k) {
     const double volume_now = V + deviation * random.normal();
     s.sums.sum[volume] += volume_now;

@@ -65,7 +65,9 @@ struct MeasureSettings {
   /// Whether a part of the dynamics is repeated at half of the step, which bounds its time-step
   /// bias.
   bool paired_runs = true;
-  Sampling sampling{};         ///< of averages, stages of a coupling and slabs
+  Sampling sampling{};  ///< of averages, stages of a coupling and slabs
+  std::string scheme = "hoa2";
+  double step = 0;             ///< time step [ps]; 0: a pilot chooses it
   bool only_evaluate = false;  ///< whether to evaluate only existing records, without new
                                ///< computations
 };
@@ -98,8 +100,8 @@ struct MeasuredProperty {
   double requested_error() const;
   bool reached() const;
   /// The interval that contains the true value with a probability; empty if the error is not known.
-  /// The error of a variance is proportional to the variance, so its interval is symmetric in the
-  /// logarithm. All other intervals are symmetric.
+  /// The intervals of variances and of vapour pressures are symmetric in the logarithm, because
+  /// their errors are proportional to their values. All other intervals are symmetric.
   std::optional<std::array<double, 2>> interval(double probability) const;
 };
 
@@ -131,7 +133,7 @@ struct MeasuredPoint {
   std::vector<MeasuredProperty> properties;
   std::size_t molecules = 0;
   std::uint64_t replicas = 0;
-  Sampling sampling{};
+  std::string scheme{};               ///< with the sampling, in words
   double step_min = 0, step_max = 0;  ///< smallest and largest time step of the replicas [ps]
   double equilibration_max = 0;       ///< discarded equilibration time, maximum over all replicas
                                       ///< [ps]

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "run/properties/schedule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "run/properties/estimates.hpp"
+#include "run/properties/property.hpp"
+
+namespace polhode {
+namespace {
+
+/// Number of segments after which a replica that has not reached equilibrium is not continued.
+constexpr std::size_t max_equilibration = 600;
+/// Growth of the first length after which a property without a value is not continued.
+constexpr std::size_t max_without_value = 64;
+
+/// Whether the volume of the averages is kept in a run, so that its error is one of the property.
+bool keeps_volume(MeasuredIn kind) {
+  return kind == MeasuredIn::dynamics || kind == MeasuredIn::elongated ||
+         kind == MeasuredIn::conduction;
+}
+
+}  // namespace
+
+std::size_t longer(std::size_t segments) {
+  constexpr double growth = 1.5;
+  return static_cast<std::size_t>(std::ceil(growth * static_cast<double>(segments)));
+}
+
+Target averages_alone(const Target& target) {
+  Target alone;
+  alone[MeasuredIn::averages] = target[MeasuredIn::averages];
+  return alone;
+}
+
+bool Schedule::wants(MeasuredIn kind) const {
+  return std::ranges::any_of(settings_.properties,
+                             [&](const auto& p) { return p.property->measured_in == kind; });
+}
+
+Target Schedule::first() const {
+  Target target;
+  for (const MeasuredIn kind : kinds_of_run)
+    if (kind == MeasuredIn::averages || wants(kind)) target[kind] = first_segments[kind];
+  return target;
+}
+
+double Schedule::share() const { return std::sqrt(static_cast<double>(settings_.shard.count)); }
+
+bool Schedule::continues(const MeasuredProperty& m, const Target& target) const {
+  const MeasuredIn kind = m.request.property->measured_in;
+  if (kind == MeasuredIn::pair || !m.longer_helps) return false;
+  const bool known = m.value.known == Known::yes && m.obstacle.empty();
+  return known ? m.value.error > required_error(m)
+               : target[kind] < max_without_value * first_segments[kind];
+}
+
+bool Schedule::next(Target& target, const std::vector<MeasuredProperty>& values,
+                    bool equilibrium) const {
+  const auto any = [&](MeasuredIn what) {
+    return std::ranges::any_of(values, [&](const MeasuredProperty& m) {
+      return m.request.property->measured_in == what && continues(m, target);
+    });
+  };
+  if (!equilibrium && target[MeasuredIn::averages] >= max_equilibration) return false;
+  Target grown = target;
+  for (const MeasuredIn kind : kinds_of_run)
+    if ((kind == MeasuredIn::averages && !equilibrium) || any(kind))
+      grown[kind] = longer(target[kind]);
+  const bool has_grown = grown != target;
+  target = grown;
+  return has_grown;
+}
+
+bool Schedule::begins(const Target& target, const PointData& data, bool equilibrium) const {
+  // Transport coefficients change by up to five times the relative change of the volume; a third of
+  // the requested error then has no effect on the sum of squares.
+  constexpr double sensitivity = 5, part = 1.0 / 3, usual_error = 0.01;
+  if (target[MeasuredIn::averages] >= max_without_value * first_segments[MeasuredIn::averages])
+    return true;
+  if (!equilibrium) return false;
+  double allowed = 1;
+  for (const RequestedProperty& p : settings_.properties)
+    if (keeps_volume(p.property->measured_in))
+      allowed =
+          std::min(allowed, share() * part / sensitivity * (p.relative ? p.error : usual_error));
+  if (allowed == 1 || data.at.constant_volume()) return true;
+  const SeriesEstimate V = estimate({&property("molar-volume")}, data).value;
+  return V.known == Known::yes && V.error <= allowed * V.value;
+}
+
+}  // namespace polhode
