@@ -114,6 +114,7 @@ MeasureReport measurement() {
                        {997, 0.5, Known::yes, 30},
                        SeriesEstimate{0.1, 0.01, Known::yes, 30}},
                       {{&property("coordination-number")}, {4.5, 0.1, Known::yes, 30}}};
+  point.profiles = {{"density", "distance (nm)", "kg/m3", {0.02}, {{1000, 0, Known::yes}}}};
   point.distributions = {{{"OW", "OW"}, {0.002}, {{0, 0, Known::yes}}, {}}};
   MeasureReport report{.points = {point}, .system = "256 spce"};
   report.curves.maxima = {{.fit = {5, 3, 1}}};
