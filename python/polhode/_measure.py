@@ -60,8 +60,8 @@ def measure(system: Path | Sequence[Path], properties: str | Sequence[str] | Map
             more time.
         sampling (str): of averages, chemical potentials and slabs: "molecular-dynamics" or "hybrid-monte-carlo", which
             has no time-step bias; default: "molecular-dynamics".
-        scheme (str): of averages and dynamics, a single one without a bath; default: hoa2.
-        step: of averages and dynamics: "2 fs"; default: a pilot chooses it.
+        scheme (str): of all runs, a palindrome without a bath; default: hoa2.
+        step: of all runs: "2 fs"; default: a pilot chooses it.
         time_limit: wall-clock time after which the results so far are returned: "2 h".
         shard (str): part of the replicas for this process: "2/8".
         seed (int): of all replicas.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The virials of molecules: against the virial of all, and against the energies of single molecules
-// that are moved.
+// The virials of molecules: against the virial of all, against the force of a pair, and with any
+// split of the electrostatics.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -24,14 +24,16 @@ void check_acceptance(const HybridMonteCarloMemory& hybrid, const StatePoint& at
   if (hybrid.trajectories < min_trajectories || one_in * hybrid.accepted >= hybrid.trajectories)
     return;
   throw RunError(
-      fmt::format("at {}: hybrid Monte Carlo accepts only {} of {} trajectories; give sampling = "
-                  "molecular-dynamics, or fewer molecules",
+      fmt::format("at {}: hybrid Monte Carlo accepts only {} of {} trajectories; give a shorter "
+                  "step, fewer molecules, or the sampling molecular-dynamics",
                   at.text(), hybrid.accepted, hybrid.trajectories));
 }
 
 /// The scheme with a bath at the ends of its steps.
 Scheme with_ends(const ReplicaSettings& settings) {
-  return with_bath(scheme_of(settings.scheme), BathPlace::ends, "with a bath");
+  const std::string name = settings.scheme + " with a bath";
+  return with_bath(scheme_of(settings.scheme), BathPlace::ends,
+                   name.size() <= Scheme::max_name ? name : "own scheme with a bath");
 }
 
 }  // namespace

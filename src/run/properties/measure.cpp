@@ -37,8 +37,10 @@ namespace {
 
 /// Minimum time between two writes of a record [s]; a segment may take only milliseconds.
 constexpr double writing_interval = 2;
-/// As many steps of hoa2 have the force evaluations of the pilot's preparation.
-constexpr double steps_of_pilot = 15'000;
+/// As many steps of hoa2 have the force evaluations of a pilot's preparation.
+constexpr double steps_of_pilot(bool step_is_given) {
+  return step_is_given ? steps_of_preparation : 15'000;
+}
 
 /// Measures a state point.
 class PointMeasurement {
@@ -178,7 +180,8 @@ std::optional<double> PointMeasurement::choose_step() {
   for (const Replica& replica : replicas_)
     if (replica.prepared() && first.prepared() && replica.step != first.step)
       throw Error(fmt::format(
-          "'{}' has the time step {:g} fs, and its pilot '{}' {:g} fs; remove one of the two",
+          "'{}' has the time step {:g} fs, and its pilot '{}' {:g} fs; restore the pilot of this "
+          "record, or give another prefix of the output files",
           file_of(replica.index), replica.step * units::fs_per_ps, file_of(pilot),
           first.step * units::fs_per_ps));
   system_.common.step = first.step;
@@ -368,16 +371,23 @@ void PointMeasurement::show_time(const std::vector<MeasuredProperty>& values,
     callbacks_.note("warning: " + warning);
 }
 
-/// Extends the averages until the other kinds of run may begin with their volume.
+/// Extends the averages until the other kinds of run may begin with their volume, or until the time
+/// limit hardly allows their first lengths.
 void PointMeasurement::begin(Target& target) {
-  while (averages_alone(target) != target && !stopped()) {
+  const auto has_begun = [&](const Replica& r) { return has(r, without_averages(target)); };
+  while (!stopped() && !std::ranges::all_of(replicas_, has_begun)) {
     const Target averages = averages_alone(target);
     extend(averages);
-    if (stopped()) return;
     const std::vector<Replica> replicas = first_of(averages);
-    if (schedule_.begins(averages, data(replicas), in_equilibrium(data(replicas)))) return;
+    const std::string reason = schedule_.why_not_yet(averages, data(replicas));
+    const double needed =
+        steps_ > 0 ? work_of(without_averages(target)).steps.sum() * seconds_ / steps_ : 0;
+    if (stopped() || reason.empty() || (allowed().is_limit && allowed().seconds < 2 * needed))
+      return;
     target[MeasuredIn::averages] = longer(target[MeasuredIn::averages]);
-    callbacks_.note("  the mean volume is not precise enough for the other runs yet and continues");
+    if (!std::ranges::all_of(replicas_,
+                             [&](const Replica& r) { return has(r, averages_alone(target)); }))
+      callbacks_.note("  averages continue: " + reason);
   }
 }
 
@@ -407,7 +417,8 @@ MeasuredPoint PointMeasurement::perform() {
     std::size_t& coupled = target[MeasuredIn::coupling];
     if (coupled > 0 && system_.common.step > 0 && !choose_path()) coupled = 0;
     if (system_.common.step > 0) {
-      show_plan(target, seconds ? std::optional(*seconds / steps_of_pilot) : std::nullopt);
+      show_plan(target, seconds ? std::optional(*seconds / steps_of_pilot(settings_.step > 0))
+                                : std::nullopt);
       begin(target);
       while (!stopped() && extend_to(target)) {
       }
@@ -437,13 +448,6 @@ void PointMeasurement::warn_of_tension() const {
 
 }  // namespace
 
-bool MeasureReport::reached() const {
-  if (!missing.empty()) return false;
-  return std::ranges::all_of(points, [](const MeasuredPoint& point) {
-    return std::ranges::all_of(point.properties, &MeasuredProperty::reached);
-  });
-}
-
 MeasureReport measure(const MeasureSettings& settings, const Callbacks& callbacks, Workers& workers,
                       const ReplicaExecutor& executor) {
   check_prefix(settings.prefix);
@@ -454,17 +458,7 @@ MeasureReport measure(const MeasureSettings& settings, const Callbacks& callback
                                     settings.shard.count),
                         callbacks);
   const Topology topology = build_topology(settings.config.system);
-  for (const RequestedProperty& request : settings.properties) {
-    std::string why = why_not(*request.property, topology, settings.config.forces);
-    for (const StatePoint& at : settings.points)
-      if (why.empty()) why = why_not(*request.property, at);
-    if (why.empty() && request.property->measured_in != MeasuredIn::pair &&
-        topology.size() < min_of_liquid)
-      why = fmt::format("the system has {} molecules; a liquid needs at least {}", topology.size(),
-                        min_of_liquid);
-    if (!why.empty())
-      throw Error(fmt::format("{} cannot be measured: {}", request.property->name, why));
-  }
+  check_properties(settings, topology);
   MeasureReport report;
   for (const Topology::Part& part : topology.parts)
     report.system +=

@@ -51,29 +51,30 @@ Value interval(const MeasuredProperty& m, double probability) {
 
 Quantities of_property(const MeasuredProperty& m) {
   const Property& p = *m.request.property;
-  return {{"name", "", p.name, "name of the property", "property"},
-          {"value", "", m.value, "value with all corrections, in `unit`", "value"},
-          {"unit", "", p.unit, "unit of value, error and corrections", "unit"},
-          {"interval_68", "", interval(m, 0.68), "68 % confidence interval, by Student's t"},
-          {"interval_95", "", interval(m, 0.95), "95 % confidence interval, by Student's t"},
-          {"requested_error", "", m.requested_error(), "requested standard error"},
-          {"reached", "", m.reached(),
-           "whether the requested error is reached and the value has converged"},
-          {"step_bias", "", m.bias ? Value(*m.bias) : Value(),
-           "time-step bias, which is subtracted; null if it is not known"},
-          {"step_bias_bound", "", m.step_bound ? Value(m.step_bound->bound) : Value(),
-           "95 % bound of the time-step bias of dynamics, from paired runs at half of the step; "
-           "null without them"},
-          {"step_difference", "", m.step_bound ? Value(m.step_bound->difference) : Value(),
-           "difference of the value between the step and half of it; null without paired runs"},
-          {"finite_size_correction", "", m.finite_size,
-           "finite-size correction included in the value; null without a correction"},
-          {"not_converged", "", m.obstacle.empty() ? Value() : Value(m.obstacle),
-           "reason why the value has not converged; null if it has"},
-          {"contributions", "", m.contributions.empty() ? Value() : Value(m.contributions),
-           "number of replicas that contribute, and why the others do not; null if all contribute"},
-          {"definition", "", p.definition, "definition of the property"},
-          {"", "", remarks(m), "", "remarks"}};
+  return {
+      {"name", "", p.name, "name of the property", "property"},
+      {"value", "", m.value, "value with all corrections, in `unit`", "value"},
+      {"unit", "", p.unit, "unit of value, error and corrections", "unit"},
+      {"interval_68", "", interval(m, 0.68), "68 % confidence interval, by Student's t"},
+      {"interval_95", "", interval(m, 0.95), "95 % confidence interval, by Student's t"},
+      {"requested_error", "", m.requested_error(), "requested standard error"},
+      {"reached", "", m.reached(),
+       "whether the requested error is reached and the value has converged"},
+      {"step_bias", "", m.bias ? Value(*m.bias) : Value(),
+       "time-step bias, which is subtracted; null if it is not known, or with hybrid Monte Carlo"},
+      {"step_bias_bound", "", m.step_bound ? Value(m.step_bound->bound) : Value(),
+       "95 % bound of the time-step bias of dynamics, from paired runs at half of the step; "
+       "null without them"},
+      {"step_difference", "", m.step_bound ? Value(m.step_bound->difference) : Value(),
+       "difference of the value between the step and half of it; null without paired runs"},
+      {"finite_size_correction", "", m.finite_size,
+       "finite-size correction included in the value; null without a correction"},
+      {"not_converged", "", m.obstacle.empty() ? Value() : Value(m.obstacle),
+       "reason why the value has not converged; null if it has"},
+      {"contributions", "", m.contributions.empty() ? Value() : Value(m.contributions),
+       "number of replicas that contribute, and why the others do not; null if all contribute"},
+      {"definition", "", p.definition, "definition of the property"},
+      {"", "", remarks(m), "", "remarks"}};
 }
 
 struct Points {
@@ -129,6 +130,7 @@ Quantities of_point(const MeasuredPoint& point) {
                   {"replicas", "", static_cast<std::int64_t>(point.replicas),
                    "number of independent simulations"},
                   {"step", "fs", point.step_max * units::fs_per_ps, "time step"},
+                  {"scheme", "", point.scheme, "scheme of all runs, with the sampling of averages"},
                   {"equilibration", "ps", point.equilibration_max,
                    "longest time that a replica discarded as equilibration"},
                   {"averages_length", "ps", point.length_of_averages,
@@ -238,6 +240,13 @@ std::string MeasuredPoint::conditions(const std::string& line_break) const {
     text += fmt::format("; {:.0f} ps for the stages of a coupling", length_of_coupling);
   if (length_of_slab > 0) text += fmt::format("; {:.0f} ps for the slabs", length_of_slab);
   return text;
+}
+
+bool MeasureReport::reached() const {
+  if (!missing.empty()) return false;
+  return std::ranges::all_of(points, [](const MeasuredPoint& point) {
+    return std::ranges::all_of(point.properties, &MeasuredProperty::reached);
+  });
 }
 
 Quantities quantities(const MeasureReport& report) {

@@ -13,6 +13,7 @@
 #include "io/files/text_file.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
+#include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/with_bath.hpp"
 #include "polhode/run/prepare/preparation.hpp"
@@ -196,10 +197,19 @@ RequestedProperty with_error(const Property& property, const std::string& text) 
 
 constexpr std::array samplings{"molecular-dynamics", "hybrid-monte-carlo"};  // of Sampling
 
-/// The text of a scheme, to which a bath can be added.
-std::string single_scheme(const Given& scheme) {
+/// The text of a scheme, to which a bath can be added. A note says if its bias is not predicted.
+std::string single_scheme(const Given& scheme, std::vector<std::string>& notes) {
+  constexpr double rounding = 1e-12;
   try {
-    with_bath(scheme_of(scheme.text), BathPlace::ends);
+    const Scheme found = scheme_of(scheme.text);
+    with_bath(found, BathPlace::ends);
+    if (!found.palindromic()) refuse(scheme, "is not suitable: its stages are not a palindrome");
+    const ErrorTerms terms = error_terms(found);
+    if (std::hypot(terms.alpha, terms.beta) < rounding)
+      notes.push_back(fmt::format(
+          "note: {} has no error of order h², so its time-step bias is neither predicted nor "
+          "subtracted",
+          scheme.text));
   } catch (const Error& e) {
     refuse(scheme, fmt::format("is not suitable: {}", e.what()));
   }
@@ -271,10 +281,9 @@ std::vector<RequestOption<MeasureRequest>> MeasureRequest::options() {
                    "has no time-step bias; default: {}",
                    fmt::join(samplings, " or "), samplings.front())},
       {"scheme", &R::scheme,
-       fmt::format("scheme of averages and dynamics, a single one without a bath; default: {}",
+       fmt::format("scheme of all runs, a palindrome without a bath; default: {}",
                    defaults.scheme)},
-      {"step", &R::step,
-       "time step of averages and dynamics: \"2 fs\"; default: a pilot chooses it"},
+      {"step", &R::step, "time step of all runs: \"2 fs\"; default: a pilot chooses it"},
       {"time_limit", &R::time_limit,
        "wall-clock time after which the results so far are reported: \"600 s\", \"2 h\""},
       {"shard", &R::shard,
@@ -325,7 +334,7 @@ MeasureSettings MeasureRequest::settings() const {
     refuse(paired_runs, "must be yes or no");
   s.paired_runs = paired_runs.text != "no";
   if (sampling) s.sampling = sampling_of(sampling);
-  if (scheme) s.scheme = single_scheme(scheme);
+  if (scheme) s.scheme = single_scheme(scheme, s.notes);
   if (step) s.step = given_positive(step, Dimension::time, "2 fs");
   if (shard) s.shard = shard_of(shard);
   if (s.shard.count > s.replicas)

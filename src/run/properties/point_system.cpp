@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/properties/point_system.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "io/files/write_file.hpp"
@@ -47,9 +49,23 @@ PointSystem::PointSystem(const MeasureSettings& settings, const StatePoint& at)
   std::vector<double> state{at.temperature, at.constant_volume() ? at.density : at.pressure};
   if (at.constant_volume()) state.push_back(1);
   if (settings.sampling == Sampling::hybrid_monte_carlo) state.push_back(2);
-  if (settings.step > 0) state.insert(state.end(), {3, settings.step});
-  const std::string scheme = settings.scheme == MeasureSettings{}.scheme ? "" : settings.scheme;
-  identity = text_hash(polhode::identity(config, system, state) + scheme);
+  std::string more = settings.scheme == MeasureSettings{}.scheme ? "" : settings.scheme;
+  if (settings.step > 0) more += fmt::format(" {:.9g} ps", settings.step);
+  identity = text_hash(polhode::identity(config, system, state) + more);
+}
+
+void check_properties(const MeasureSettings& settings, const Topology& topology) {
+  for (const RequestedProperty& request : settings.properties) {
+    std::string why = why_not(*request.property, topology, settings.config.forces);
+    for (const StatePoint& at : settings.points)
+      if (why.empty()) why = why_not(*request.property, at);
+    if (why.empty() && request.property->measured_in != MeasuredIn::pair &&
+        topology.size() < min_of_liquid)
+      why = fmt::format("the system has {} molecules; a liquid needs at least {}", topology.size(),
+                        min_of_liquid);
+    if (!why.empty())
+      throw Error(fmt::format("{} cannot be measured: {}", request.property->name, why));
+  }
 }
 
 }  // namespace polhode

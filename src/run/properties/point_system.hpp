@@ -21,4 +21,7 @@ struct PointSystem {
   PointSystem(const MeasureSettings& settings, const StatePoint& at);
 };
 
+/// @throws Error  if the system does not have a requested property at all state points
+void check_properties(const MeasureSettings& settings, const Topology& topology);
+
 }  // namespace polhode

@@ -228,10 +228,10 @@ Replica parse_replica(const std::string& bytes, const std::string& path, std::ui
   try {
     const json whole = json::from_cbor(cbor);
     if (whole.at("identity").get<std::string>() != identity)
-      throw Error(
-          fmt::format("'{}' was written with other molecules, forces, seed, sampling, scheme, "
-                      "step or numbers of molecules; give another prefix of the output files",
-                      path));
+      throw Error(fmt::format(
+          "'{}' was written with other molecules, forces, seed, sampling, scheme, "
+          "step or numbers of molecules; give the same, or another prefix of the output files",
+          path));
     Replica replica = replica_of(whole.at("replica"));
     if (replica.index != index)
       throw damaged("contains a replica whose number differs from the number in the file name");

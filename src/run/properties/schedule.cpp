@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/properties/schedule.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,7 @@
 namespace polhode {
 namespace {
 
-/// Number of segments after which a replica that has not reached equilibrium is not continued.
+/// Number of segments after which averages that have not reached equilibrium are not continued.
 constexpr std::size_t max_equilibration = 600;
 /// Growth of the first length after which a property without a value is not continued.
 constexpr std::size_t max_without_value = 64;
@@ -21,11 +23,22 @@ bool keeps_volume(MeasuredIn kind) {
          kind == MeasuredIn::conduction;
 }
 
+/// Whether an error comes from the means of three or more replicas alone.
+bool are_means_alone(const SeriesEstimate& value, std::uint64_t replicas) {
+  constexpr double min_modes = 2;
+  return value.modes >= min_modes && value.modes < static_cast<double>(replicas);
+}
+
 }  // namespace
 
 std::size_t longer(std::size_t segments) {
   constexpr double growth = 1.5;
   return static_cast<std::size_t>(std::ceil(growth * static_cast<double>(segments)));
+}
+
+Target without_averages(Target target) {
+  target[MeasuredIn::averages] = 0;
+  return target;
 }
 
 Target averages_alone(const Target& target) {
@@ -52,8 +65,10 @@ bool Schedule::continues(const MeasuredProperty& m, const Target& target) const 
   const MeasuredIn kind = m.request.property->measured_in;
   if (kind == MeasuredIn::pair || !m.longer_helps) return false;
   const bool known = m.value.known == Known::yes && m.obstacle.empty();
-  return known ? m.value.error > required_error(m)
-               : target[kind] < max_without_value * first_segments[kind];
+  if (known && m.value.error <= required_error(m)) return false;
+  // An error from the means of replicas alone does not fall.
+  const bool falls = known && !(keeps_volume(kind) && are_means_alone(m.value, settings_.replicas));
+  return falls || target[kind] < max_without_value * first_segments[kind];
 }
 
 bool Schedule::next(Target& target, const std::vector<MeasuredProperty>& values,
@@ -73,21 +88,25 @@ bool Schedule::next(Target& target, const std::vector<MeasuredProperty>& values,
   return has_grown;
 }
 
-bool Schedule::begins(const Target& target, const PointData& data, bool equilibrium) const {
-  // Transport coefficients change by up to five times the relative change of the volume; a third of
-  // the requested error then has no effect on the sum of squares.
+std::string Schedule::why_not_yet(const Target& target, const PointData& data) const {
+  // Transport coefficients of argon change by five times the relative change of the volume. A third
+  // of the requested error then has no effect on the sum of squares.
   constexpr double sensitivity = 5, part = 1.0 / 3, usual_error = 0.01;
-  if (target[MeasuredIn::averages] >= max_without_value * first_segments[MeasuredIn::averages])
-    return true;
-  if (!equilibrium) return false;
+  const std::size_t averages = target[MeasuredIn::averages];
+  if (!in_equilibrium(data))
+    return averages < max_equilibration ? "a replica is not in equilibrium yet" : "";
+  if (data.at.constant_volume() || averages >= max_without_value * first_averages) return "";
   double allowed = 1;
   for (const RequestedProperty& p : settings_.properties)
     if (keeps_volume(p.property->measured_in))
       allowed =
           std::min(allowed, share() * part / sensitivity * (p.relative ? p.error : usual_error));
-  if (allowed == 1 || data.at.constant_volume()) return true;
+  if (allowed == 1) return "";
   const SeriesEstimate V = estimate({&property("molar-volume")}, data).value;
-  return V.known == Known::yes && V.error <= allowed * V.value;
+  if (V.known != Known::yes) return "the error of the mean volume is not known yet";
+  if (V.error <= allowed * V.value) return "";
+  return fmt::format("dynamics needs a mean volume with an error of {:.2g} %, and it has {:.2g} %",
+                     100 * allowed, 100 * V.error / V.value);
 }
 
 }  // namespace polhode

@@ -2,6 +2,7 @@
 // How long the replicas of a state point must become.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "run/properties/contributions.hpp"
@@ -32,16 +33,17 @@ class Schedule {
   /// Increases the target lengths for properties that have not reached their requested error.
   /// @return  whether work is left
   bool next(Target& target, const std::vector<MeasuredProperty>& values, bool equilibrium) const;
-  /// Whether the other kinds of run may begin: in equilibrium, and with a mean volume whose error
-  /// has no effect on them, or after many averages.
-  bool begins(const Target& target, const PointData& data, bool equilibrium) const;
+  /// Why the other kinds of run must not begin yet: they need equilibrium, and a mean volume whose
+  /// error has no effect on them. Empty if they may, or after many averages.
+  std::string why_not_yet(const Target& target, const PointData& data) const;
 
  private:
   const MeasureSettings& settings_;
 };
 
-/// The averages of a target alone.
+/// The segments of averages in a target, and those of all other kinds of run.
 Target averages_alone(const Target& target);
+Target without_averages(Target target);
 /// The next length of a kind of run.
 std::size_t longer(std::size_t segments);
 

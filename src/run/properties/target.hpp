@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 
 #include "run/properties/coupling.hpp"
 #include "run/properties/elongate.hpp"
@@ -24,6 +25,7 @@ struct PerKind {
   std::array<Number, kinds_of_run.size()> of{};
   constexpr Number& operator[](MeasuredIn kind) { return of[static_cast<std::size_t>(kind)]; }
   constexpr Number operator[](MeasuredIn kind) const { return of[static_cast<std::size_t>(kind)]; }
+  Number sum() const { return std::accumulate(of.begin(), of.end(), Number{}); }
   friend bool operator==(const PerKind&, const PerKind&) = default;
 };
 

@@ -53,17 +53,30 @@ TEST_CASE("averages come first, and dynamics with a volume that is precise enoug
   // The mean volume of 96 segments has a relative error of 0.1 %, five of which are 0.5 %.
   const std::vector<Replica> replicas = made_up(24);
   const PointData data{topology, mixing, {160, 30}, replicas};
-  const auto begins = [&](const char* error, bool equilibrium = true) {
+  const auto why_not_yet = [&](const char* error) {
     const MeasureSettings settings = request_of({"diffusion", error}, "160 K, 500 bar");
-    return Schedule(settings).begins(target, data, equilibrium);
+    return Schedule(settings).why_not_yet(target, data);
   };
-  CHECK(begins("4 %"));  // a third is 1.3 %
-  CHECK(!begins("4 %", false));
-  CHECK(!begins("0.5 %"));
-  const MeasureSettings averages = request_of({"surface-tension", "0.5 %"}, "160 K, 500 bar");
-  CHECK(Schedule(averages).begins(target, data, true));  // the volume of a slab is not kept
+  CHECK(why_not_yet("4 %").empty());  // a third is 1.3 %
+  CHECK(why_not_yet("0.5 %").find("an error of 0.033 %, and it has 0.1") != std::string::npos);
+  const MeasureSettings slab = request_of({"surface-tension", "0.5 %"}, "160 K, 500 bar");
+  CHECK(Schedule(slab).why_not_yet(target, data).empty());  // the volume of a slab is not kept
   target[MeasuredIn::averages] = 64 * 24;
-  CHECK(begins("0.5 %", false));  // an end to it
+  CHECK(why_not_yet("0.5 %").empty());  // an end to it
+}
+
+TEST_CASE("an error from the means of replicas alone is not continued without end") {
+  MeasureSettings settings = request_of({"diffusion", "1 %"}, "160 K, 500 bar");
+  settings.replicas = 8;
+  const Schedule schedule(settings);
+  Target target = schedule.first();
+  MeasuredProperty m{.request = settings.properties.front(), .value = {6, 0.2, Known::yes, 40}};
+  target[MeasuredIn::dynamics] = 64 * 4;
+  CHECK(schedule.continues(m, target));
+  m.value.modes = 7;
+  CHECK(!schedule.continues(m, target));
+  target[MeasuredIn::dynamics] = 64;
+  CHECK(schedule.continues(m, target));
 }
 
 TEST_CASE("a property without a value is not continued without end") {
