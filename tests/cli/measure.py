@@ -137,7 +137,7 @@ plot = "none"
             (self.folder / f"out-160K-500bar-{name}.replica").unlink()
         process = self.polhode("measure", "argon", "density", "0.02 %", "--scheme", "hoa2", *LIQUID[4:], "--time-limit", "60 s")
         self.assertEqual(process.returncode, 2, process.err)
-        for words in ("out-160K-500bar-r0.replica", "has the time step", "out-160K-500bar-pilot.replica", "remove one"):
+        for words in ("out-160K-500bar-r0.replica", "has the time step", "out-160K-500bar-pilot.replica", "restore the pilot"):
             self.assertIn(words, process.err)
 
     def test_scheme_and_step_can_be_given(self):

@@ -25,7 +25,7 @@ FIGURES = {  # study: record, option of --figure, images in docs/
     "accuracy": ("2026-11-21-accuracy.json", "accuracy.svg", ("accuracy/accuracy.svg",)),
     "precision": ("2026-11-21-precision.json", "precision.svg", ("precision/precision.svg",)),
     "liquids": ("2026-11-21-liquids.json", "radial.svg", ("liquids/radial.svg",)),
-    "other_programs": ("2026-11-27-other-programs.json", "other-programs.svg", ("other-programs/other-programs.svg",)),
+    "other_programs": ("2026-11-28-other-programs.json", "other-programs.svg", ("other-programs/other-programs.svg",)),
 }
 BENCH = {  # kind of bench/figures.py: record in bench/results, argument, images in docs/
     "peers": ("2026-11-21-peers.json", "peers.svg", ("performance/peers.svg",)),
