@@ -203,7 +203,7 @@ std::string single_scheme(const Given& scheme, std::vector<std::string>& notes) 
   try {
     const Scheme found = scheme_of(scheme.text);
     with_bath(found, BathPlace::ends);
-    if (!found.palindromic()) refuse(scheme, "is not suitable: its stages are not a palindrome");
+    if (!found.palindromic()) throw Error("its stages are not a palindrome");
     const ErrorTerms terms = error_terms(found);
     if (std::hypot(terms.alpha, terms.beta) < rounding)
       notes.push_back(fmt::format(
