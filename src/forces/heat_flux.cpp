@@ -27,7 +27,7 @@ struct HeatFlux::Parts {
 HeatFlux::HeatFlux(const Topology& topology, const ForceSettings& settings, const Box& box,
                    double share)
     : parts_(std::make_unique<Parts>(
-          FluidPairs(topology, checked(topology, settings), box, "the heat flux"), share)) {}
+          Parts{FluidPairs(topology, checked(topology, settings), box, "the heat flux"), share})) {}
 
 HeatFlux::HeatFlux(HeatFlux&&) noexcept = default;
 HeatFlux::~HeatFlux() = default;

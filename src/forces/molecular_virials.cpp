@@ -17,7 +17,7 @@ struct MolecularVirials::Parts {
 MolecularVirials::MolecularVirials(const Topology& topology, const ForceSettings& settings,
                                    const Box& box)
     : parts_(std::make_unique<Parts>(
-          FluidPairs(topology, settings, box, "the virial of each molecule"))) {
+          Parts{FluidPairs(topology, settings, box, "the virial of each molecule"), {}, {}, {}})) {
   if (settings.slab_dispersion) parts_->slab.emplace(topology, settings, box);
   const Mat3<double> all =
       constant_terms_of(topology, settings, box, tail_of(topology, settings)).virial;

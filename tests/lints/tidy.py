@@ -153,9 +153,16 @@ def check(root):
     cache.mkdir(exist_ok=True)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         reports = pool.map(lambda group: examine(root, cache, group), groups(sources(root, build)))
-    seen = re.findall(r"^(/.+?):(\d+):\d+: (?:warning|error): (.+)$", "".join(reports), re.M)
-    for path, line, text in sorted(set(seen)):
+    for path, line, text in sorted(set(located("".join(reports), root))):
         yield Finding(Path(path).resolve(), int(line), text)
+
+
+def located(report, root):
+    """Path, line and text of each finding. One in a header of a library is that of the next place of the project, which its notes name."""
+    place = re.compile(rf"^({re.escape(str(root))}/.+?):(\d+):", re.M)
+    for found in re.finditer(r"^(/.+?):(\d+):\d+: (?:warning|error): (.+)$", report, re.M):
+        own = place.search(report, found.start())
+        yield (*(own.groups() if own else found.groups()[:2]), found[3])
 
 
 if __name__ == "__main__":

@@ -93,8 +93,12 @@ class Measure(unittest.TestCase):
     def test_hybrid_monte_carlo(self):
         found = polhode.measure(**CALL, output="hybrid", sampling="hybrid-monte-carlo")["points"][0]["properties"][0]
         self.assertIsNone(found["step_bias"])
-        with self.assertRaisesRegex(polhode.Error, "sampling must be molecular-dynamics or hybrid-monte-carlo"):
+        with self.assertRaisesRegex(polhode.Error, 'sampling = "monte-carlo" must be molecular-dynamics or hybrid-monte-carlo'):
             polhode.measure(**CALL, output="other", sampling="monte-carlo")
+
+    def test_scheme_and_step(self):
+        found = polhode.measure(**CALL, output="verlet", scheme="velocity-verlet", step="20 fs")["points"][0]
+        self.assertEqual((found["scheme"], found["step_fs"]), ("velocity-verlet", 20))
 
     def test_wrong_input(self):
         with self.assertRaisesRegex(polhode.Error, "did you mean 'density'"):

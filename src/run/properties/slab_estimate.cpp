@@ -43,9 +43,9 @@ std::vector<BlockMeans> pressure_runs_of(const Contributions& contributions) {
       const auto& [weight, tangential] = segments[k].tangential;
       if (weight == 0) continue;
       const BlockMeans::Block& sums = segments[k].sums;
-      BlockMeans::Block& block =
-          run.emplace_back(weight, std::vector{weight * sums.sum[normal_pressure] / sums.weight});
+      BlockMeans::Block block{weight, {weight * sums.sum[normal_pressure] / sums.weight}};
       block.sum.insert(block.sum.end(), tangential.begin(), tangential.end());
+      run.push_back(std::move(block));
     }
     if (!run.empty()) runs.push_back(std::move(run));
   }
