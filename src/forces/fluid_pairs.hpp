@@ -13,6 +13,7 @@
 
 namespace polhode {
 
+/// The sites, laws and motion of the molecules, and a mesh for PME.
 struct FluidPairs {
   /// @param what  quantity that is computed, for errors
   /// @throws Error  if there is more than one kind of molecule, or if there are external forces, or

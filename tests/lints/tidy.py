@@ -158,7 +158,7 @@ def check(root):
 
 
 def located(report, root):
-    """Path, line and text of each finding. One in a header of a library is that of the next place of the project, which its notes name."""
+    """Path, line and text of each finding. A finding in a header of a library has the next place in the project, which its notes name."""
     place = re.compile(rf"^({re.escape(str(root))}/.+?):(\d+):", re.M)
     for found in re.finditer(r"^(/.+?):(\d+):\d+: (?:warning|error): (.+)$", report, re.M):
         own = place.search(report, found.start())

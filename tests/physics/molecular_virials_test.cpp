@@ -62,7 +62,7 @@ TEST_CASE("virials of molecules: their sum is the virial of all") {
 }
 
 // Both meshes have double precision, so only the order of the sums differs. Sums over the grid have
-// ten thousands of terms with errors of 1e-16, up to a thousand times larger than their sum.
+// tens of thousands of terms with errors of 1e-16, up to a thousand times larger than their sum.
 TEST_CASE("virials of molecules: with a mesh, and in a slab") {
   for (const std::string name : {"spce", "tip4p", "co2"})
     for (const bool slab : {false, true}) {

@@ -162,15 +162,15 @@ inline constexpr std::size_t paired_every = 8;
 struct ReplicaSettings {
   Config config;  ///< molecules, forces, temperature, and the seed of all replicas
   StatePoint at;
-  double liquid_density = 0;  ///< estimated density of the liquid [u/nm³]
-  double max_bias = 0;        ///< maximum relative time-step bias of the potential energy
-  bool paired_runs = true;    ///< whether there are paired segments of dynamics
-  Sampling sampling{};        ///< of averages, stages of a coupling and slabs
-  std::string scheme = "hoa2";
-  double given_step = 0;  ///< time step that was given [ps]; 0 if a pilot chooses it
-  double step = 0;        ///< time step of all replicas [ps]; 0 for a pilot, which chooses the step
-                          ///< during preparation
-  CouplingPath path{};    ///< stages of a coupling of all replicas, which a pilot chooses
+  double liquid_density = 0;    ///< estimated density of the liquid [u/nm³]
+  double max_bias = 0;          ///< maximum relative time-step bias of the potential energy
+  bool paired_runs = true;      ///< whether there are paired segments of dynamics
+  Sampling sampling{};          ///< of averages, stages of a coupling and slabs
+  std::string scheme = "hoa2";  ///< scheme of all runs but the preparation
+  double given_step = 0;        ///< time step that was given [ps]; 0 if a pilot chooses it
+  double step = 0;      ///< time step of all replicas [ps]; 0 for a pilot, which chooses the step
+                        ///< during preparation
+  CouplingPath path{};  ///< stages of a coupling of all replicas, which a pilot chooses
   std::function<bool()> stop{};  ///< ends a segment, which is then discarded
 };
 

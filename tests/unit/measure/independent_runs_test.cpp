@@ -83,8 +83,8 @@ TEST_CASE("a difference between runs makes the error larger") {
   for (BlockMeans::Block& block : moved) block.sum[0] += 10;  // the mean of this run by 1
   runs[0] = BlockMeans(moved);
   const SeriesEstimate after = pooled_estimate(runs, [](auto mean) { return mean[0]; });
-  // The means of the runs, 1 and three times 0 with errors of 1/√240, scatter by 1/2, so the mean
-  // of four has an error of 1/4. Two errors of a mean change the difference of 1 by 15 %.
+  // The means of the runs are 1 and three times 0, with errors of 1/√240. They scatter by 1/2, so
+  // the mean of four has an error of 1/4. Two errors of a mean change the difference of 1 by 15 %.
   CHECK(after.known == Known::yes);
   CHECK(after.modes == 3);
   CHECK(after.error == doctest::Approx(0.25).epsilon(0.15));

@@ -65,11 +65,11 @@ struct MeasureSettings {
   /// Whether a part of the dynamics is repeated at half of the step, which bounds its time-step
   /// bias.
   bool paired_runs = true;
-  Sampling sampling{};  ///< of averages, stages of a coupling and slabs
-  std::string scheme = "hoa2";
-  double step = 0;             ///< time step [ps]; 0: a pilot chooses it
-  bool only_evaluate = false;  ///< whether to evaluate only existing records, without new
-                               ///< computations
+  Sampling sampling{};          ///< of averages, stages of a coupling and slabs
+  std::string scheme = "hoa2";  ///< scheme of all runs but the preparation
+  double step = 0;              ///< time step [ps]; 0: a pilot chooses it
+  bool only_evaluate = false;   ///< whether to evaluate only existing records, without new
+                                ///< computations
 };
 
 /// A bound of the time-step bias from runs at the step and at half of it, which begin in the same
