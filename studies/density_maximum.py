@@ -66,7 +66,7 @@ def main():
         complete(o)
     print(tables.report(known(o.record)))
     if o.figure:
-        import density_maximum_figure as figure
+        import density_maximum_figure as figure  # only here: tables need no matplotlib
         figure.draw(known(o.record), Path(o.figure))
 
 

@@ -7,15 +7,20 @@ gives the shift. Errors of the maximum and its shift are from sets of runs drawn
 known if its error is at most 0.5 K. The published shift of -4 K at 2 fs is refuted if the 99 % interval of the shift excludes it."""
 
 from collections import defaultdict
+from math import hypot, sqrt
+from typing import NamedTuple
 
+import half_femtosecond
 import numpy as np
-from half_femtosecond_tables import bias_fit, density, density_bias, density_fit, maximum
+from half_femtosecond_tables import bias_fit, by_point, density, density_bias, density_biases, density_fit, maximum, name_of
+from lib.runs import number
 from lib.statistics import mean
 from lib.statistics import text as cell
-from lib.study import table
+from lib.study import ROOT, table
 
 STEP = 2  # [fs] of the runs
 STEPS = (0.5, 1, 2, 4)  # [fs]
+EARLIER = ROOT / "studies/records/2026-11-23-half-femtosecond.jsonl"
 PUBLISHED = {0.5: 277.15, 2: 273.15, 4: 269.15}  # maxima [K] by step [fs] [asthagiri2025b]
 
 
@@ -30,15 +35,15 @@ def kappa(runs):
     return np.mean([run["compressibility_per_bar"]["value"] for run in runs])
 
 
-def at_one_bar(runs):
-    """The densities of runs, corrected to the set pressure by the compressibility."""
-    return np.array([density(run) * (1 - kappa(runs) * (run["pressure_bar"] - 1)) for run in runs])
+def at_one_bar(runs, compressibility):
+    """The densities of runs, corrected to the set pressure by the compressibility [1/bar]."""
+    return np.array([density(run) * (1 - compressibility * (run["pressure_bar"] - 1)) for run in runs])
 
 
 def limits(runs):
     """(densities at 1 bar minus predicted biases, predicted biases) of runs at a temperature."""
     biases = np.array([density_bias(run) for run in runs])
-    return at_one_bar(runs) - biases, biases
+    return at_one_bar(runs, kappa(runs)) - biases, biases
 
 
 class Curves:
@@ -50,62 +55,104 @@ class Curves:
         self.limit = density_fit(T, [x.mean() for x, _ in values.values()], 3, errors)
         self.bias = bias_fit(T, [b.mean() for _, b in values.values()])
 
-    def top(self, step):
-        """The temperature of the maximum with velocity Verlet at this step [fs]; 0: the limit of short steps."""
-        return maximum(self.limit + self.bias * (step / STEP) ** 2)
+    def of(self, step):
+        """The densities of velocity Verlet at this step [fs]; 0: the limit of short steps."""
+        return self.limit + self.bias * (step / STEP) ** 2
 
 
-def maxima(of, draws=2000):
-    """{step: (maximum, error, shift, error, 99 % interval of the shift)} for steps of velocity Verlet, and for the limit of short steps, 0."""
+class Known(NamedTuple):
+    """The curves of all runs, and curves of runs drawn with replacement at each temperature."""
+    whole: Curves
+    drawn: list
+
+    def maximum(self, step):
+        """(maximum, error, shift, error, 99 % interval of the shift) of velocity Verlet at this step."""
+        top = lambda curves, h: maximum(curves.of(h))
+        tops, shifts = np.array([(top(one, step), top(one, step) - top(one, 0)) for one in self.drawn]).T
+        return (top(self.whole, step), tops.std(), top(self.whole, step) - top(self.whole, 0), shifts.std(), np.percentile(shifts, (0.5, 99.5)))
+
+
+def known(of, draws=2000):
     values = {T: limits(runs) for T, runs in of.items()}
     errors = np.array([mean(x)[1] for x, _ in values.values()])
     random = np.random.default_rng(1)
-    whole, drawn = Curves(values, errors), []
+    drawn = []
     for _ in range(draws):
         chosen = {T: random.integers(len(x), size=len(x)) for T, (x, _) in values.items()}
         drawn.append(Curves({T: (x[chosen[T]], b[chosen[T]]) for T, (x, b) in values.items()}, errors))
-    rows, limit = {}, np.array([one.top(0) for one in drawn])
-    for step in (0, *STEPS):
-        tops = np.array([one.top(step) for one in drawn])
-        rows[step] = (whole.top(step), tops.std(), whole.top(step) - whole.top(0), (tops - limit).std(), np.percentile(tops - limit, (0.5, 99.5)))
-    return rows
+    return Known(Curves(values, errors), drawn)
 
 
 def densities(of):
-    head = ["T [K]", "runs", "density at 1 bar [kg/m³]", "bias at 2 fs, predicted [kg/m³]", "limit of short steps [kg/m³]", "error [%]"]
+    """Densities of the runs, and what they say of other steps."""
+    head = ["T [K]", "runs", "density at 1 bar [kg/m³]", "bias, predicted [kg/m³]", "limit of short steps [kg/m³]", "error [%]",
+            *(f"at {step:g} fs [kg/m³]" for step in STEPS if step != STEP)]
     rows = []
     for T, runs in of.items():
-        (limit, error), (bias, bias_error), own = *map(mean, limits(runs)), mean(at_one_bar(runs))
-        rows.append([T, len(runs), cell(own, 2), cell((bias, bias_error), 3), cell((limit, error), 2), f"{100 * error / limit:.3f}"])
+        x, b = limits(runs)
+        at = [mean(x + b * (step / STEP) ** 2) for step in STEPS if step != STEP]
+        rows.append([T, len(runs), cell(mean(x + b), 2), cell(mean(b), 3), cell(mean(x), 2), f"{100 * mean(x)[1] / x.mean():.3f}",
+                     *(cell(one, 2) for one in at)])
     return table(head, rows)
 
 
-def maximum_table(of):
-    head = ["velocity Verlet at", "maximum [K]", "shift [K]", "99 % interval", "published maximum [K]"]
-    return table(head, [[f"{step:g} fs" if step else "limit of short steps", cell((top, error), 2), cell((shift, of_shift), 2) if step else "",
-                         f"{low:.2f} to {high:.2f}" if step else "", PUBLISHED.get(step, "")]
-                        for step, (top, error, shift, of_shift, (low, high)) in maxima(of).items()])
+def hoa2_maximum(curves, points):
+    """(maximum, error, shift, error, 99 % interval of the shift) of hoa2 at 4 fs, from the biases that its earlier runs predict."""
+    T, biases, errors = map(np.array, zip(*density_biases(points)["hoa2, 4 fs"]))
+    random = np.random.default_rng(2)
+    top = lambda limit, b: np.array([maximum(limit + bias_fit(T, b)), maximum(limit)])
+    tops = np.array([top(one.limit, biases + errors * random.standard_normal(len(T))) for one in curves.drawn])
+    whole, shifts = top(curves.whole.limit, biases), tops[:, 0] - tops[:, 1]
+    return whole[0], tops[:, 0].std(), whole[0] - whole[1], shifts.std(), np.percentile(shifts, (0.5, 99.5))
 
 
-def percent(runs, name, value):
-    """(value, error) of the bias of a quantity in percent, at 2 fs."""
-    return tuple(100 * x / value for x in mean([run["step_bias"][name]["value"] for run in runs]))
+def maxima(curves, points):
+    head = ["scheme", "maximum [K]", "shift [K]", "99 % interval", "published maximum [K]"]
+    found = {f"velocity Verlet, {step:g} fs" if step else "limit of short steps": (step, curves.maximum(step)) for step in (0, *STEPS)}
+    rows = []
+    for name, (step, (top, error, shift, of_shift, (low, high))) in (found | {"hoa2, 4 fs": (None, hoa2_maximum(curves, points))}).items():
+        moved = ["", ""] if step == 0 else [cell((shift, of_shift), 2), f"{low:.2f} to {high:.2f}"]
+        rows.append([name, cell((top, error), 2), *moved, PUBLISHED.get(step, "")])
+    return table(head, rows)
+
+
+def earlier(of, points):
+    """Runs of the study of the half femtosecond, which are independent of these: their densities at 1 bar minus the limit of short steps and
+    minus their predicted biases, averaged over the temperatures. Errors are from the scatter of the runs of this study at each temperature."""
+    rows = []
+    for name in dict.fromkeys(map(name_of, points)):
+        found = []
+        for runs, T in ((runs, p.temperature) for p, runs in points.items() if name_of(p) == name and p.temperature in of):
+            x, _ = limits(of[T])
+            biases = [density_bias(run) for run in runs if run["step_bias"]]
+            bias, of_bias = mean(biases) if biases else (0, 0)
+            difference = np.mean(at_one_bar(runs, kappa(of[T]))) - bias - x.mean()
+            found.append((difference / x.mean(), hypot(x.std(ddof=1) / sqrt(len(runs)), mean(x)[1], of_bias) / x.mean()))
+        difference, size = 100 * np.array(found).T
+        rows.append([name, cell((difference.mean(), sqrt((size**2).sum()) / len(size)), 3), f"{((difference / size) ** 2).sum():.1f}"])
+    return table(["scheme", "density minus bias and limit, mean over temperatures [%]", f"χ², {len(of)} temperatures"], rows)
 
 
 def responses(of):
     """Compressibility and dielectric constant with their biases."""
-    head = ["T [K]", "κ [10⁻⁵/bar]", "bias of κ at 2 fs [%]", "ε", "bias of ε at 2 fs [%]"]
+    head = ["T [K]", "κ [10⁻⁵/bar]", "bias of κ [%]", "ε", "bias of ε [%]"]
     rows = []
     for T, runs in of.items():
-        k, e = mean([run["compressibility_per_bar"]["value"] for run in runs]), mean([run["dielectric"]["constant"]["value"] for run in runs])
-        bias = tuple(100 * x / e[0] for x in mean([run["dielectric"]["step_bias"]["constant"]["value"] for run in runs]))
-        rows.append([T, cell([1e5 * x for x in k], 2), cell(percent(runs, "compressibility_per_bar", k[0]), 2), cell(e, 1), cell(bias, 2)])
+        quantities = []
+        for values, biases, digits in (
+                ([1e5 * run["compressibility_per_bar"]["value"] for run in runs],
+                 [1e5 * run["step_bias"]["compressibility_per_bar"]["value"] for run in runs], 2),
+                ([number(run["dielectric"]["constant"]) for run in runs], [run["dielectric"]["step_bias"]["constant"]["value"] for run in runs], 1)):
+            value = mean(values)
+            quantities += [cell(value, digits), cell([100 * x / value[0] for x in mean(biases)], 2)]
+        rows.append([T, *quantities])
     return table(head, rows)
 
 
 def report(lines):
     of = by_temperature(lines)
-    parts = ["### Density\n", densities(of)]
-    if min(map(len, of.values())) > 1:
-        parts += ["### Temperature of maximum density\n", maximum_table(of), "### Compressibility and dielectric constant\n", responses(of)]
-    return "\n".join(parts)
+    if min(map(len, of.values())) < 2:
+        return "at least two runs at each temperature are needed"
+    points = by_point(half_femtosecond.known(EARLIER), ["density"])
+    return "\n".join(["### Density\n", densities(of), "### Temperature of maximum density\n", maxima(known(of), points), "### Earlier runs\n", earlier(of, points),
+                      "### Compressibility and dielectric constant\n", responses(of)])
