@@ -116,6 +116,20 @@ def maxima(curves, points):
     return table(head, rows)
 
 
+def fits(of):
+    """The maximum of the limit of short steps by other fits: how much the choice of the fit matters."""
+    head = ["polynomial of degree", "temperatures [K]", "maximum [K]", "χ²", "degrees of freedom"]
+    random = np.random.default_rng(3)
+    T, values, errors = map(np.array, zip(*((T, *mean(limits(runs)[0])) for T, runs in of.items())))
+    rows = []
+    for degree, first in ((3, 0), (2, 0), (4, 0), (3, 1), (2, 1)):
+        t, x, e = T[first:], values[first:], errors[first:]
+        fit = density_fit(t, x, degree, e)
+        tops = [maximum(density_fit(t, x + e * random.standard_normal(len(t)), degree, e)) for _ in range(1000)]
+        rows.append([degree, f"{t[0]} to {t[-1]}", cell((maximum(fit), np.std(tops)), 2), f"{(((x - fit(t)) / e) ** 2).sum():.1f}", len(t) - degree - 1])
+    return table(head, rows)
+
+
 def earlier(of, points):
     """Runs of the study of the half femtosecond, which are independent of these: their densities at 1 bar minus the limit of short steps and
     minus their predicted biases, averaged over the temperatures. Errors are from the scatter of the runs of this study at each temperature."""
@@ -154,5 +168,5 @@ def report(lines):
     if min(map(len, of.values())) < 2:
         return "at least two runs at each temperature are needed"
     points = by_point(half_femtosecond.known(EARLIER), ["density"])
-    return "\n".join(["### Density\n", densities(of), "### Temperature of maximum density\n", maxima(known(of), points), "### Earlier runs\n", earlier(of, points),
+    return "\n".join(["### Density\n", densities(of), "### Temperature of maximum density\n", maxima(known(of), points), "### Other fits\n", fits(of), "### Earlier runs\n", earlier(of, points),
                       "### Compressibility and dielectric constant\n", responses(of)])
