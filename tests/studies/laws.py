@@ -7,6 +7,7 @@ from math import sqrt
 
 import study_path  # first: it says where the others are
 import built_program
+import acceptance_ratios
 import adviser
 import agreement
 import all_schemes
@@ -95,6 +96,15 @@ class Statistics(unittest.TestCase):
         self.assertAlmostEqual(slopes.expected("volume", *at), -60.2214076 / (0.00831446261815324 * 300))  # 1000 bar
         at[1]["temperature"] = 330
         self.assertAlmostEqual(slopes.expected("potential", *at), (1 / 300 - 1 / 330) / 0.00831446261815324)
+
+    def test_acceptance_ratios_and_mbar(self):
+        """Two harmonic wells, of which the second is four times as stiff: ln 2. For two stages both methods are the same equation."""
+        random = np.random.default_rng(1)
+        first, second = random.standard_normal(40000), random.standard_normal(40000) / 2
+        u = lambda x: np.array([0.5 * x**2, 2 * x**2])
+        ratio = acceptance_ratios.acceptance_ratio(np.diff(u(first), axis=0)[0], -np.diff(u(second), axis=0)[0])
+        self.assertAlmostEqual(ratio, np.log(2), delta=0.013)  # four standard errors, from 60 other seeds
+        self.assertAlmostEqual(acceptance_ratios.mbar(u(np.concatenate([first, second])), 40000)[1], ratio, delta=1e-6)
 
 
 class Curves(unittest.TestCase):
