@@ -54,8 +54,7 @@ class Frame(Guarded):
 
 def _frame(core):
     kinds = core.kinds
-    of = {name: [getattr(core, name)[k] for k in kinds] if len(kinds) < 100 else
-          np.array(getattr(core, name), dtype=object)[kinds].tolist()
+    of = {name: np.array(getattr(core, name), dtype=object)[kinds].tolist()
           for name in ("names", "residues", "elements")}
     return Frame(core.positions, core.velocities if core.has_velocities else None, core.box,
                  core.time, molecules=core.molecules, title=core.title, **of)

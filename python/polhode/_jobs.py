@@ -14,7 +14,7 @@ from ._keywords import takes_settings
 from .errors import Error
 from ._progress import hooks
 from ._calls import call_text
-from ._quantities import text_of
+from ._quantities import plain
 from ._results import Report
 from ._settings import made, settings
 from ._types import Messages, Path, Progress, Quantity, Source, Texts
@@ -30,14 +30,10 @@ __all__ = ["advise", "analyze", "bench", "convert", "energy", "export", "minimis
 
 def _text(value):
     """The text of an option. Entries of a list are separated by commas, and a dict becomes "tip4p 512, na 4"."""
-    value = text_of(value)
+    value = plain(value)
     if isinstance(value, Mapping):
         return ", ".join(f"{name} {count}" if count else str(name) for name, count in value.items())
-    if hasattr(value, "tolist"):  # of NumPy
-        value = value.tolist()
-    if isinstance(value, (list, tuple)):
-        return ", ".join(map(_text, value))
-    return os.fspath(value) if isinstance(value, os.PathLike) else str(value)
+    return ", ".join(map(_text, value)) if isinstance(value, (list, tuple)) else str(value)
 
 
 # Arguments that are not options of a particular job: settings, and arguments of all jobs.

@@ -103,13 +103,7 @@ def top(J: ArrayLike, L: ArrayLike, step: float | None = None, length: float | N
         fields += [(f"{name}_rotation", float, 4), (f"{name}_L", float, 3),
                    (f"{name}_energy_error", float), (f"{name}_momentum_error", float),
                    (f"{name}_angle", float)]
-    table = np.zeros(len(rows), dtype=fields)
-    column = 0
-    for field in fields:
-        width = field[2] if len(field) == 3 else 1
-        table[field[0]] = rows[:, column:column + width].reshape(table[field[0]].shape)
-        column += width
-    return table
+    return rows.view(fields).reshape(len(rows))
 
 
 def rotate_table(path: Path, method: str = "series") -> str:
