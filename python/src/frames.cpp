@@ -149,11 +149,6 @@ void bind_frames(nb::module_& m) {
     check_outputs({path}, replace ? ExistingFiles::replace : ExistingFiles::refuse);
     return create_frames(path, {});
   });
-  m.def("writable_formats", [] {
-    std::vector<std::string> names;
-    for (const std::string_view format : writable_formats()) names.emplace_back(format);
-    return names;
-  });
 }
 
 }  // namespace polhode::python

@@ -57,26 +57,20 @@ bool InterruptWatch::caught() const { return main_thread_ && signalled; }
 
 Callbacks Job::callbacks() {
   Callbacks callbacks{.stop = [this] { return interrupt_.caught(); }};
-  if (!hooks_.progress.is_none())
-    callbacks.progress = [this](const Progress& now) { progress(now); };
-  if (!hooks_.message.is_none())
+  if (!progress_.is_none())
+    callbacks.progress = [this](const Progress& now) {
+      const auto time = std::chrono::steady_clock::now();
+      if (time - shown_ < 100ms) return;
+      shown_ = time;
+      const nb::gil_scoped_acquire acquired;
+      progress_(now.job, now.done, now.detail);
+    };
+  if (!message_.is_none())
     callbacks.message = [this](const std::string& text) {
       const nb::gil_scoped_acquire acquired;
-      hooks_.message(text);
+      message_(text);
     };
   return callbacks;
-}
-
-void Job::progress(const Progress& now) {
-  const auto time = std::chrono::steady_clock::now();
-  if (time - shown_ < 100ms) return;
-  shown_ = time;
-  const nb::gil_scoped_acquire acquired;
-  hooks_.progress(now.job, now.done, now.detail);
-}
-
-void Job::raise_signals() const {
-  if (PyErr_CheckSignals() != 0) throw nb::python_error();
 }
 
 }  // namespace polhode::python

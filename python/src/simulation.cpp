@@ -66,11 +66,11 @@ std::vector<double> row_of(const Energies& energies, const DegreesOfFreedom& n) 
 
 /// Advances a simulation.
 /// @return  false if the simulation was interrupted
-bool advance(OwnedSimulation& s, std::size_t steps, bool keep_energies, JobHooks hooks) {
+bool advance(OwnedSimulation& s, std::size_t steps, bool keep_energies, nb::object progress,
+             nb::object message) {
   const InUse use(s.in_use);
   const DegreesOfFreedom n = s.degrees_of_freedom();
-  Job job(std::move(hooks));
-  return job.run([&](Callbacks callbacks) {
+  return Job(std::move(progress), std::move(message)).run([&](Callbacks callbacks) {
     if (keep_energies)
       callbacks.sample = [&](std::size_t, const State&, const Energies& energies) {
         const std::vector<double> row = row_of(energies, n);
@@ -250,19 +250,12 @@ void bind_steps(nb::class_<OwnedSimulation>& c) {
 void bind_simulation(nb::module_& m) {
   nb::class_<OwnedSimulation> c(m, "Simulation", nb::is_weak_referenceable());
   c.def(nb::init<const Config&, int>(), nb::call_guard<nb::gil_scoped_release>())
-      .def_prop_ro("threads", [](const OwnedSimulation& s) { return s.workers.threads(); })
-      .def(
-          "step",
-          [](OwnedSimulation& s, std::size_t steps, bool keep, nb::object progress,
-             nb::object message) {
-            return advance(s, steps, keep, {std::move(progress), std::move(message)});
-          },
-          "steps"_a, "keep_energies"_a, "progress"_a.none(), "message"_a.none())
+      .def("step", &advance, "steps"_a, "keep_energies"_a, "progress"_a.none(), "message"_a.none())
       .def(
           "choose_step",
           [](OwnedSimulation& s, nb::object progress, nb::object message) {
             const InUse use(s.in_use);
-            return Job({std::move(progress), std::move(message)})
+            return Job(std::move(progress), std::move(message))
                 .run([&](const Callbacks& callbacks) {
                   return s.simulation.choose_step(callbacks);
                 });
