@@ -48,9 +48,13 @@ double FixPolhode::mass_of_atom(int i) const {
   return atom->rmass != nullptr ? atom->rmass[i] : atom->mass[atom->type[i]];
 }
 
+bool FixPolhode::is_massless(int type) const {
+  const auto t = static_cast<std::size_t>(type);
+  return t < settings_.massless.size() && settings_.massless[t];
+}
+
 double FixPolhode::mass_in_body(int i) const {
-  const auto type = static_cast<std::size_t>(atom->type[i]);
-  return type < settings_.massless.size() && settings_.massless[type] ? 0 : mass_of_atom(i);
+  return is_massless(atom->type[i]) ? 0 : mass_of_atom(i);
 }
 
 Vec3<double> FixPolhode::minimum_image(Vec3<double> r) const {
@@ -218,8 +222,7 @@ void FixPolhode::check_number_of_atoms() {
 void FixPolhode::show_kinds() const {
   std::vector<double> counts(kinds_.size());
   for (int i = 0; i < atom->nlocal; ++i)
-    if (body_of_[static_cast<std::size_t>(i)] >= 0)
-      ++counts[static_cast<std::size_t>(site_of(i).kind)];
+    if (body_of(i) >= 0) ++counts[static_cast<std::size_t>(info(i).kind)];
   MPI_Allreduce(MPI_IN_PLACE, counts.data(), static_cast<int>(counts.size()), MPI_DOUBLE, MPI_SUM,
                 world);
   if (comm->me != 0) return;
