@@ -175,12 +175,8 @@ def report(result):
     return summary(result) + "\n" + tables(result)
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"only": ["argon-eos1"], "time_limit": "2 s"}, only=([""], "names of cases; all if empty"),
                       threads=(1, "simultaneous replicas of a case"), time_limit=("", "time limit of a case; empty: none"))
     o.only = [name for name in o.only if name]
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

@@ -6,8 +6,6 @@ from collections.abc import Mapping
 
 from ._quantities import plain, text_of
 
-__all__ = ["call_text", "expression"]
-
 
 def expression(value) -> str:
     """Python code for a value; for a function, its name."""

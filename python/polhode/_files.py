@@ -15,8 +15,6 @@ from ._guard import Guarded
 from ._types import Path
 from .errors import Error
 
-__all__ = ["Frame", "read", "read_frames", "write"]
-
 
 class Frame(Guarded):
     """The atoms at one time.

@@ -18,8 +18,6 @@ from ._results import Report
 from ._settings import toml_text
 from ._types import Path
 
-__all__ = ["Molecule", "Scheme", "molecules", "schemes", "verify"]
-
 
 class Scheme(Record):
     """A splitting scheme: a name of the table, or stages as text such as "B(1/2) A(1) B(1/2)".

@@ -15,8 +15,6 @@ from ._quantities import text_of
 from ._results import Report
 from ._types import Messages, Path, Progress, Quantity
 
-__all__ = ["measure", "merge"]
-
 
 def _words(properties):
     """The words of the command line: names of properties, optionally with requested errors."""

@@ -11,8 +11,6 @@ from ._guard import Record
 from ._types import Quantity
 from .errors import Error
 
-__all__ = ["text_of", "quantity"]
-
 # Units, one for each dimension, as pairs of the names that pint and run files use.
 _UNITS = (
     ("ps", "ps"), ("nm", "nm"), ("K", "K"), ("kJ/mol", "kJ/mol"), ("g/cm**3", "g/cm3"),

@@ -15,8 +15,6 @@ from ._trajectories import mdtraj_trajectory, universe
 from ._viewer import view_3d
 from .errors import Error
 
-__all__ = ["EnergySeries", "Report", "Run"]
-
 
 class EnergySeries(Guarded):
     """Energies along a trajectory: the columns of PREFIX-energies.csv."""

@@ -23,8 +23,6 @@ if TYPE_CHECKING:
 
     from ._keywords import Keywords
 
-__all__ = ["settings"]
-
 # Conversion of Python values to TOML text.
 
 def _string(text):

@@ -31,8 +31,6 @@ if TYPE_CHECKING:
 
     from ._keywords import Keywords
 
-__all__ = ["Simulation"]
-
 Observers: TypeAlias = \
     "Callable[[Simulation], object] | Sequence[Callable[[Simulation], object]] | None"
 

@@ -14,8 +14,6 @@ from .errors import Error
 from ._jobs import _Job
 from ._types import Messages, Path
 
-__all__ = ["free_rotation", "rotation_matrix", "top", "rotate_table"]
-
 METHODS = ("series", "closed", "theta", "recursive", "no-squish", "symmetric-product")
 
 
