@@ -94,8 +94,7 @@ def top(J: ArrayLike, L: ArrayLike, step: float | None = None, length: float | N
     """
     J, L = _triple(J, "J"), _triple(L, "L")
     job = _Job(top, {**locals(), "progress": False})
-    with job as options:
-        rows = _core.top(job.texts, options)
+    rows = job.call(_core.top, job.texts)
     fields = [("t", float), ("exact_rotation", float, 4), ("exact_L", float, 3)]
     for name in ("series", "no_squish"):
         fields += [(f"{name}_rotation", float, 4), (f"{name}_L", float, 3),

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The settings of a run file, with forces that are Python functions.
 #include <fmt/core.h>
-#include <nanobind/ndarray.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -16,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "arrays.hpp"
 #include "base/threads.hpp"
 #include "bind.hpp"
 #include "io/settings/config_parts.hpp"
@@ -52,17 +51,6 @@ struct Reference {
     weak.reset();
   }
 };
-
-/// A new NumPy array with the rows of some columns.
-template <std::size_t n>
-nb::object rows_of(const Components<n>& columns) {
-  const std::size_t size = columns.size();
-  auto* const data = new double[std::max<std::size_t>(size * n, 1)];
-  const nb::capsule owner(data, [](void* p) noexcept { delete[] static_cast<double*>(p); });
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t i = 0; const double x : columns.component(k)) data[n * i++ + k] = x;
-  return nb::cast(nb::ndarray<nb::numpy, double>(data, {size, n}, owner));
-}
 
 void add_rows(const Array& rows, Vec3Column& to) {
   const double* const x = rows.data();

@@ -139,20 +139,13 @@ void end_change(OwnedSimulation& s, bool keep) {
 nb::tuple forces(OwnedSimulation& s) {
   const InUse use(s.in_use);
   const System& system = s.simulation.system();
-  const std::size_t n = system.state.size();
-  std::vector<double> f(3 * n), tau(3 * n);
+  Load load;
   {
     const nb::gil_scoped_release released;
     ForceField field(system.topology, system.forces, system.state.box, s.workers);
-    Load load;
     field(system.state, load);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t k = 0; k < 3; ++k) {
-        f[3 * i + k] = load.f[i][k];
-        tau[3 * i + k] = load.tau[i][k];
-      }
   }
-  return nb::make_tuple(array_of(std::move(f), {n, 3}), array_of(std::move(tau), {n, 3}));
+  return nb::make_tuple(rows_of(load.f), rows_of(load.tau));
 }
 
 /// Returns positions and velocities of all sites, with whole molecules.
