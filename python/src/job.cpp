@@ -33,13 +33,13 @@ bool in_main_thread() {
 
 InterruptWatch::InterruptWatch() : main_thread_(in_main_thread()) {
   if (!main_thread_ || watched) return;
+  signalled = false;  // an earlier signal must not stop this job, even if no handler is installed
   struct sigaction now {};
   sigaction(SIGINT, nullptr, &now);
   const bool of_python = (now.sa_flags & SA_SIGINFO) == 0 && now.sa_handler != SIG_DFL &&
                          now.sa_handler != SIG_IGN && now.sa_handler != remember;
   if (!of_python) return;
   python_handler = now.sa_handler;
-  signalled = false;
   now.sa_handler = remember;
   installed_ = watched = sigaction(SIGINT, &now, nullptr) == 0;
 }
