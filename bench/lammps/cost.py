@@ -99,11 +99,11 @@ STYLES = {
 }
 
 
-def add_programs(parser):
+def add_programs(parser, required=True):
     """The options for the programs, which all benchmarks of LAMMPS have."""
     parser.add_argument("--polhode", default="polhode", help="the program")
-    parser.add_argument("--environment", type=Path, required=True, help="with LAMMPS")
-    parser.add_argument("--plugin", type=Path, required=True)
+    parser.add_argument("--environment", type=Path, required=required, help="with LAMMPS")
+    parser.add_argument("--plugin", type=Path, required=required)
 
 
 def arguments():

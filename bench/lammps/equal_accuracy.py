@@ -178,9 +178,7 @@ def report(result):
 
 def main():
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    p.add_argument("--polhode", default="polhode", help="the program")
-    p.add_argument("--environment", type=Path, help="with LAMMPS")
-    p.add_argument("--plugin", type=Path)
+    cost.add_programs(p, required=False)
     p.add_argument("--runs", type=int, default=4, help="of each scheme and step (4)")
     p.add_argument("--rounds", type=int, default=3, help="of timings (3)")
     p.add_argument("--curves", type=Path, help="measure times alone, with R of this result")
