@@ -391,9 +391,8 @@ LAMMPS_NS::bigint FixPolhode::dof(int group) {
     const auto sites = static_cast<LAMMPS_NS::bigint>(molecule.sites.size());
     removed += 3 * sites - (molecule.top == Top::atom ? 3 : molecule.top == Top::linear ? 5 : 6);
   }
-  LAMMPS_NS::bigint all = 0;
-  MPI_Allreduce(&removed, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  return all;
+  MPI_Allreduce(MPI_IN_PLACE, &removed, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return removed;
 }
 
 /// Returns minus the energy that the bath has given to the bodies. The total energy minus the
@@ -412,9 +411,8 @@ double FixPolhode::compute_vector(int n) {
     if (n == 1) sum += force->mvv2e * rotational_energy(k, b);
     if (n == 2) sum += 1;
   }
-  double all = 0;
-  MPI_Allreduce(&sum, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+  return sum;
 }
 
 double FixPolhode::memory_usage() {
