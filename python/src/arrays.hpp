@@ -39,4 +39,10 @@ nanobind::object rows_of(const Components<n>& columns) {
 using Rows =
     nanobind::ndarray<const double, nanobind::ndim<2>, nanobind::c_contig, nanobind::device::cpu>;
 
+/// A row of an array with three columns.
+inline Vec3<double> row(const Rows& rows, std::size_t i) {
+  const double* const x = rows.data() + 3 * i;
+  return {x[0], x[1], x[2]};
+}
+
 }  // namespace polhode::python
