@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Shared by the benchmarks: runs of TIP4P water, larger boxes of it, and the time that a process takes."""
 
-import itertools
 import os
 import resource
 import subprocess
@@ -10,7 +9,8 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path.append(str(ROOT / "studies"))
+sys.path += [str(ROOT / "studies"), str(ROOT / "bench/peers")]
+import gro  # noqa: E402
 from lib import runs  # noqa: E402
 
 
@@ -21,18 +21,9 @@ def run_file(molecules=512, start="w512", prefix="out", **tables):
 
 
 def replicate(source, target, n):
-    """Writes n × n × n copies of a configuration in GRO format; molecules stay together."""
-    lines = Path(source).read_text(encoding="utf-8").splitlines()
-    atoms, edges = lines[2:-1], [float(word) for word in lines[-1].split()[:3]]
-    first = atoms[0].index(".")
-    width = atoms[0].index(".", first + 1) - first  # of a column
-    with Path(target).open("w", encoding="utf-8") as out:
-        print(f"{n}³ copies", len(atoms) * n**3, sep="\n", file=out)
-        for shift in itertools.product(range(n), repeat=3):
-            for atom in atoms:
-                place = (float(atom[20 + width * d:20 + width * (d + 1)]) + shift[d] * edges[d] for d in range(3))
-                print(atom[:20] + "".join(f"{x:{width}.{width - 5}f}" for x in place) + atom[20 + 3 * width:], file=out)
-        print(*(f"{n * edge:.9f}" for edge in edges), file=out)
+    """Writes n × n × n copies of a configuration of waters in GRO format."""
+    copies = gro.replicated(gro.read(Path(source).read_text(encoding="utf-8")), n)
+    Path(target).write_text(gro.written(copies, f"{n}³ copies"), encoding="utf-8")
 
 
 def start(copies, folder):

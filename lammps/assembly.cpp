@@ -52,9 +52,16 @@ Received<Item> exchange(const std::vector<Item>& items, const std::vector<int>& 
   return received;
 }
 
-// Throws an Error on all processes if any process has a problem; the message describes the first
-// problem.
-void agree(const std::optional<std::string>& problem, MPI_Comm world) {
+// Runs a part of the work of this process. If any process has an error, all processes report the
+// first one.
+template <class Work>
+void together(MPI_Comm world, const Work& work) {
+  std::optional<std::string> problem;
+  try {
+    work();
+  } catch (const Error& e) {
+    problem = e.what();
+  }
   int process = 0, processes = 0;
   MPI_Comm_rank(world, &process);
   MPI_Comm_size(world, &processes);
@@ -69,27 +76,12 @@ void agree(const std::optional<std::string>& problem, MPI_Comm world) {
   throw Error(text);
 }
 
-// Runs a part of the work of this process. If any process has an error, all processes report this
-// error.
-template <class Work>
-void together(MPI_Comm world, const Work& work) {
-  std::optional<std::string> problem;
-  try {
-    work();
-  } catch (const Error& e) {
-    problem = e.what();
-  }
-  agree(problem, world);
-}
-
 // A molecule of this process. The atoms are sorted by id and lie in one periodic image.
 struct Assembled {
   std::int64_t number;
   std::vector<SiteAtom> atoms;
   std::vector<std::size_t> messages;  // indices of the messages that contained the atoms
 };
-
-std::string text_of(std::int64_t number) { return std::to_string(std::abs(number)); }
 
 // The molecules that are inside the group.
 std::vector<Assembled> molecules_of(const std::vector<AtomMessage>& messages,
@@ -114,8 +106,8 @@ std::vector<Assembled> molecules_of(const std::vector<AtomMessage>& messages,
     }
     if (inside == 0) continue;
     if (inside < molecule.atoms.size())
-      throw Error("molecule " + text_of(molecule.number) + " has " + std::to_string(inside) +
-                  " of its " + std::to_string(molecule.atoms.size()) +
+      throw Error("molecule " + std::to_string(std::abs(molecule.number)) + " has " +
+                  std::to_string(inside) + " of its " + std::to_string(molecule.atoms.size()) +
                   " atoms in the group of fix polhode; the group must contain all atoms of a rigid "
                   "molecule, so define the group by molecules: 'group ID molecule ...'");
     molecules.push_back(std::move(molecule));

@@ -23,7 +23,7 @@ namespace polhode::lammps {
 using LAMMPS_NS::Atom;
 
 FixPolhode::FixPolhode(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments)
-    : Fix(lammps, count, arguments), settings_(default_settings()) {
+    : Fix(lammps, count, arguments) {
   guarded(error, "fix polhode", [&] {
     settings_ = fix_settings(count - 3, arguments + 3, lammps);
     program_ = force_program(settings_.scheme);
@@ -360,16 +360,13 @@ void FixPolhode::tally_virial() {
 std::set<std::int64_t> FixPolhode::bodies_partly_in(int bit) const {
   std::vector<std::int64_t> outside;
   for (int i = 0; i < atom->nlocal; ++i)
-    if (info_[static_cast<std::size_t>(i)].kind >= 0 && (atom->mask[i] & bit) == 0)
-      outside.push_back(info_[static_cast<std::size_t>(i)].owner);
+    if (info(i).kind >= 0 && (atom->mask[i] & bit) == 0) outside.push_back(info(i).owner);
   const std::vector<std::int64_t> all = gathered(outside, world);
   const std::set<std::int64_t> left_out(all.begin(), all.end());
   std::vector<std::int64_t> partly;
-  for (int i = 0; i < atom->nlocal; ++i) {
-    const AtomInfo& of = info_[static_cast<std::size_t>(i)];
-    if (of.kind >= 0 && (atom->mask[i] & bit) != 0 && left_out.contains(of.owner))
-      partly.push_back(of.owner);
-  }
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (info(i).kind >= 0 && (atom->mask[i] & bit) != 0 && left_out.contains(info(i).owner))
+      partly.push_back(info(i).owner);
   const std::vector<std::int64_t> found = gathered(partly, world);
   return {found.begin(), found.end()};
 }
@@ -394,9 +391,8 @@ LAMMPS_NS::bigint FixPolhode::dof(int group) {
     const auto sites = static_cast<LAMMPS_NS::bigint>(molecule.sites.size());
     removed += 3 * sites - (molecule.top == Top::atom ? 3 : molecule.top == Top::linear ? 5 : 6);
   }
-  LAMMPS_NS::bigint all = 0;
-  MPI_Allreduce(&removed, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  return all;
+  MPI_Allreduce(MPI_IN_PLACE, &removed, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return removed;
 }
 
 /// Returns minus the energy that the bath has given to the bodies. The total energy minus the
@@ -415,9 +411,8 @@ double FixPolhode::compute_vector(int n) {
     if (n == 1) sum += force->mvv2e * rotational_energy(k, b);
     if (n == 2) sum += 1;
   }
-  double all = 0;
-  MPI_Allreduce(&sum, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+  return sum;
 }
 
 double FixPolhode::memory_usage() {

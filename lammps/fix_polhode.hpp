@@ -110,9 +110,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   bool has_particles() const { return !settings_.particles.empty(); }
   /// λ of the gradient kicks; empty if the scheme has none.
   std::optional<double> lambda_of_kicks() const;
-  SitePlace site_of(int i) const {
-    return {info_[static_cast<std::size_t>(i)].kind, info_[static_cast<std::size_t>(i)].site};
-  }
+  SitePlace site_of(int i) const { return {info(i).kind, info(i).site}; }
   BodyColumns& columns() { return *columns_; }
   const std::vector<GhostBody>& ghosts() const { return ghosts_; }
   Pose pose_of_ghost(std::size_t ghost) const {
@@ -168,7 +166,9 @@ class FixPolhode : public LAMMPS_NS::Fix {
   struct Flows;
 
   AtomInfo& info(int i) { return info_[static_cast<std::size_t>(i)]; }
+  const AtomInfo& info(int i) const { return info_[static_cast<std::size_t>(i)]; }
   int& body_of(int i) { return body_of_[static_cast<std::size_t>(i)]; }
+  int body_of(int i) const { return body_of_[static_cast<std::size_t>(i)]; }
   Kind& kind(int i) { return kinds_[static_cast<std::size_t>(info(i).kind)]; }
   bool is_ghost_body(int body) const { return static_cast<std::size_t>(body) >= columns_->size(); }
   GhostBody& ghost(int body) { return ghosts_[static_cast<std::size_t>(body) - columns_->size()]; }
@@ -199,6 +199,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   void add_load(int body, const BodyLoad& added, Load& own, BodyLoad GhostBody::*of_ghost);
 
   double mass_of_atom(int i) const;
+  bool is_massless(int type) const;
   double mass_in_body(int i) const;
   Vec3<double> minimum_image(Vec3<double> r) const;
   double step() const;  // The step h of the whole scheme.
@@ -227,8 +228,6 @@ class FixPolhode : public LAMMPS_NS::Fix {
     for (const Swap& swap : received_)
       for (const int body : swap.used) visit(ghost(body));
   }
-  Swap* swap_of(const int* list);
-  Swap* swap_of(int first);
 
   void play_stages(std::size_t first, std::size_t end);
   double bath_kT() const;

@@ -48,9 +48,13 @@ double FixPolhode::mass_of_atom(int i) const {
   return atom->rmass != nullptr ? atom->rmass[i] : atom->mass[atom->type[i]];
 }
 
+bool FixPolhode::is_massless(int type) const {
+  const auto t = static_cast<std::size_t>(type);
+  return t < settings_.massless.size() && settings_.massless[t];
+}
+
 double FixPolhode::mass_in_body(int i) const {
-  const auto type = static_cast<std::size_t>(atom->type[i]);
-  return type < settings_.massless.size() && settings_.massless[type] ? 0 : mass_of_atom(i);
+  return is_massless(atom->type[i]) ? 0 : mass_of_atom(i);
 }
 
 Vec3<double> FixPolhode::minimum_image(Vec3<double> r) const {
@@ -131,13 +135,11 @@ void FixPolhode::recognise() {
     add_arrival(i, body);
   }
   recognised_ = true;
-  LAMMPS_NS::bigint inside = static_cast<LAMMPS_NS::bigint>(sites.size() + particles.size());
-  LAMMPS_NS::bigint all = 0;
-  MPI_Allreduce(&inside, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  has_all_atoms_ = all == atom->natoms;
+  sites_ = static_cast<LAMMPS_NS::bigint>(sites.size() + particles.size());
+  MPI_Allreduce(MPI_IN_PLACE, &sites_, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   atoms_ = atom->natoms;
-  sites_ = all;
-  if (all == 0)
+  has_all_atoms_ = sites_ == atoms_;
+  if (sites_ == 0)
     error->all(FLERR,
                "fix polhode: the group has no atoms, but it must contain at least one molecule; "
                "define the fix after the atoms are created");
@@ -204,9 +206,9 @@ void FixPolhode::check_number_of_atoms() {
                  atom->tag[i]);
   if (atom->natoms == atoms_) return;
   atoms_ = atom->natoms;
-  LAMMPS_NS::bigint here = 0, all = 0;
-  for (int i = 0; i < atom->nlocal; ++i) here += info(i).kind >= 0 ? 1 : 0;
-  MPI_Allreduce(&here, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  LAMMPS_NS::bigint all = 0;
+  for (int i = 0; i < atom->nlocal; ++i) all += info(i).kind >= 0 ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all == sites_) return;
   error->all(FLERR,
              "fix polhode: {} atoms of rigid molecules were deleted during a run; delete atoms "
@@ -218,8 +220,7 @@ void FixPolhode::check_number_of_atoms() {
 void FixPolhode::show_kinds() const {
   std::vector<double> counts(kinds_.size());
   for (int i = 0; i < atom->nlocal; ++i)
-    if (body_of_[static_cast<std::size_t>(i)] >= 0)
-      ++counts[static_cast<std::size_t>(site_of(i).kind)];
+    if (body_of(i) >= 0) ++counts[static_cast<std::size_t>(info(i).kind)];
   MPI_Allreduce(MPI_IN_PLACE, counts.data(), static_cast<int>(counts.size()), MPI_DOUBLE, MPI_SUM,
                 world);
   if (comm->me != 0) return;

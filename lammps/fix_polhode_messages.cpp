@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <type_traits>
 
 #include "atom.h"
 #include "comm.h"
@@ -24,6 +25,13 @@ double* put(double* to, const Vec3<double>& v) {
 Vec3<double> take(const double*& from) {
   from += 3;
   return vector(from - 3);
+}
+
+// The swap with another process that has this list or this first ghost; null if there is none.
+template <class Swap, class Key>
+Swap* swap_with(std::vector<Swap>& swaps, Key Swap::*member, std::type_identity_t<Key> key) {
+  const auto found = std::ranges::find(swaps, key, member);
+  return found == swaps.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -82,18 +90,6 @@ void FixPolhode::reverse(Message message, int size) {
   comm->reverse_comm(this, size);
 }
 
-/// The swap with another process that sends a list; null if there is none.
-FixPolhode::Swap* FixPolhode::swap_of(const int* list) {
-  const auto found = std::ranges::find(sent_, list, &Swap::list);
-  return found == sent_.end() ? nullptr : &*found;
-}
-
-/// The swap with another process that receives a ghost as its first one; null if there is none.
-FixPolhode::Swap* FixPolhode::swap_of(int first) {
-  const auto found = std::ranges::find(received_, first, &Swap::first);
-  return found == received_.end() ? nullptr : &*found;
-}
-
 void FixPolhode::Swap::add(int body, Use use) {
   if (use != Use::none) used.push_back(body);
   if (use == Use::atoms) with_atoms.push_back(body);
@@ -101,7 +97,7 @@ void FixPolhode::Swap::add(int body, Use use) {
 
 /// Whether a process can have atoms that belong to bodies of other processes.
 bool FixPolhode::bodies_extend_over_atoms() const {
-  return comm->nprocs > 1 && std::any_of(kinds_.begin(), kinds_.end(), [](const Kind& kind) {
+  return comm->nprocs > 1 && std::ranges::any_of(kinds_, [](const Kind& kind) {
            return kind.particle == 0 && kind.types.size() > 1;
          });
 }
@@ -170,7 +166,7 @@ int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_
   if (pbc_flag != 0) std::copy_n(pbc, 3, image.begin());
   if (message_ == Message::owners)
     return static_cast<int>(pack_owners(count, list, image, to) - buffer);
-  const Swap* const swap = swap_of(list);
+  const Swap* const swap = swap_with(sent_, &Swap::list, list);
   if (swap == nullptr) return 0;
   const Vec3<double> shift = edges_of_box(image);
   for (const int body : swap->of(message_)) {
@@ -189,7 +185,7 @@ int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_
 
 void FixPolhode::unpack_forward_comm(int count, int first, double* buffer) {
   if (message_ == Message::owners) return unpack_owners(count, first, buffer);
-  const Swap* const swap = swap_of(first);
+  const Swap* const swap = swap_with(received_, &Swap::first, first);
   if (count == 0 || swap == nullptr) return;
   const double* from = buffer;
   for (const int index : swap->of(message_)) {
@@ -208,7 +204,7 @@ void FixPolhode::unpack_forward_comm(int count, int first, double* buffer) {
 
 int FixPolhode::pack_reverse_comm(int count, int first, double* buffer) {
   double* to = buffer;
-  Swap* const swap = swap_of(first);
+  Swap* const swap = swap_with(received_, &Swap::first, first);
   if (count == 0 || swap == nullptr) return 0;
   for (const int body : swap->of(message_)) {
     const GhostBody& of = ghost(body);
@@ -224,7 +220,7 @@ int FixPolhode::pack_reverse_comm(int count, int first, double* buffer) {
 
 void FixPolhode::unpack_reverse_comm(int, int* list, double* buffer) {
   const double* at = buffer;
-  Swap* const swap = swap_of(list);
+  Swap* const swap = swap_with(sent_, &Swap::list, list);
   if (swap == nullptr) return;
   for (const int body : swap->of(message_)) {
     const int from = origin(body).body;

@@ -39,11 +39,8 @@ void FixPolhode::find_kinds_of_particles() {
   for (const ParticleArguments& particle : settings_.particles) {
     std::vector<double> masses = particle.file.masses;
     if (masses.empty())
-      for (const int type : particle.file.types) {
-        const auto t = static_cast<std::size_t>(type);
-        const bool massless = t < settings_.massless.size() && settings_.massless[t];
-        masses.push_back(massless ? 0 : atom->mass[type]);
-      }
+      for (const int type : particle.file.types)
+        masses.push_back(is_massless(type) ? 0 : atom->mass[type]);
     const Kind kind = [&] {
       try {
         return kind_of_particles(particle.type, particle.file, masses);

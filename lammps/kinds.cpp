@@ -76,6 +76,22 @@ Kind kind_with_shape(const std::string& name, const Shape& shape,
   return kind;
 }
 
+// Calls visit for each number of a kind whose vectors have their sizes. The order of the numbers is
+// part of the format of restart files.
+template <class AnyKind, class Visit>
+void each_number(AnyKind& kind, const Visit& visit) {
+  const auto visit_all = [&](auto&... numbers) { (visit(numbers), ...); };
+  auto& m = kind.molecule;
+  auto& frame = kind.frame;
+  visit_all(kind.particle, kind.first, kind.owner, kind.span, kind.extent, m.mass, m.J.x, m.J.y,
+            m.J.z, m.top, frame.w, frame.x, frame.y, frame.z);
+  for (std::size_t k = 0; k < kind.types.size(); ++k) {
+    auto& site = m.sites[k];
+    visit_all(kind.types[k], site.mass, site.r.x, site.r.y, site.r.z);
+    if (kind.particle != 0) visit(kind.charges[k]);
+  }
+}
+
 }  // namespace
 
 Kind kind_of(std::int64_t number, const std::vector<SiteAtom>& atoms) {
@@ -118,40 +134,20 @@ bool matches(const Kind& kind, const std::vector<SiteAtom>& atoms) {
 }
 
 void append(std::vector<double>& numbers, const Kind& kind) {
-  const Molecule& m = kind.molecule;
-  const auto add = [&](auto... x) { (numbers.push_back(static_cast<double>(x)), ...); };
-  add(kind.types.size(), kind.particle, kind.first, kind.owner, kind.span, kind.extent, m.mass,
-      m.J.x, m.J.y, m.J.z, static_cast<int>(m.top), kind.frame.w, kind.frame.x, kind.frame.y,
-      kind.frame.z);
-  for (std::size_t k = 0; k < kind.types.size(); ++k) {
-    const Vec3<double> r = kind.site(k);
-    add(kind.types[k], m.sites[k].mass, r.x, r.y, r.z);
-    if (kind.particle != 0) add(kind.charges[k]);
-  }
+  numbers.push_back(static_cast<double>(kind.types.size()));
+  each_number(kind, [&](auto number) { numbers.push_back(static_cast<double>(number)); });
 }
 
 Kind read_kind(const double*& numbers) {
   Kind kind;
-  Molecule& m = kind.molecule;
-  const auto next = [&] { return *numbers++; };
-  const auto sites = static_cast<std::size_t>(next());
-  kind.particle = static_cast<int>(next());
-  kind.first = static_cast<std::int64_t>(next());
-  kind.owner = static_cast<std::size_t>(next());
-  kind.span = next(), kind.extent = next();
-  m.name = name_of(kind.first);
-  m.mass = next();
-  m.J.x = next(), m.J.y = next(), m.J.z = next();
-  m.top = static_cast<Top>(static_cast<int>(next()));
-  kind.frame.w = next();
-  kind.frame.x = next(), kind.frame.y = next(), kind.frame.z = next();
-  for (std::size_t k = 0; k < sites; ++k) {
-    kind.types.push_back(static_cast<int>(next()));
-    Site site{.name = std::to_string(k + 1), .mass = next()};
-    site.r.x = next(), site.r.y = next(), site.r.z = next();
-    if (kind.particle != 0) kind.charges.push_back(next());
-    m.sites.push_back(std::move(site));
-  }
+  const auto sites = static_cast<std::size_t>(*numbers++);
+  kind.types.resize(sites);
+  kind.charges.resize(sites);
+  kind.molecule.sites.resize(sites);
+  each_number(kind, [&]<class T>(T& number) { number = static_cast<T>(*numbers++); });
+  if (kind.particle == 0) kind.charges.clear();
+  kind.molecule.name = name_of(kind.first);
+  for (std::size_t k = 0; k < sites; ++k) kind.molecule.sites[k].name = std::to_string(k + 1);
   return kind;
 }
 

@@ -72,17 +72,13 @@ class Parser {
   void section() {
     const std::string name = words_[0];
     if (name == "Coords") {
-      molecule_.r.resize(atoms_);
-      each_site(3, [&](std::size_t k) { molecule_.r[k] = {number(1), number(2), number(3)}; });
+      read_sites(molecule_.r, 3, [&] { return Vec3<double>{number(1), number(2), number(3)}; });
     } else if (name == "Types") {
-      molecule_.types.resize(atoms_);
-      each_site(1, [&](std::size_t k) { molecule_.types[k] = type(); });
+      read_sites(molecule_.types, 1, [&] { return type(); });
     } else if (name == "Charges") {
-      molecule_.charges.resize(atoms_);
-      each_site(1, [&](std::size_t k) { molecule_.charges[k] = number(1); });
+      read_sites(molecule_.charges, 1, [&] { return number(1); });
     } else if (name == "Masses") {
-      molecule_.masses.resize(atoms_);
-      each_site(1, [&](std::size_t k) { molecule_.masses[k] = number(1); });
+      read_sites(molecule_.masses, 1, [&] { return number(1); });
     } else if (std::find(skipped.begin(), skipped.end(), name) == skipped.end()) {
       refuse("'" + name + "' is not a section of a molecule file of LAMMPS");
     } else {
@@ -102,9 +98,10 @@ class Parser {
     return false;
   }
 
-  template <class Read>
-  void each_site(std::size_t values, const Read& read) {
+  template <class Value, class Read>
+  void read_sites(std::vector<Value>& sites, std::size_t values, const Read& read) {
     if (atoms_ == 0) refuse("the number of atoms, such as '3 atoms', must be before all sections");
+    sites.resize(atoms_);
     std::vector<bool> seen(atoms_);
     for (std::size_t k = 0; k < atoms_; ++k) {
       if (!next_line_of_section())
@@ -118,7 +115,7 @@ class Parser {
                " value(s)");
       const std::size_t at = static_cast<std::size_t>(id) - 1;
       seen[at] = true;
-      read(at);
+      sites[at] = read();
     }
   }
 

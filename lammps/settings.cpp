@@ -66,7 +66,7 @@ class Reader {
   std::optional<double> last_temperature_;
   std::optional<std::uint64_t> every_;
   std::optional<std::vector<CoupledEdges>> edges_;
-  FixSettings settings_ = default_settings();
+  FixSettings settings_;
 };
 
 void Reader::massless() {
@@ -210,8 +210,6 @@ FixSettings Reader::settings() {
 }
 
 }  // namespace
-
-FixSettings default_settings() { return {scheme_of("velocity-verlet")}; }
 
 FixSettings fix_settings(int count, char** arguments, LAMMPS_NS::LAMMPS* lammps) {
   return Reader(count, arguments, lammps).settings();

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kinds.hpp"
-#include "polhode/integrate/scheme.hpp"
+#include "polhode/integrate/scheme_text.hpp"
 #include "polhode/model/ensemble_settings.hpp"
 
 namespace LAMMPS_NS {
@@ -49,7 +49,8 @@ struct ParticleArguments {
 };
 
 struct FixSettings {
-  Scheme scheme;      ///< scheme, including the stages of an optional bath
+  Scheme scheme =
+      scheme_of("velocity-verlet");  ///< scheme, including the stages of an optional bath
   double lambda = 1;  ///< displacement factor of finite differences; it is large because forces of
                       ///< other pair styles are not smooth
   double tolerance = default_tolerance;
@@ -58,9 +59,6 @@ struct FixSettings {
   std::optional<BarostatArguments> barostat;
   std::vector<ParticleArguments> particles;
 };
-
-/// The settings of fix polhode if its command has no arguments.
-FixSettings default_settings();
 
 /// Reads the settings of the fix.
 /// @param arguments  the `count` arguments that follow the style

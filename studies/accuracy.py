@@ -103,14 +103,10 @@ def draw(result):
     return figure
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"runs": 2, "count": 64, "cutoff": 0.55, "length": 3.0, "equilibrate": 0.5, "window": 0.5, "points": ["velocity-verlet 4", "hoa2 4"]},
                       runs=(6, "runs of each scheme and step, each from another initial configuration"), count=(512, "waters"),
                       cutoff=(0.9, "cutoff [nm]"), length=(100.0, "length of a run at constant energy [ps]"),
                       equilibrate=(20.0, "equilibration of an initial configuration [ps]"), window=(10.0, "maximum lag of correlations [ps]"),
                       points=(POINTS, "schemes with their time steps [fs]"))
     study.perform(o, measured, report, draw)
-
-
-if __name__ == "__main__":
-    main()

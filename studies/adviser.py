@@ -95,14 +95,10 @@ def report(result):
     return "\n".join(text)
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"systems": ["argon-108"], "accuracies": [5.0], "fresh": 2, "time": 2.0, "length": 4.0, "equilibrate": 0.5},
                       systems=(list(BOXES), "systems"), accuracies=([2.0, 0.5, 0.05], "required R [%]"), fresh=(10, "new runs for each answer"),
                       repeats=(1, "questions of each kind, each with another seed"), time=(60.0, "computing time of the adviser [s]"),
                       length=(15.0, "length of the runs for which advice is asked [ps]"),
                       equilibrate=(10.0, "equilibration of lattices and of new initial configurations [ps]"), seed=(1, "of the first question"))
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

@@ -106,12 +106,8 @@ def report(result):
         f"\n{away.size} differences: rms {rms(away):.2f}, largest {abs(away).max():.2f} standard errors.")
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"molecules": 64, "cutoff": 0.6, "length": 4.0, "skip": 1.0}, molecules=(216, "waters"), cutoff=(0.85, "cutoff [nm]"),
                       density=(0.998, "density [g/cm3]"), length=(200.0, "length of each run [ps]"), skip=(10.0, "left out at the beginning [ps]"),
                       seed=(1, "of the first run"))
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

@@ -113,11 +113,7 @@ def draw(result):
     return figure
 
 
-def main():
+if __name__ == "__main__":
     o = curves.options(__doc__, {"systems": ["co2"], "schemes": ["velocity-verlet", "hoa2"]}, 4, 8, 5,
                        systems=(list(SYSTEMS), "liquids"), schemes=(["all"], "schemes, or all"))
     study.perform(o, measured, report, draw)
-
-
-if __name__ == "__main__":
-    main()

@@ -95,12 +95,8 @@ def report(result):
                         for r in result["results"]])
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"systems": ["108 argon"], "runs": 1, "length": 6.0, "pieces": [2.0], "window": 0.4}, systems=(list(SYSTEMS), "systems"),
                       runs=(4, "runs of each system"), length=(2000.0, "length of a run [ps]"), pieces=([25.0, 50.0, 100.0, 200.0], "lengths of the segments [ps]"),
                       window=(5.0, "maximum lag of correlations [ps]"))
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

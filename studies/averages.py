@@ -89,11 +89,7 @@ def report(result):
                          f"{r['ratio']:.2f} ± {r['ratio_error']:.2f}"] for r in result["averages"]])
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"systems": ["nitrogen"], "runs": 3, "length": 4.0}, systems=(list(SYSTEMS), "systems"),
                       ensembles=(list(ENSEMBLES), "ensembles"), runs=(100, "runs of each"), length=(30.0, "length of a run [ps]"))
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

@@ -78,11 +78,7 @@ def report(result):
     return study.table(["average", "bias at 4 fs", "corrected, 4 fs minus 0.5 fs", "seeds", "within 68 %", "within 95 %"], rows)
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"molecules": 32, "cutoff": 0.45, "length": 4.0, "equilibrate": 1.0, "seeds": 2}, molecules=(64, "waters"), cutoff=(0.6, "cutoff [nm]"),
                       seeds=(100, "seeds"), first=(1, "first seed"), length=(100.0, "length of each run [ps]"), equilibrate=(20.0, "equilibration [ps]"))
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

@@ -67,12 +67,8 @@ def report(result):
     return study.table(names[:len(rows[0])], rows)
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"calls": 2}, calls=(100, "calls, each with another seed"), first=(1, "seed of the first call"), molecules=(64, "molecules"), system=("argon", ", ".join(SYSTEMS)))
     if o.system not in SYSTEMS:
         raise SystemExit(f"there is no system '{o.system}'; there are: {', '.join(SYSTEMS)}")
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

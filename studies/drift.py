@@ -109,11 +109,7 @@ def report(result):
     return study.table(result["rows"][0], [[cell_text(x) for x in r.values()] for r in result["rows"]]) + "\n" + "\n".join(lines)
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"runs": 3, "cells": [0, 13]}, design=("walk", "walk or noise"), runs=(200, "runs of each cell"),
                       first=(1, "seed of the first run"), cells=(list(range(17)), "numbers of systems with schemes"))
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

@@ -43,14 +43,10 @@ def report(result):
     return study.table(["", "runs", "quantity", "value"], [[water, len(values), name, text(mean(values), 3)] for (water, name), values in sorted(of.items())])
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"runs": 1, "count": 64, "cutoff": 0.55, "length": 4.0, "equilibrate": 0.5, "window": 1.0},
                       runs=(4, "runs of each water model, each from another initial configuration"), count=(512, "waters in a run"),
                       cutoff=(0.9, "cutoff [nm]"), length=(200.0, "length of a run at constant energy [ps]"),
                       equilibrate=(20.0, "length of the equilibration with velocity rescaling [ps]"), every=(0.1, "time between frames [ps]"),
                       window=(20.0, "maximum lag of correlations [ps]"))
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

@@ -129,12 +129,8 @@ def report(result):
                     [[s, m, cell(of[s, m, "potential"], 2), cell(of[s, m, "pressure"], 0)] for s, m in dict.fromkeys((s, m) for s, m, _ in of)])])
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"systems": ["CO2"], "length": 20.0, "equilibrate": 1.0}, systems=(list(SYSTEMS), "systems"),
                       methods=(list(METHODS), "thermostats and barostats"), length=(400.0, "length of each run [ps]"),
                       equilibrate=(10.0, "time of rescaling before each run [ps]"), seed=(1, "of the first run"))
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

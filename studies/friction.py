@@ -55,12 +55,8 @@ def report(result):
             + f"\npredicted for rescaling: {text(*mean([seed['predicted'] for seed in result['seeds']]))} kJ/mol, from {len(result['seeds'])} seeds\n")
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"molecules": 27, "cutoff": 0.44, "seeds": 2, "length": 1.0, "equilibrate": 0.2}, molecules=(64, "number of waters"),
                       cutoff=(0.6, "cutoff [nm]"), seeds=(100, "number of seeds"), first=(1, "first seed"), length=(200.0, "length of each run [ps]"),
                       equilibrate=(20.0, "equilibration [ps]"))
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

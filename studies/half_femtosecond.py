@@ -93,7 +93,7 @@ SMOKE = [Point(group, *WATER, ensemble, scheme, 4, 1) for group, ensemble, schem
 
 
 def run_tables(point, seed, equilibrate):
-    """The seed of a run. At constant energy the n-th runs of all points have the same initial configuration, and are compared with each other.
+    """The tables of a run. At constant energy the n-th runs of all points have the same initial configuration, and are compared with each other.
     With a thermostat every run has a different seed, because a common seed would share the noise among points."""
     small, pressure = point.ensemble == SMALL, "barostat" in ENSEMBLES[point.ensemble]
     if not point.ensemble.startswith("constant energy"):

@@ -130,7 +130,7 @@ def draw(result):
     return figure
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"runs": 2, "count": 216, "length": 2.0, "equilibrate": 0.5, "every": 0.2, "blocks": 3},
                       runs=(8, "runs of each water model, each from another initial configuration; at least 2"),
                       spread=(8.0, "two of the runs are colder and warmer by this much [K]"), count=(360, "waters in a run"),
@@ -138,7 +138,3 @@ def main():
                       equilibrate=(20.0, "length of the equilibration with velocity rescaling [ps]"),
                       every=(1.0, "time between frames for the radial distribution function [ps]"), blocks=(5, "blocks of a run, for errors"))
     study.perform(o, measured, report, draw)
-
-
-if __name__ == "__main__":
-    main()

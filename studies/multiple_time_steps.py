@@ -97,11 +97,7 @@ def draw(result):
     return figure
 
 
-def main():
+if __name__ == "__main__":
     o = curves.options(__doc__, {"laws": ["pme"]}, 6, 10, 5, laws=(["cutoff", "pme"], "forces"),
                        reaches=([0.4, 0.5, 0.6, 0.7], "cutoffs of the near forces [nm]"))
     study.perform(o, measured, report, draw)
-
-
-if __name__ == "__main__":
-    main()

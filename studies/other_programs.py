@@ -299,14 +299,10 @@ def draw(result):
     return figure
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"length": 0.8, "canonical": 2.0, "isobaric": 4.0, "discard": 0.2, "equilibrate": 0.2},
                       length=(40.0, "length at constant energy [ps]"), canonical=(80.0, "length at constant temperature [ps]"), isobaric=(800.0, "length at constant pressure [ps]"),
                       discard=(4.0, "length that is not used, of each run [ps]; at constant pressure five times as long"), equilibrate=(20.0, "length of the equilibration [ps]"),
                       finished=(False, "use only the finished runs in --folder"), gmx=("gmx", "GROMACS"), lmp=("lmp", "LAMMPS"), plugin=("", "polhodeplugin.so of this LAMMPS; empty: no runs of it"),
                       openmm=("python3", "a Python that has OpenMM"))
     study.perform(o, measured, report, draw)
-
-
-if __name__ == "__main__":
-    main()

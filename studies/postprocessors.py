@@ -119,10 +119,6 @@ def report(result):
                        [[name, f"{r['c']:.6g}", numbers(r["degree 4"]), numbers(r["left of degree 5"]), stages(r["stages"])] for name, r in result["schemes"].items()])
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"starts": 1}, starts=(50, "random starts for the stages of each postprocessor"))
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

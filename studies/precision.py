@@ -157,11 +157,7 @@ def draw(result):
     return figure
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"starts": 1, "length": 0.1, "long": 0.5}, starts=(2, "initial configurations"),
                       length=(2.0, "length of the short runs [ps]"), long=(16.0, "length of the long runs [ps]"))
     study.perform(o, measured, report, draw)
-
-
-if __name__ == "__main__":
-    main()

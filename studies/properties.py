@@ -14,15 +14,14 @@ from pathlib import Path
 from lib import runs, study
 
 HERE = Path(__file__).parent
-NAMES = {"density": "density", "potential-energy": "potential energy", "enthalpy-of-vaporization": "enthalpy of vaporization",
-         "dielectric-constant": "dielectric constant", "second-virial-coefficient": "second virial coefficient",
-         "heat-capacity": "heat capacity", "rotational-relaxation": "rotational relaxation time", "surface-tension": "surface tension",
-         "saturated-liquid-density": "saturated liquid density", "saturated-vapour-density": "saturated vapour density",
-         "saturation-pressure": "saturation pressure", "vapour-pressure": "vapour pressure",
-         "chemical-potential": "chemical potential", "thermal-conductivity": "thermal conductivity"}
 MARKS = {"yes": "", "no": "*", "experiment": "†"}  # of published values
 CENTRE = ":centre of mass"  # of pairs of molecular centres
 SHORT = {"density": "density", "enthalpy-of-vaporization": "ΔH", "diffusion": "D₀", "viscosity": "η", "dielectric-constant": "ε"}
+
+
+def label(name):
+    """The name of a property in tables."""
+    return name.replace("-", " ") + (" time" if name == "rotational-relaxation" else "")
 
 
 def cases():
@@ -151,7 +150,7 @@ def tables(result):
             for p in point["properties"]:
                 found = matching(entries, case["system"], point, p["name"]) if is_converged(p) else []
                 for k, entry in enumerate(found or [None]):
-                    own = [NAMES.get(p["name"], p["name"]), p["unit"], shown(p)] if k == 0 else ["", "", ""]
+                    own = [label(p["name"]), p["unit"], shown(p)] if k == 0 else ["", "", ""]
                     other = ["", "", ""] if entry is None else [text(entry["value"], entry["error"]) + MARKS[entry["read"]],
                                                                "" if entry["read"] == "experiment" else f"{deviation(p['value'], entry):+.1f}",
                                                                f"[[{entry['source']}]]"]
@@ -175,12 +174,8 @@ def report(result):
     return summary(result) + "\n" + tables(result)
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"only": ["argon-eos1"], "time_limit": "2 s"}, only=([""], "names of cases; all if empty"),
                       threads=(1, "simultaneous replicas of a case"), time_limit=("", "time limit of a case; empty: none"))
     o.only = [name for name in o.only if name]
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

@@ -60,11 +60,7 @@ def report(result):
     return study.table(heads, rows) + f"\n{lacking} of {curves} curves lack points"
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"seeds": 1, "instruction_sets": ["scalar"]}, seeds=(20, "1 to this number"),
                       instruction_sets=(["avx512", "scalar"], "instruction sets"))
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

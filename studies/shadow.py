@@ -37,11 +37,7 @@ def report(result):
           drift(r["shadow"]), f"{r['shadow']['time_gain']:.2g} times"] for r in result["runs"]])
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"length": 0.3, "equilibrate": 0.05}, length=(12.0, "length of each run [ps]"),
                       equilibrate=(2.0, "length of the equilibration [ps]"))
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

@@ -117,11 +117,7 @@ def report(result):
     return study.table(["thermostat", "average", "4 fs minus 0.5 fs", "corrected", "seeds"], rows)
 
 
-def main():
+if __name__ == "__main__":
     o = study.options(__doc__, {"seeds": 2, "length": 2.0, "equilibrate": 0.2}, molecules=(64, "number of waters"), seeds=(60, "number of seeds"),
                       first=(11, "first seed; 1 and 2 were used for a trial"), length=(100.0, "length of each run [ps]"), equilibrate=(10.0, "equilibration [ps]"))
     study.perform(o, measured, report)
-
-
-if __name__ == "__main__":
-    main()

@@ -15,6 +15,7 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 import water  # noqa: E402
+from lib import runs, study  # noqa: E402
 
 # The run whose memory use is measured: a few short steps of the water box of `polhode bench`, starting from a lattice.
 RUN = {"forces": {"truncation": "molecule-switch", "cutoff": "0.9 nm", "switch": "0.765 nm", "electrostatics": "reaction-field"},
@@ -32,33 +33,30 @@ def arguments():
     p.add_argument("--quick", action="store_true", help="small systems, short repeats")
     p.add_argument("--json", type=Path, metavar="FILE", help="write all results to this file")
     p.add_argument("--figures", type=Path, metavar="PREFIX", help="draw PREFIX-sizes.svg and PREFIX-threads.svg")
-    p.add_argument("--polhode", default="polhode", help="path of polhode")
+    p.add_argument("--polhode", default="polhode", dest="program", help="path of polhode")
     o = p.parse_args()
     o.sizes = o.sizes or ([512, 1000] if o.quick else [512, 4096, 32768, 110592, 884736])
-    if Path(o.polhode).exists():
-        o.polhode = str(Path(o.polhode).resolve())
+    o.program = study.program(o.program)
     return o
 
 
-def outcome(command, folder=None, memory=False):
-    """The output of a process, its wall-clock seconds and, if requested, its peak memory [bytes], sampled every ms
-    during the run, because the value from wait4(2) includes the memory of the parent process."""
-    start, peak = time.perf_counter(), 0
-    with tempfile.TemporaryFile() as said, tempfile.TemporaryFile() as complaint:
-        with subprocess.Popen(command, cwd=folder, stdout=said, stderr=complaint) as process:
-            while memory and process.poll() is None:
-                peak = max(peak, peak_memory(process.pid))
+def peak_memory(command, folder):
+    """Peak memory of a process [bytes], sampled every ms during the run, because the value from wait4(2) includes the memory
+    of the parent process."""
+    peak = 0
+    with tempfile.TemporaryFile() as complaint:
+        with subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=complaint) as process:
+            while process.poll() is None:
+                peak = max(peak, memory_of(process.pid))
                 time.sleep(0.001)
-        seconds = time.perf_counter() - start
-        for stream in (said, complaint):
-            stream.seek(0)
+        complaint.seek(0)
         if process.returncode != 0:
             sys.exit(f"'{' '.join(command)}' ended with {process.returncode}: {complaint.read().decode()}")
-        return said.read().decode(), seconds, peak
+    return peak
 
 
-def peak_memory(pid):
-    """Memory of a process [bytes]; 0 if the process has just ended, or if the system does not report it."""
+def memory_of(pid):
+    """Peak memory of a process so far [bytes]; 0 if the process has just ended, or if the system does not report it."""
     try:
         status = Path(f"/proc/{pid}/status").read_text(encoding="utf-8")
     except OSError:
@@ -71,9 +69,8 @@ def timed(o, molecules, precision):
     """The systems of `polhode bench`, one for each number of threads, and the complete report of the last call."""
     systems, report = {}, None
     for threads in [n for n in o.threads if n > 1] or [1]:
-        command = [o.polhode, "bench", "--json", "--sizes", str(molecules), "--precision", precision,
-                   "--threads", str(threads), *(["--quick"] if o.quick else [])]
-        report = json.loads(outcome(command)[0])
+        report = runs.asked(o, "bench", "--sizes", molecules, "--precision", precision, "--threads", threads,
+                            *(["--quick"] if o.quick else []), folder=".")
         for system in report["systems"]:
             systems.setdefault(system["threads"], system)
     return [systems[n] for n in o.threads if n in systems], report
@@ -84,8 +81,8 @@ def at_rest(o, molecules, precision):
     with tempfile.TemporaryDirectory() as folder:
         run_file = water.run_file(molecules, None, **{**RUN, "forces": {**RUN["forces"], "precision": precision}})
         Path(folder, "run.toml").write_text(run_file, encoding="utf-8")
-        seconds = outcome([o.polhode, "energy", "run.toml"], folder)[1]
-        peak = outcome([o.polhode, "run", "run.toml", "--threads", "1", "--json"], folder, memory=True)[2]
+        seconds = water.spent([o.program, "energy", "run.toml"], folder)[0]
+        peak = peak_memory([o.program, "run", "run.toml", "--threads", "1", "--json"], folder)
     return {"peak_bytes": peak, "bytes_per_molecule": peak / molecules, "first_energies_s": seconds}
 
 

@@ -13,6 +13,8 @@ hardly depend on other load of the computer. FOLDER is the folder that lammps/en
 
 import argparse
 import datetime
+import os
+import subprocess
 import sys
 import tempfile
 from dataclasses import dataclass
@@ -97,11 +99,11 @@ STYLES = {
 }
 
 
-def add_programs(parser):
+def add_programs(parser, required=True):
     """The options for the programs, which all benchmarks of LAMMPS have."""
     parser.add_argument("--polhode", default="polhode", help="the program")
-    parser.add_argument("--environment", type=Path, required=True, help="with LAMMPS")
-    parser.add_argument("--plugin", type=Path, required=True)
+    parser.add_argument("--environment", type=Path, required=required, help="with LAMMPS")
+    parser.add_argument("--plugin", type=Path, required=required)
 
 
 def arguments():
@@ -127,6 +129,15 @@ class Bench:
 
     def run(self, command):
         return water.spent(command, self.folder, **self.environment)[1]
+
+    def output(self, script, *options, launcher=()):
+        """What LAMMPS prints, started by another program if there is one; the benchmark ends if it fails."""
+        self.write("run.in", script)
+        done = subprocess.run([*launcher, self.lmp, "-in", "run.in", "-log", "none", *options], cwd=self.folder,
+                              env={**os.environ, **self.environment}, text=True, capture_output=True, check=False)
+        if done.returncode:
+            sys.exit(done.stdout[-2000:] + done.stderr[-2000:])
+        return done.stdout + done.stderr
 
     def export(self, text, style="table"):
         """Writes the LAMMPS input for a run file."""

@@ -18,10 +18,8 @@ import argparse
 import datetime
 import json
 import math
-import os
 import re
 import statistics
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -69,14 +67,8 @@ class Bench(cost.Bench):
         return head, re.search(r'scheme "[^"]*"(.*)', rest)[1]
 
     def lammps(self, script, ranks=1, options=()):
-        (self.folder / "bench.in").write_text(script)
-        command = [self.lmp, "-in", "bench.in", "-log", "none", "-var", "plugin", self.options.plugin.resolve(), *options]
-        if ranks > 1:
-            command = [self.mpiexec, "-n", str(ranks), *command]
-        done = subprocess.run(command, cwd=self.folder, env={**os.environ, **self.environment}, text=True, capture_output=True)
-        if done.returncode != 0:
-            sys.exit(done.stdout[-2000:] + done.stderr[-2000:])
-        return done.stdout
+        launcher = [self.mpiexec, "-n", str(ranks)] if ranks > 1 else []
+        return self.output(script, "-var", "plugin", self.options.plugin.resolve(), *options, launcher=launcher)
 
     def ratio(self, scheme, law, step, seed):
         """R of one run [%]."""
@@ -186,9 +178,7 @@ def report(result):
 
 def main():
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    p.add_argument("--polhode", default="polhode", help="the program")
-    p.add_argument("--environment", type=Path, help="with LAMMPS")
-    p.add_argument("--plugin", type=Path)
+    cost.add_programs(p, required=False)
     p.add_argument("--runs", type=int, default=4, help="of each scheme and step (4)")
     p.add_argument("--rounds", type=int, default=3, help="of timings (3)")
     p.add_argument("--curves", type=Path, help="measure times alone, with R of this result")

@@ -11,11 +11,8 @@ that LAMMPS measures. FOLDER is the folder that lammps/environment.py makes.
 
 import argparse
 import datetime
-import json
-import os
 import re
 import statistics
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -37,14 +34,12 @@ PARTS = ("Pair", "Neigh", "Comm", "Modify", "Other")
 class Bench(cost.Bench):
     def loop(self, ranks, script):
         """Milliseconds of a step, and of each of its parts."""
-        self.write("run.in", script)
-        done = subprocess.run([self.mpiexec, "-n", str(ranks), self.lmp, "-in", "run.in", "-log", "none"], cwd=self.folder,
-                              env={**os.environ, **self.environment}, text=True, capture_output=True)
-        found = re.search(r"Loop time of (\S+) on \d+ procs for (\d+) steps", done.stdout)
-        if done.returncode != 0 or not found:
-            sys.exit(done.stdout[-2000:] + done.stderr[-2000:])
+        output = self.output(script, launcher=[self.mpiexec, "-n", str(ranks)])
+        found = re.search(r"Loop time of (\S+) on \d+ procs for (\d+) steps", output)
+        if not found:
+            sys.exit(output[-2000:])
         per_step = 1e3 / int(found[2])
-        average = lambda part: float(re.search(rf"^{part}\s*\|[^|]*\|\s*(\S+)", done.stdout, re.M)[1])
+        average = lambda part: float(re.search(rf"^{part}\s*\|[^|]*\|\s*(\S+)", output, re.M)[1])
         parts = {part: average(part) for part in PARTS}
         return float(found[1]) * per_step, {part: time * per_step for part, time in parts.items()}
 

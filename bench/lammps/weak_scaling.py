@@ -15,7 +15,6 @@ fewer cores than processes.
 import argparse
 import datetime
 import json
-import os
 import re
 import subprocess
 import sys
@@ -79,13 +78,11 @@ class Bench(cost.Bench):
 
     def sent(self, form, ranks, copies, steps):
         """(messages, bytes, collective operations) of the process that sends most, in a whole run."""
-        self.write("run.in", self.script(form, copies, steps))
-        done = subprocess.run([self.mpiexec, "-n", str(ranks), "-env", "LD_PRELOAD", self.folder / "messages.so", self.lmp,
-                               "-in", "run.in", "-log", "none"], cwd=self.folder, env={**os.environ, **self.environment}, text=True,
-                              capture_output=True)
-        found = re.findall(r"sent rank \d+ messages (\d+) bytes (\d+) collectives (\d+)", done.stderr + done.stdout)
-        if done.returncode != 0 or len(found) != ranks:
-            sys.exit(done.stdout[-2000:] + done.stderr[-2000:])
+        output = self.output(self.script(form, copies, steps),
+                             launcher=[self.mpiexec, "-n", str(ranks), "-env", "LD_PRELOAD", self.folder / "messages.so"])
+        found = re.findall(r"sent rank \d+ messages (\d+) bytes (\d+) collectives (\d+)", output)
+        if len(found) != ranks:
+            sys.exit(output[-2000:])
         return [max(int(row[k]) for row in found) for k in range(3)]
 
     def per_step(self, form, ranks, waters):

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "base/instruction_set.hpp"
 #include "base/stopwatch.hpp"
@@ -20,6 +21,11 @@
 namespace {
 
 using namespace polhode;
+
+const std::pair<std::string, Truncation> truncations[] = {
+    {"molecule_switch", Truncation::molecule_switch},
+    {"site_switch", Truncation::site_switch},
+    {"site_shift", Truncation::site_shift}};
 
 ForceSettings law(Truncation truncation, Precision precision, double skin) {
   return {truncation, 0.9, 0.765, 2, Electrostatics::reaction_field, 78.5, skin, precision};
@@ -107,12 +113,8 @@ int main(int argc, char** argv) {
       };
       for (const bool energies : {false, true}) {
         const std::string what = energies ? "/energies" : "/forces";
-        add("molecule_switch" + what, force_evaluation, instruction_set,
-            Truncation::molecule_switch, precision, energies);
-        add("site_switch" + what, force_evaluation, instruction_set, Truncation::site_switch,
-            precision, energies);
-        add("site_shift" + what, force_evaluation, instruction_set, Truncation::site_shift,
-            precision, energies);
+        for (const auto& [name, truncation] : truncations)
+          add(name + what, force_evaluation, instruction_set, truncation, precision, energies);
       }
       const auto add_derivative = [&](const std::string& name, const ForceSettings& settings) {
         benchmark::RegisterBenchmark(("derivative/" + name + on).c_str(), derivative,
@@ -120,9 +122,8 @@ int main(int argc, char** argv) {
             ->UseManualTime()
             ->Unit(benchmark::kMicrosecond);
       };
-      add_derivative("molecule_switch", law(Truncation::molecule_switch, precision, 0.04));
-      add_derivative("site_switch", law(Truncation::site_switch, precision, 0.04));
-      add_derivative("site_shift", law(Truncation::site_shift, precision, 0.04));
+      for (const auto& [name, truncation] : truncations)
+        add_derivative(name, law(truncation, precision, 0.04));
       ForceSettings ewald = law(Truncation::site_switch, precision, 0.04);
       ewald.electrostatics = Electrostatics::pme;
       add_derivative("ewald", ewald);

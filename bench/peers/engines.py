@@ -90,17 +90,14 @@ class Engine:
 
 
 class Polhode(Engine):
-    ladders = {"velocity-verlet": Engine.ladder, "hoa2": (1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0),
-               "gier4-fd": (3.0, 4.0, 5.0, 6.0, 7.0, 8.0)}
-    start_steps = {"velocity-verlet": 2.0, "hoa2": 4.0, "gier4-fd": 5.0}
-    costs = {"velocity-verlet": 1, "hoa2": 2, "gier4-fd": 3}
+    schemes = {"velocity-verlet": (1, 2.0, Engine.ladder), "hoa2": (2, 4.0, (1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0)),
+               "gier4-fd": (3, 5.0, (3.0, 4.0, 5.0, 6.0, 7.0, 8.0))}
 
     def __init__(self, options, scheme):
         self.name, self.scheme = f"polhode {scheme}", scheme
         self.program, self.truncation = options.polhode, options.truncation
         self.precision, self.threaded = options.precision, options.polhode_threads
-        self.ladder, self.start_step = self.ladders[scheme], self.start_steps[scheme]
-        self.evaluations = self.costs[scheme]
+        self.evaluations, self.start_step, self.ladder = self.schemes[scheme]
 
     def threads(self, requested):
         return requested if self.threaded else 1
@@ -247,7 +244,7 @@ def engines(options):
         "openmm": lambda: OpenMM(options),
         "openmm-pme": lambda: OpenMM(options, "openmm-pme", "PME"),
     }
-    ours = [Polhode(options, scheme) for scheme in Polhode.costs]
+    ours = [Polhode(options, scheme) for scheme in Polhode.schemes]
     for name in options.peers:
         if name not in peers:
             sys.exit(f"there is no peer '{name}'; those known are {', '.join(peers)}")

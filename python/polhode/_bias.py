@@ -14,8 +14,6 @@ from ._results import EnergySeries, Report
 from ._types import Path, Quantity
 from .errors import Error
 
-__all__ = ["bias", "time_step_bias"]
-
 
 def bias(log: Path | Mapping[str, Any], temperature: Quantity | None = None, *, total: str | None = None,
          potential: str | None = None, energy_unit: str | None = None, start: float | None = None,

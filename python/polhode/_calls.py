@@ -2,12 +2,9 @@
 """Calls of the package as Python code that could be typed again, for the records of results."""
 
 import inspect
-import os
 from collections.abc import Mapping
 
-from ._quantities import text_of
-
-__all__ = ["call_text", "expression"]
+from ._quantities import plain, text_of
 
 
 def expression(value) -> str:
@@ -15,12 +12,7 @@ def expression(value) -> str:
     value = text_of(value)
     if hasattr(value, "call") and hasattr(value, "tables"):
         return value.call
-    if hasattr(value, "as_dict"):
-        value = value.as_dict()
-    if hasattr(value, "tolist"):  # of NumPy
-        value = value.tolist()
-    if isinstance(value, os.PathLike):
-        value = os.fspath(value)
+    value = value.as_dict() if hasattr(value, "as_dict") else plain(value)
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{k!r}: {expression(v)}" for k, v in value.items()) + "}"
     if isinstance(value, (list, tuple)):

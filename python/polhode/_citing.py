@@ -6,8 +6,6 @@ from importlib import resources
 
 from . import _core
 
-__all__ = ["bibliography", "citations"]
-
 PAPER = "vanzon2008"  # that the program implements
 
 

@@ -15,8 +15,6 @@ from ._guard import Guarded
 from ._types import Path
 from .errors import Error
 
-__all__ = ["Frame", "read", "read_frames", "write"]
-
 
 class Frame(Guarded):
     """The atoms at one time.
@@ -54,8 +52,7 @@ class Frame(Guarded):
 
 def _frame(core):
     kinds = core.kinds
-    of = {name: [getattr(core, name)[k] for k in kinds] if len(kinds) < 100 else
-          np.array(getattr(core, name), dtype=object)[kinds].tolist()
+    of = {name: np.array(getattr(core, name), dtype=object)[kinds].tolist()
           for name in ("names", "residues", "elements")}
     return Frame(core.positions, core.velocities if core.has_velocities else None, core.box,
                  core.time, molecules=core.molecules, title=core.title, **of)

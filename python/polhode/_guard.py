@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from . import _core
 
-__all__ = ["Energies", "Guarded", "Record", "missing"]
-
 
 def missing(name, names) -> str:
     """A message such as "there is no 'totl'; did you mean 'total'?", or the list of existing names."""

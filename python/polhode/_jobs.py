@@ -14,7 +14,7 @@ from ._keywords import takes_settings
 from .errors import Error
 from ._progress import hooks
 from ._calls import call_text
-from ._quantities import text_of
+from ._quantities import plain
 from ._results import Report
 from ._settings import made, settings
 from ._types import Messages, Path, Progress, Quantity, Source, Texts
@@ -30,14 +30,10 @@ __all__ = ["advise", "analyze", "bench", "convert", "energy", "export", "minimis
 
 def _text(value):
     """The text of an option. Entries of a list are separated by commas, and a dict becomes "tip4p 512, na 4"."""
-    value = text_of(value)
+    value = plain(value)
     if isinstance(value, Mapping):
         return ", ".join(f"{name} {count}" if count else str(name) for name, count in value.items())
-    if hasattr(value, "tolist"):  # of NumPy
-        value = value.tolist()
-    if isinstance(value, (list, tuple)):
-        return ", ".join(map(_text, value))
-    return os.fspath(value) if isinstance(value, os.PathLike) else str(value)
+    return ", ".join(map(_text, value)) if isinstance(value, (list, tuple)) else str(value)
 
 
 # Arguments that are not options of a particular job: settings, and arguments of all jobs.
@@ -76,12 +72,10 @@ class _Job:
             given["messages"](note)
         return found._core
 
-    def __enter__(self):
-        h = self._hooks.__enter__()
-        return _core.JobOptions(self._threads, self._existing, self._call, h.progress, h.message)
-
-    def __exit__(self, *error):
-        self._hooks.__exit__(*error)
+    def call(self, function, *arguments):
+        """Calls a function of the library with these arguments and the options of the job."""
+        with self._hooks as h:
+            return function(*arguments, _core.JobOptions(self._threads, self._existing, self._call, h.progress, h.message))
 
 
 def new(kind: str, path: Path | None = None, *, ensemble: str | None = None,
@@ -100,8 +94,7 @@ def new(kind: str, path: Path | None = None, *, ensemble: str | None = None,
         pathlib.Path: the file.
     """
     job = _Job(new, {**locals(), "progress": False})
-    with job as options:
-        return pathlib.Path(_core.new_run_file(kind, "" if path is None else os.fspath(path), job.texts, options))
+    return pathlib.Path(job.call(_core.new_run_file, kind, "" if path is None else os.fspath(path), job.texts))
 
 
 @takes_settings
@@ -127,9 +120,7 @@ def run(source: Source = None, *, output: Path | None = None, resume: bool = Fal
         KeyboardInterrupt: after Ctrl-C; a checkpoint is written, and resume=True continues.
     """
     job = _Job(run, locals())
-    config = job.settings()
-    with job as options:
-        text, files, complete = _core.run(config, options)
+    text, files, complete = job.call(_core.run, job.settings())
     return Report("run", json.loads(text) or {}, files, complete)
 
 
@@ -168,9 +159,7 @@ def prepare(source: Source = None, *, pressure: Quantity | None = None, nvt: Qua
         Report: with the keys of ``polhode prepare --json``; files are PREFIX-prepared.*.
     """
     job = _Job(prepare, locals())
-    config = job.settings()
-    with job as options:
-        data = json.loads(_core.prepare(config, options))
+    data = json.loads(job.call(_core.prepare, job.settings()))
     return Report("prepare", data, data.get("files") or [])
 
 
@@ -192,9 +181,7 @@ def minimise(source: Source = None, *, max_force: Quantity | None = None,
         Report: with the keys of ``polhode minimise --json``; the file is PREFIX-minimised.gro.
     """
     job = _Job(minimise, locals())
-    config = job.settings()
-    with job as options:
-        data = json.loads(_core.minimise(config, job.texts, options))
+    data = json.loads(job.call(_core.minimise, job.settings(), job.texts))
     return Report("minimise", data, data["files"])
 
 
@@ -242,8 +229,7 @@ def analyze(trajectory: Path, *, run: Source = None, molecules: Mapping[str, int
     """
     job = _Job(analyze, locals())
     config = None if run is None else settings(run)._core
-    with job as options:
-        text, files = _core.analyze(os.fspath(trajectory), config, job.texts, options)
+    text, files = job.call(_core.analyze, os.fspath(trajectory), config, job.texts)
     return Report("analyze", json.loads(text), files)
 
 
@@ -268,8 +254,7 @@ def convert(source: Path, target: Path, *, names: Path | None = None,
     """
     job = _Job(convert, {**locals(), "threads": 1})
     config = None if particles is None else settings(particles)._core
-    with job as options:
-        return _core.convert(os.fspath(source), os.fspath(target), config, job.texts, options)
+    return job.call(_core.convert, os.fspath(source), os.fspath(target), config, job.texts)
 
 
 @takes_settings
@@ -294,9 +279,7 @@ def export(program: str, source: Source = None, *, pair_style: str = "table",
     if program != "lammps":
         raise Error(f"export to {program!r} is not supported; the program must be \"lammps\"")
     job = _Job(export, {**locals(), "threads": 1})
-    config = job.settings()
-    with job as options:
-        return [pathlib.Path(file) for file in _core.export_lammps(config, pair_style, options)]
+    return [pathlib.Path(file) for file in job.call(_core.export_lammps, job.settings(), pair_style)]
 
 
 @takes_settings
@@ -332,9 +315,7 @@ def study(source: Source = None, *, schemes: Texts | None = None,
         Report: with the keys of ``polhode study --json``; plot() draws it.
     """
     job = _Job(study, locals())
-    config = job.settings()
-    with job as options:
-        text, files, complete = _core.study(config, quick, job.texts, options)
+    text, files, complete = job.call(_core.study, job.settings(), quick, job.texts)
     return Report("study", json.loads(text), files, complete)
 
 
@@ -373,9 +354,7 @@ def advise(source: Source = None, *, accuracy: Quantity | None = None,
         RunError: if no scheme meets it.
     """
     job = _Job(advise, locals())
-    config = job.settings()
-    with job as options:
-        text, files, answer = _core.advise(config, job.texts, schemes is not None, options)
+    text, files, answer = job.call(_core.advise, job.settings(), job.texts, schemes is not None)
     return Report("advise", {**json.loads(text), "answer": answer}, files)
 
 
@@ -402,10 +381,7 @@ def tune_scheme(source: Source = None, *, scheme: str | None = None, step: Quant
         Report: with the keys of ``polhode tune-scheme --json``.
     """
     job = _Job(tune_scheme, locals())
-    config = job.settings()
-    with job as options:
-        text = _core.tune_scheme(config, job.texts, options)
-    return Report("tune_scheme", json.loads(text), [])
+    return Report("tune_scheme", json.loads(job.call(_core.tune_scheme, job.settings(), job.texts)), [])
 
 
 def _processor():
@@ -435,6 +411,4 @@ def bench(*, quick: bool = False, sizes: Sequence[SupportsIndex] | None = None,
         Report: with the keys of ``polhode bench --json``.
     """
     job = _Job(bench, locals())
-    with job as options:
-        text = _core.bench(quick, job.texts, _processor(), options)
-    return Report("bench", json.loads(text), [])
+    return Report("bench", json.loads(job.call(_core.bench, quick, job.texts, _processor())), [])

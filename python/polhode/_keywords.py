@@ -9,8 +9,6 @@ import inspect
 
 from . import _core
 
-__all__ = ["CHOICES_OF", "KEYWORDS", "LISTS", "PATH_OF", "TABLES", "stub", "takes_settings"]
-
 # Tables whose keywords always contain the table name, such as study_length, because other tables have the same keys.
 OF_TABLES = ("study", "prepare")
 LISTS = ("pair", "shape")  # of tables

@@ -12,12 +12,11 @@ import numpy as np
 
 from . import _core
 from ._guard import Record
+from ._html import molecule_html, scheme_html
 from .errors import Error
 from ._results import Report
 from ._settings import toml_text
 from ._types import Path
-
-__all__ = ["Molecule", "Scheme", "molecules", "schemes", "verify"]
 
 
 class Scheme(Record):
@@ -40,11 +39,7 @@ class Scheme(Record):
     def __init__(self, text: str) -> None:
         if not isinstance(text, str):
             raise Error(f"a scheme is a text, a name or stages, not of type {type(text).__name__}")
-        self._take(json.loads(_core.scheme_json(text)))
-
-    def _take(self, data):
-        self._data = data
-        return self
+        self._data = json.loads(_core.scheme_json(text))
 
     def __str__(self):
         return self.text
@@ -58,17 +53,13 @@ class Scheme(Record):
     def __hash__(self):
         return hash(self.text)
 
-    def __reduce__(self):
-        return _scheme, (self.data,)
-
-    def _repr_html_(self):
-        from ._html import scheme_html
-
-        return scheme_html(self)
+    _repr_html_ = scheme_html
 
 
 def _scheme(data):
-    return Scheme.__new__(Scheme)._take(data)
+    scheme = Scheme.__new__(Scheme)
+    scheme._data = data
+    return scheme
 
 
 def schemes(name: str | None = None) -> Scheme | dict[str, Scheme]:
@@ -134,7 +125,7 @@ class Molecule(Record):
         sites (list of dict): sites in the principal frame, with positions (3) [nm], masses [u] and charges [e].
     """
 
-    __slots__ = ("_table", "_moments")
+    __slots__ = ("_table",)
     _remedy = "another molecule is polhode.Molecule({**molecule.as_dict(), ...})"
 
     def __init__(self, table: Mapping[str, Any]) -> None:
@@ -142,17 +133,13 @@ class Molecule(Record):
             raise Error("a molecule is a dict with the keys of a molecule file, not of type "
                         + type(table).__name__)
         self._table = dict(table)
-        self._take(json.loads(_core.molecule_json(_document(self._table), "dict")))
-
-    def _take(self, data):
-        self._data = data
-        self._moments = np.array(data["moments"])
-        return self
+        text = toml_text({"m": self._table}).partition("\n")[2]  # without the line "[m]"
+        self._data = json.loads(_core.molecule_json(text, "dict"))
 
     @property
     def moments(self) -> np.ndarray:
         """numpy.ndarray: principal moments (3) [u nm²]."""
-        return self._moments
+        return np.array(self.data["moments"])
 
     def as_dict(self) -> dict:
         """The molecule with the keys of a molecule file."""
@@ -168,30 +155,18 @@ class Molecule(Record):
     def __repr__(self):
         return f"<Molecule {self.name}: {len(self.sites)} sites, {self.top} top, {self.mass:g} u>"
 
-    def __reduce__(self):
-        return _molecule, (self.data, self._table)
-
-    def _repr_html_(self):
-        from ._html import molecule_html
-
-        return molecule_html(self)
+    _repr_html_ = molecule_html
 
 
-def _molecule(data, table=None):
+def _molecule(data):
     molecule = Molecule.__new__(Molecule)
-    molecule._table = table
-    return molecule._take(data)
+    molecule._data, molecule._table = data, None
+    return molecule
 
 
 def kinds_of(core):
     """The molecules of a simulation in the library."""
     return [_molecule(data) for data in json.loads(core.kinds_json())]
-
-
-def _document(table):
-    """The text of a molecule file: its keys, followed by an array of sites on one line."""
-    text = toml_text({"m": table})
-    return text.partition("\n")[2]
 
 
 def molecules(name: Path | None = None) -> Molecule | dict[str, Molecule]:

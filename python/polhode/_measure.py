@@ -15,8 +15,6 @@ from ._quantities import text_of
 from ._results import Report
 from ._types import Messages, Path, Progress, Quantity
 
-__all__ = ["measure", "merge"]
-
 
 def _words(properties):
     """The words of the command line: names of properties, optionally with requested errors."""
@@ -110,7 +108,5 @@ def _measured(function, given, *, executor=None, only_evaluate=False):
         futures = [executor.submit(_perform, system, words, texts, task) for task in tasks]
         return [future.result() for future in futures]
 
-    with job as options:
-        text, files = _core.measure(system, words, texts, only_evaluate, execute if executor is not None else None,
-                                    options)
+    text, files = job.call(_core.measure, system, words, texts, only_evaluate, execute if executor is not None else None)
     return Report(function.__name__, json.loads(text), files)

@@ -19,10 +19,6 @@ def _axes(ax, count=1, **options):
     return ax if ax is not None else plt.subplots(count, 1, layout="constrained", **options)[1]
 
 
-def _colour(name, index):
-    return COLOURS.get(name, OTHERS[index % len(OTHERS)])
-
-
 def plot_energies(energies, ax=None):
     """Plots the total energy about its mean, and the potential energy, against time."""
     axes = _axes(ax, 2, sharex=True, figsize=(6, 4.5))
@@ -46,7 +42,7 @@ def _plot_study(report, ax):
         mine = [p for p in points if p["scheme"] == name and p.get("stable", True) and p.get("R")]
         ax.errorbar([p["force_evaluations_per_ps"] for p in mine], [100 * p["R"] for p in mine],
                     yerr=[100 * (p.get("R_error") or 0) for p in mine], marker="o", ms=4, capsize=2,
-                    color=_colour(name, k), label=name)
+                    color=COLOURS.get(name, OTHERS[k % len(OTHERS)]), label=name)
     ax.set(xscale="log", yscale="log", xlabel="force evaluations per ps", ylabel="R [%]")
     ax.legend()
     return ax

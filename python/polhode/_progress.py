@@ -7,8 +7,6 @@ import sys
 
 from ._types import Messages, Progress
 
-__all__ = ["hooks"]
-
 
 def _in_notebook():
     """Whether Python runs in a Jupyter kernel."""

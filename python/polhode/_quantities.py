@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import numbers
+import os
 
 from . import _core
 from ._guard import Record
 from ._types import Quantity
-
-__all__ = ["text_of", "quantity"]
+from .errors import Error
 
 # Units, one for each dimension, as pairs of the names that pint and run files use.
 _UNITS = (
@@ -65,6 +65,14 @@ def text_of(value) -> object:
     return value
 
 
+def plain(value) -> object:
+    """A value of plain Python types: texts for quantities and paths, lists for arrays."""
+    value = text_of(value)
+    if hasattr(value, "tolist"):  # of NumPy
+        value = value.tolist()
+    return os.fspath(value) if isinstance(value, os.PathLike) else value
+
+
 def quantity_text(value, dimension, name):
     """The text of an argument that must be a quantity.
 
@@ -74,12 +82,8 @@ def quantity_text(value, dimension, name):
     value = text_of(value)
     if isinstance(value, numbers.Number) and not isinstance(value, bool):
         written = repr(value.item() if hasattr(value, "item") else value)
-        from .errors import Error
-
         raise Error(_core.no_unit(name, written, dimension))
     if not isinstance(value, str):
-        from .errors import Error
-
         raise Error(f"{name} = {value!r} must be a quantity; write for example "
                     + _core.no_unit(name, "2", dimension).rpartition("write for example ")[2])
     return value
@@ -111,7 +115,5 @@ def positive(value, dimension, name) -> float:
     """
     number = quantity(value, dimension, name)
     if not number > 0:
-        from .errors import Error
-
         raise Error(f"{name} = \"{text_of(value)}\" must be longer than 0; write for example \"2 fs\"")
     return number

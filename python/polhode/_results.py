@@ -9,11 +9,11 @@ import numpy as np
 
 from . import _core
 from ._guard import Guarded, Record, missing
+from ._html import report_html, run_html
+from ._plots import plot_energies, plot_report
+from ._trajectories import mdtraj_trajectory, universe
+from ._viewer import view_3d
 from .errors import Error
-
-__all__ = ["EnergySeries", "Report", "Run"]
-
-_UNITS = {"kJ/mol": "kJ/mol", "ps": "ps", "K": "K", "bar": "bar", "nm3": "nm³"}
 
 
 class EnergySeries(Guarded):
@@ -23,9 +23,7 @@ class EnergySeries(Guarded):
 
     def __init__(self, rows, conserves=True):
         self._conserves = conserves
-        self._array = np.zeros(len(rows), dtype=[(name, float) for name in self.names()])
-        for k, name in enumerate(self.names()):
-            self._array[name] = rows[:, k]
+        self._array = rows.view([(name, float) for name in self.names()]).reshape(len(rows))
 
     @property
     def conserves(self) -> bool:
@@ -131,10 +129,7 @@ class Report(Record, Mapping):
     def __repr__(self):
         return f"<report of {self.job}: {', '.join(list(self.data)[:6])}, ...>"
 
-    def _repr_html_(self):
-        from ._html import report_html
-
-        return report_html(self)
+    _repr_html_ = report_html
 
     def plot(self, ax=None):
         """Draws the results with matplotlib, if the job has a figure, as a study does.
@@ -142,8 +137,6 @@ class Report(Record, Mapping):
         Returns:
             matplotlib.axes.Axes, or an array of them.
         """
-        from ._plots import plot_report
-
         return plot_report(self, ax)
 
 
@@ -203,33 +196,22 @@ class Run(Guarded):
 
     def plot(self, ax=None):
         """Draws total and potential energy against time with matplotlib, and returns the two Axes."""
-        from ._plots import plot_energies
-
         return plot_energies(self.energies, ax)
 
     def to_mdanalysis(self):
         """MDAnalysis.Universe with the frames in memory."""
-        from ._trajectories import universe
-
         return universe(self.simulation, self.frames)
 
     def to_mdtraj(self):
         """mdtraj.Trajectory with the frames."""
-        from ._trajectories import mdtraj_trajectory
-
         return mdtraj_trajectory(self.simulation, self.frames)
 
     def view_3d(self, width: int = 640, height: int = 480, js: str | None = None):
         """A three-dimensional animation of the frames for notebooks, with the box of the first frame; see
         Simulation.view_3d()."""
-        from ._viewer import view_3d
-
         return view_3d(self.simulation, self.frames, width, height, js)
 
     def __repr__(self):
         return f"<Run: {self.energies!r}, {len(self.frames)} frames>"
 
-    def _repr_html_(self):
-        from ._html import run_html
-
-        return run_html(self)
+    _repr_html_ = run_html

@@ -15,15 +15,13 @@ from .errors import Error
 from .forces import add_forces
 from ._calls import call_text
 from ._keywords import CHOICES_OF, LISTS, PATH_OF, TABLES, takes_settings
-from ._quantities import text_of
+from ._quantities import plain
 from ._types import Source
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._keywords import Keywords
-
-__all__ = ["settings"]
 
 # Conversion of Python values to TOML text.
 
@@ -44,19 +42,17 @@ def _string(text):
 
 def _value(value, name, depth=0):
     """A value as TOML on a single line."""
-    value = text_of(value)
+    value = plain(value)
     if depth > 20:
         raise Error(f"{name} is nested more than 20 levels deep; run files have at most 4")
-    if hasattr(value, "tolist"):  # of NumPy
-        value = value.tolist()
-    if isinstance(value, os.PathLike):
-        value = os.fspath(value)
     if isinstance(value, str):
         return _string(value)
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, int):
-        return _integer(value, name)
+        if not -2**63 <= value < 2**63:
+            raise Error(f"{name} = {value} does not fit into 64 bits; give a smaller number")
+        return str(value)
     if isinstance(value, float):
         return repr(value)
     if isinstance(value, Mapping):
@@ -68,12 +64,6 @@ def _value(value, name, depth=0):
                                for i, v in enumerate(value)) + "]"
     raise Error(f"{name} is of type {type(value).__name__}, and must be a text, a number, true or "
                 "false, a list, or a dict")
-
-
-def _integer(value, name):
-    if not -2**63 <= value < 2**63:
-        raise Error(f"{name} = {value} does not fit into 64 bits; give a smaller number")
-    return str(value)
 
 
 def toml_text(tables) -> str:

@@ -13,6 +13,7 @@ import numpy as np
 
 from . import _core
 from ._guard import Energies, Guarded
+from ._html import simulation_html
 from ._keywords import PATH_OF, takes_settings
 from ._lookup import Molecule, kinds_of
 from ._progress import hooks
@@ -20,15 +21,15 @@ from ._quantities import positive
 from ._results import EnergySeries, Report, Run
 from ._settings import Settings, settings
 from ._state import State
+from ._trajectories import mdtraj_trajectory, universe
 from ._types import Path, Progress, Quantity, Source
+from ._viewer import view_3d
 from .errors import Error
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._keywords import Keywords
-
-__all__ = ["Simulation"]
 
 Observers: TypeAlias = \
     "Callable[[Simulation], object] | Sequence[Callable[[Simulation], object]] | None"
@@ -272,7 +273,7 @@ class Simulation(Guarded):
             KeyboardInterrupt: after Ctrl-C, between two steps; `last_run` has the results so far,
                 and another call continues.
         """
-        if config_accuracy(self.settings):
+        if (self.settings.tables.get("integrator") or {}).get("accuracy") is not None:  # instead of a step
             self.choose_step(progress)
         tasks = _tasks(observe, every, frames, self._core)
         total = _steps(self._core, length)
@@ -309,14 +310,10 @@ class Simulation(Guarded):
 
     def to_mdanalysis(self):
         """MDAnalysis.Universe with the present state or, for a Run, with all its frames."""
-        from ._trajectories import universe
-
         return universe(self, [self._frame()])
 
     def to_mdtraj(self):
         """mdtraj.Trajectory with the present state."""
-        from ._trajectories import mdtraj_trajectory
-
         return mdtraj_trajectory(self, [self._frame()])
 
     def view_3d(self, width: int = 640, height: int = 480, js: str | None = None):
@@ -335,8 +332,6 @@ class Simulation(Guarded):
         Raises:
             Error: if py3Dmol is not installed, or there are more than 200,000 atoms.
         """
-        from ._viewer import view_3d
-
         return view_3d(self, [self._frame()], width, height, js)
 
     def _frame(self):
@@ -346,19 +341,11 @@ class Simulation(Guarded):
         names = ", ".join(f"{n} {name}" for name, n in self.molecules)
         return f"<Simulation of {names}: {self.steps} steps, {self.time:g} ps>"
 
-    def _repr_html_(self):
-        from ._html import simulation_html
-
-        return simulation_html(self)
+    _repr_html_ = simulation_html
 
     def __reduce__(self):
         raise TypeError("a Simulation cannot be pickled: write a checkpoint with save(), and pickle "
                         "its settings")
-
-
-def config_accuracy(of):
-    """Whether settings require an accuracy instead of giving a step."""
-    return (of.tables.get("integrator") or {}).get("accuracy") is not None
 
 
 class _Frames:

@@ -9,8 +9,6 @@ from ._arrays import reals
 from ._guard import Guarded
 from .errors import Error
 
-__all__ = ["State"]
-
 
 class State(Guarded):
     """The state of a simulation, as views of its numbers without a copy.

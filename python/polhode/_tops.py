@@ -14,8 +14,6 @@ from .errors import Error
 from ._jobs import _Job
 from ._types import Messages, Path
 
-__all__ = ["free_rotation", "rotation_matrix", "top", "rotate_table"]
-
 METHODS = ("series", "closed", "theta", "recursive", "no-squish", "symmetric-product")
 
 
@@ -96,20 +94,13 @@ def top(J: ArrayLike, L: ArrayLike, step: float | None = None, length: float | N
     """
     J, L = _triple(J, "J"), _triple(L, "L")
     job = _Job(top, {**locals(), "progress": False})
-    with job as options:
-        rows = _core.top(job.texts, options)
+    rows = job.call(_core.top, job.texts)
     fields = [("t", float), ("exact_rotation", float, 4), ("exact_L", float, 3)]
     for name in ("series", "no_squish"):
         fields += [(f"{name}_rotation", float, 4), (f"{name}_L", float, 3),
                    (f"{name}_energy_error", float), (f"{name}_momentum_error", float),
                    (f"{name}_angle", float)]
-    table = np.zeros(len(rows), dtype=fields)
-    column = 0
-    for field in fields:
-        width = field[2] if len(field) == 3 else 1
-        table[field[0]] = rows[:, column:column + width].reshape(table[field[0]].shape)
-        column += width
-    return table
+    return rows.view(fields).reshape(len(rows))
 
 
 def rotate_table(path: Path, method: str = "series") -> str:

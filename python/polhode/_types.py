@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 if TYPE_CHECKING:
     from ._settings import Settings
 
-__all__ = ["Messages", "Path", "Progress", "Quantity", "Source", "Text", "Texts"]
-
 
 class PintQuantity(Protocol):
     """A quantity of pint."""

@@ -13,14 +13,6 @@ MAX_ATOMS = 200_000
 STYLE = {"stick": {"radius": 0.12}, "sphere": {"scale": 0.28}}
 
 
-def _py3dmol():
-    try:
-        import py3Dmol
-    except ImportError:
-        raise Error("this needs py3Dmol, which is not installed; pip install py3Dmol") from None
-    return py3Dmol
-
-
 def _xyz(elements, positions):
     """A frame in XYZ format; the argument has positions in nm."""
     rows = [f"{e} {x:.3f} {y:.3f} {z:.3f}" for e, (x, y, z) in
@@ -41,7 +33,10 @@ def _add_box(view, box):
 def view_3d(simulation, frames, width, height, js):
     """A py3Dmol.view of frames (time, box, positions of all sites); several frames form an animation."""
     check_frames(simulation, frames)
-    py3dmol = _py3dmol()
+    try:
+        import py3Dmol
+    except ImportError:
+        raise Error("this needs py3Dmol, which is not installed; pip install py3Dmol") from None
     sites = [site for _, _, site in sites_of(simulation)]
     atoms = np.flatnonzero([site["mass"] > 0 for site in sites])
     if len(atoms) * len(frames) > MAX_ATOMS:
@@ -50,7 +45,7 @@ def view_3d(simulation, frames, width, height, js):
                     "write() a file for a program such as VMD or OVITO")
     elements = [sites[k]["element"] if sites[k]["element"].isalpha() else "X" for k in atoms]
     text = "".join(_xyz(elements, positions[atoms]) for _, _, positions in frames)
-    view = py3dmol.view(width=width, height=height, **({} if js is None else {"js": js}))
+    view = py3Dmol.view(width=width, height=height, **({} if js is None else {"js": js}))
     if len(frames) == 1:
         view.addModel(text, "xyz")
     else:

@@ -11,7 +11,6 @@ void bind_config(nanobind::module_& m);
 void bind_simulation(nanobind::module_& m);
 void bind_jobs(nanobind::module_& m);
 void bind_measure(nanobind::module_& m);
-void bind_study(nanobind::module_& m);
 void bind_lookup(nanobind::module_& m);
 void bind_top(nanobind::module_& m);
 void bind_frames(nanobind::module_& m);

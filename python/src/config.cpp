@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "config.hpp"
-
+// The settings of a run file, with forces that are Python functions.
+#include <fmt/core.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -8,16 +8,19 @@
 #include <nanobind/stl/vector.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "arrays.hpp"
 #include "base/threads.hpp"
 #include "bind.hpp"
 #include "io/settings/config_parts.hpp"
 #include "io/settings/quantity.hpp"
 #include "io/settings/settings.hpp"
+#include "polhode/base/error.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 #include "run/job_settings.hpp"
 #include "run/listing/settings.hpp"
@@ -28,6 +31,66 @@ namespace nb = nanobind;
 using namespace nb::literals;
 
 namespace {
+
+using Array = nb::ndarray<const double, nb::c_contig, nb::device::cpu>;
+
+/// A weak reference to a Python object; any thread may drop the reference. The only strong
+/// reference is an attribute of another Python object. A function may refer to the simulation that
+/// calls it, and Python's garbage collector finds only reference cycles of Python objects.
+struct Reference {
+  nb::object weak;
+  explicit Reference(const nb::object& object) : weak(nb::weakref(object)) {}
+  Reference(const Reference&) = delete;
+  Reference& operator=(const Reference&) = delete;
+  ~Reference() {
+    if (!Py_IsInitialized()) {
+      weak.release();
+      return;
+    }
+    const nb::gil_scoped_acquire acquired;
+    weak.reset();
+  }
+};
+
+void add_rows(const Array& rows, Vec3Column& to) {
+  const double* const x = rows.data();
+  for (std::size_t i = 0; i < to.size(); ++i) to.add(i, {x[3 * i], x[3 * i + 1], x[3 * i + 2]});
+}
+
+void add_result(const nb::tuple& result, Load& load) {
+  add_rows(nb::cast<Array>(result[0]), load.f);
+  add_rows(nb::cast<Array>(result[1]), load.tau);
+  load.external += nb::cast<double>(result[2]);
+  if (result[3].is_none()) return;
+  const auto virial = nb::cast<Array>(result[3]);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) load.virial[i][k] += virial.data()[3 * i + k];
+}
+
+/// Makes external forces from a Python function. The function is called with copies of the
+/// positions (n, 3) [nm], orientations (n, 4) and box (3) [nm]. The function returns forces (n, 3),
+/// torques (n, 3), an energy, and a virial (3, 3) or None, as checked arrays of doubles. The
+/// reference to the function is weak, so the caller must keep the function alive.
+/// @param name  name as in ExternalForces
+std::shared_ptr<const ExternalForces> external_forces(const nb::callable& function,
+                                                      const std::string& name, bool has_virial) {
+  const auto reference = std::make_shared<Reference>(function);
+  ExternalForces forces{.name = name, .has_virial = has_virial};
+  forces.add = [reference, name](const State& state, Load& load) {
+    const nb::gil_scoped_acquire acquired;
+    const nb::object called = reference->weak();
+    if (called.is_none())
+      throw Error(
+          fmt::format("the external forces '{}' no longer exist; keep a reference to the settings "
+                      "that contain these forces",
+                      name));
+    const Vec3<double>& edge = state.box.edge;
+    const nb::object result = called(rows_of(state.q), rows_of(state.orientation),
+                                     nb::make_tuple(edge.x, edge.y, edge.z));
+    add_result(nb::cast<nb::tuple>(result), load);
+  };
+  return std::make_shared<const ExternalForces>(std::move(forces));
+}
 
 /// The type of a thermostat or barostat; empty if there is none.
 std::optional<std::string> type_of(const std::string& table, const Config& config) {
@@ -104,8 +167,6 @@ void bind_readers(nb::module_& m) {
 
 void bind_config(nb::module_& m) {
   nb::class_<Config>(m, "Config", nb::dynamic_attr())
-      .def(nb::init<const Config&>())
-      .def_ro("source", &Config::source)
       .def_ro("text", &Config::text)
       .def_ro("notes", &Config::notes)
       .def_prop_ro("step", [](const Config& c) { return c.integrator.step; })

@@ -54,20 +54,21 @@ std::vector<std::string> texts(const Frame& frame, std::string AtomKind::*member
   return names;
 }
 
-template <class T, class F>
-nb::object numbers(const Frame& frame, const F& of) {
-  std::vector<T> values;
-  for (const Atom& atom : frame.atoms) values.push_back(static_cast<T>(of(atom)));
+template <class Number>
+nb::object numbers(const Frame& frame, Number Atom::*member) {
+  std::vector<std::int64_t> values;
+  for (const Atom& atom : frame.atoms) values.push_back(atom.*member);
   return array_of(std::move(values), {frame.atoms.size()});
 }
+
+using Indices = nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig>;
 
 /// A frame to be written, given as arrays.
 struct FrameToWrite {
   Frame frame;
   FrameToWrite(const std::vector<std::string>& residues, const std::vector<std::string>& names,
-               const std::vector<std::string>& elements,
-               const nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig>& kinds,
-               const nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig>& molecules) {
+               const std::vector<std::string>& elements, const Indices& kinds,
+               const Indices& molecules) {
     for (std::size_t k = 0; k < names.size(); ++k)
       frame.kinds.push_back({residues.at(k), names.at(k), elements.at(k)});
     frame.atoms.resize(kinds.shape(0));
@@ -90,13 +91,9 @@ struct FrameToWrite {
     if (!fits(r) || (v && !fits(*v)))
       throw Error("positions and velocities must have the shape (" +
                   std::to_string(frame.atoms.size()) + ", 3)");
-    const auto at = [](const Rows& rows, std::size_t i) {
-      const double* const x = rows.data() + 3 * i;
-      return Vec3<double>{x[0], x[1], x[2]};
-    };
     for (std::size_t i = 0; i < frame.atoms.size(); ++i) {
-      frame.atoms[i].r = at(r, i);
-      frame.atoms[i].v = v ? at(*v, i) : Vec3<double>{};
+      frame.atoms[i].r = row(r, i);
+      frame.atoms[i].v = v ? row(*v, i) : Vec3<double>{};
     }
     frame.has_velocities = v.has_value();
     frame.box = Box{{box[0], box[1], box[2]}};
@@ -126,18 +123,12 @@ void bind_frames(nb::module_& m) {
       .def_prop_ro("names", [](const OpenFrames& f) { return texts(f.frame, &AtomKind::name); })
       .def_prop_ro("elements",
                    [](const OpenFrames& f) { return texts(f.frame, &AtomKind::element); })
-      .def_prop_ro("kinds",
-                   [](const OpenFrames& f) {
-                     return numbers<std::int64_t>(f.frame, [](const Atom& a) { return a.kind; });
-                   })
-      .def_prop_ro("molecules", [](const OpenFrames& f) {
-        return numbers<std::int64_t>(f.frame, [](const Atom& a) { return a.residue; });
-      });
+      .def_prop_ro("kinds", [](const OpenFrames& f) { return numbers(f.frame, &Atom::kind); })
+      .def_prop_ro("molecules",
+                   [](const OpenFrames& f) { return numbers(f.frame, &Atom::residue); });
   nb::class_<FrameToWrite>(m, "FrameToWrite")
       .def(nb::init<const std::vector<std::string>&, const std::vector<std::string>&,
-                    const std::vector<std::string>&,
-                    const nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig>&,
-                    const nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig>&>())
+                    const std::vector<std::string>&, const Indices&, const Indices&>())
       .def("set", &FrameToWrite::set, nb::arg("r"), nb::arg("v").none(), nb::arg("box"),
            nb::arg("time"));
   nb::class_<FrameWriter>(m, "FrameWriter")
@@ -148,11 +139,6 @@ void bind_frames(nb::module_& m) {
   m.def("create_frames", [](const std::string& path, bool replace) {
     check_outputs({path}, replace ? ExistingFiles::replace : ExistingFiles::refuse);
     return create_frames(path, {});
-  });
-  m.def("writable_formats", [] {
-    std::vector<std::string> names;
-    for (const std::string_view format : writable_formats()) names.emplace_back(format);
-    return names;
   });
 }
 

@@ -33,13 +33,13 @@ bool in_main_thread() {
 
 InterruptWatch::InterruptWatch() : main_thread_(in_main_thread()) {
   if (!main_thread_ || watched) return;
+  signalled = false;  // an earlier signal must not stop this job, even if no handler is installed
   struct sigaction now {};
   sigaction(SIGINT, nullptr, &now);
   const bool of_python = (now.sa_flags & SA_SIGINFO) == 0 && now.sa_handler != SIG_DFL &&
                          now.sa_handler != SIG_IGN && now.sa_handler != remember;
   if (!of_python) return;
   python_handler = now.sa_handler;
-  signalled = false;
   now.sa_handler = remember;
   installed_ = watched = sigaction(SIGINT, &now, nullptr) == 0;
 }
@@ -57,26 +57,20 @@ bool InterruptWatch::caught() const { return main_thread_ && signalled; }
 
 Callbacks Job::callbacks() {
   Callbacks callbacks{.stop = [this] { return interrupt_.caught(); }};
-  if (!hooks_.progress.is_none())
-    callbacks.progress = [this](const Progress& now) { progress(now); };
-  if (!hooks_.message.is_none())
+  if (!progress_.is_none())
+    callbacks.progress = [this](const Progress& now) {
+      const auto time = std::chrono::steady_clock::now();
+      if (time - shown_ < 100ms) return;
+      shown_ = time;
+      const nb::gil_scoped_acquire acquired;
+      progress_(now.job, now.done, now.detail);
+    };
+  if (!message_.is_none())
     callbacks.message = [this](const std::string& text) {
       const nb::gil_scoped_acquire acquired;
-      hooks_.message(text);
+      message_(text);
     };
   return callbacks;
-}
-
-void Job::progress(const Progress& now) {
-  const auto time = std::chrono::steady_clock::now();
-  if (time - shown_ < 100ms) return;
-  shown_ = time;
-  const nb::gil_scoped_acquire acquired;
-  hooks_.progress(now.job, now.done, now.detail);
-}
-
-void Job::raise_signals() const {
-  if (PyErr_CheckSignals() != 0) throw nb::python_error();
 }
 
 }  // namespace polhode::python

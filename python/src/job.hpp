@@ -11,12 +11,6 @@
 
 namespace polhode::python {
 
-/// The Python callbacks of a job; each is None or a function.
-struct JobHooks {
-  nanobind::object progress;  ///< called with (job, fraction done or None, detail)
-  nanobind::object message;   ///< called with a line of text
-};
-
 /// Detects Ctrl-C while this object exists, in the main thread of Python. In other threads, this
 /// object does nothing. The signal also reaches Python's handler.
 class InterruptWatch {
@@ -33,7 +27,10 @@ class InterruptWatch {
 
 class Job {
  public:
-  explicit Job(JobHooks hooks) : hooks_(std::move(hooks)) {}
+  /// @param progress  None, or a function called with (job, fraction done or None, detail)
+  /// @param message   None, or a function called with a line of text
+  Job(nanobind::object progress, nanobind::object message)
+      : progress_(std::move(progress)), message_(std::move(message)) {}
 
   /// Calls f(callbacks) without the interpreter's lock, and returns its result.
   /// @throws nanobind::python_error  with KeyboardInterrupt, if Ctrl-C ended the call
@@ -43,16 +40,14 @@ class Job {
       const nanobind::gil_scoped_release released;
       return f(callbacks());
     }();
-    raise_signals();
+    if (PyErr_CheckSignals() != 0) throw nanobind::python_error();
     return result;
   }
 
  private:
   Callbacks callbacks();
-  void progress(const Progress& now);
-  void raise_signals() const;
 
-  JobHooks hooks_;
+  nanobind::object progress_, message_;
   InterruptWatch interrupt_;
   std::chrono::steady_clock::time_point shown_{};  // time of the last progress report
 };

@@ -25,7 +25,7 @@ struct JobOptions {
   /// Calls f(callbacks, workers).
   template <class F>
   auto run(const F& f) const {
-    return Job({progress, message}).run([&](const Callbacks& callbacks) {
+    return Job(progress, message).run([&](const Callbacks& callbacks) {
       Workers workers(threads);
       return f(callbacks, workers);
     });

@@ -4,6 +4,7 @@
 // The jobs return their reports as JSON.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include "base/instruction_set.hpp"
@@ -20,6 +21,7 @@
 #include "run/new_run_file.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/requests.hpp"
+#include "run/study/study_request.hpp"
 
 namespace polhode::python {
 namespace {
@@ -40,7 +42,7 @@ nb::tuple run(const Config& config, const JobOptions& options) {
 }
 
 std::string energy(const Config& config, bool gradient, nb::object message) {
-  return Job({nb::none(), std::move(message)}).run([&](const Callbacks& callbacks) {
+  return Job(nb::none(), std::move(message)).run([&](const Callbacks& callbacks) {
     return report_text(quantities(single_point(config, gradient, callbacks)));
   });
 }
@@ -92,6 +94,19 @@ std::vector<std::string> export_lammps(const Config& config, const std::string& 
   const auto style = given_name<LammpsPairStyle>({pair_style, "pair_style"});
   return options.run([&](const Callbacks& callbacks, Workers&) {
     return export_to_lammps(config, style, options.output, callbacks);
+  });
+}
+
+std::tuple<std::string, std::vector<std::string>, bool> study(const Config& config, bool quick,
+                                                              const Options& given,
+                                                              const JobOptions& options) {
+  auto request = request_of<StudyRequest>(given);
+  request.quick = quick;
+  const auto tuple_of = [](const auto& report) {
+    return std::tuple(report_text(quantities(report)), report.files, !report.interrupted);
+  };
+  return options.run([&](const Callbacks& callbacks, Workers& workers) {
+    return perform_study(config, request, options.output, callbacks, workers, tuple_of);
   });
 }
 
@@ -158,6 +173,7 @@ void bind_jobs(nb::module_& m) {
   m.def("convert", &convert_file, "source"_a, "target"_a, "particles"_a.none(), "given"_a,
         "options"_a);
   m.def("export_lammps", &export_lammps);
+  m.def("study", &study);
   m.def("advise", &advise);
   m.def("tune_scheme", &tune_scheme);
   m.def("bench", &bench);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Measurements of properties. A Python executor may compute the replicas of a measurement.
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -24,11 +25,10 @@ MeasureSettings settings_of(const std::string& system, const Words& properties,
 }
 
 nb::tuple as_tuple(const ReplicaTask& task) {
-  nb::list segments, path;
-  for (const std::size_t count : task.segments) segments.append(count);
+  std::vector<std::array<double, 3>> path;
   for (const CouplingStage& stage : task.path)
-    path.append(nb::make_tuple(stage.size, stage.charge, stage.next));
-  return nb::make_tuple(task.point, task.replica, segments, task.step,
+    path.push_back({stage.size, stage.charge, stage.next});
+  return nb::make_tuple(task.point, task.replica, task.segments, task.step,
                         nb::bytes(task.record.data(), task.record.size()), path);
 }
 
@@ -61,17 +61,16 @@ nb::tuple measure(const std::string& system, const Words& properties, const Opti
 }
 
 nb::bytes perform_replica(const std::string& system, const Words& properties, const Options& given,
-                          std::size_t point, std::uint64_t replica, const nb::list& segments,
-                          double step, const nb::bytes& record, const nb::list& path) {
+                          std::size_t point, std::uint64_t replica,
+                          const std::vector<std::size_t>& segments, double step,
+                          const nb::bytes& record, const std::vector<std::array<double, 3>>& path) {
   const MeasureSettings settings = settings_of(system, properties, given);
   ReplicaTask task{.point = point,
                    .replica = replica,
+                   .segments = segments,
                    .step = step,
                    .record = std::string(record.c_str(), record.size())};
-  for (const nb::handle count : segments) task.segments.push_back(nb::cast<std::size_t>(count));
-  for (const nb::handle stage : path)
-    task.path.push_back(
-        {nb::cast<double>(stage[0]), nb::cast<double>(stage[1]), nb::cast<double>(stage[2])});
+  for (const auto& [size, charge, next] : path) task.path.push_back({size, charge, next});
   const std::string after = [&] {
     const nb::gil_scoped_release released;
     return perform(settings, task);

@@ -15,7 +15,6 @@ NB_MODULE(_core, m) {
   python::bind_simulation(m);
   python::bind_jobs(m);
   python::bind_measure(m);
-  python::bind_study(m);
   python::bind_lookup(m);
   python::bind_top(m);
   python::bind_frames(m);

@@ -66,11 +66,11 @@ std::vector<double> row_of(const Energies& energies, const DegreesOfFreedom& n) 
 
 /// Advances a simulation.
 /// @return  false if the simulation was interrupted
-bool advance(OwnedSimulation& s, std::size_t steps, bool keep_energies, JobHooks hooks) {
+bool advance(OwnedSimulation& s, std::size_t steps, bool keep_energies, nb::object progress,
+             nb::object message) {
   const InUse use(s.in_use);
   const DegreesOfFreedom n = s.degrees_of_freedom();
-  Job job(std::move(hooks));
-  return job.run([&](Callbacks callbacks) {
+  return Job(std::move(progress), std::move(message)).run([&](Callbacks callbacks) {
     if (keep_energies)
       callbacks.sample = [&](std::size_t, const State&, const Energies& energies) {
         const std::vector<double> row = row_of(energies, n);
@@ -139,20 +139,13 @@ void end_change(OwnedSimulation& s, bool keep) {
 nb::tuple forces(OwnedSimulation& s) {
   const InUse use(s.in_use);
   const System& system = s.simulation.system();
-  const std::size_t n = system.state.size();
-  std::vector<double> f(3 * n), tau(3 * n);
+  Load load;
   {
     const nb::gil_scoped_release released;
     ForceField field(system.topology, system.forces, system.state.box, s.workers);
-    Load load;
     field(system.state, load);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t k = 0; k < 3; ++k) {
-        f[3 * i + k] = load.f[i][k];
-        tau[3 * i + k] = load.tau[i][k];
-      }
   }
-  return nb::make_tuple(array_of(std::move(f), {n, 3}), array_of(std::move(tau), {n, 3}));
+  return nb::make_tuple(rows_of(load.f), rows_of(load.tau));
 }
 
 /// Returns positions and velocities of all sites, with whole molecules.
@@ -250,19 +243,12 @@ void bind_steps(nb::class_<OwnedSimulation>& c) {
 void bind_simulation(nb::module_& m) {
   nb::class_<OwnedSimulation> c(m, "Simulation", nb::is_weak_referenceable());
   c.def(nb::init<const Config&, int>(), nb::call_guard<nb::gil_scoped_release>())
-      .def_prop_ro("threads", [](const OwnedSimulation& s) { return s.workers.threads(); })
-      .def(
-          "step",
-          [](OwnedSimulation& s, std::size_t steps, bool keep, nb::object progress,
-             nb::object message) {
-            return advance(s, steps, keep, {std::move(progress), std::move(message)});
-          },
-          "steps"_a, "keep_energies"_a, "progress"_a.none(), "message"_a.none())
+      .def("step", &advance, "steps"_a, "keep_energies"_a, "progress"_a.none(), "message"_a.none())
       .def(
           "choose_step",
           [](OwnedSimulation& s, nb::object progress, nb::object message) {
             const InUse use(s.in_use);
-            return Job({std::move(progress), std::move(message)})
+            return Job(std::move(progress), std::move(message))
                 .run([&](const Callbacks& callbacks) {
                   return s.simulation.choose_step(callbacks);
                 });

@@ -19,11 +19,6 @@ namespace nb = nanobind;
 using namespace nb::literals;
 using Numbers = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
-Vec3<double> row(const Rows& rows, std::size_t i) {
-  const double* const x = rows.data() + 3 * i;
-  return {x[0], x[1], x[2]};
-}
-
 /// Rotates n tops over their times. Returns quaternions (n, 4), and the angular momenta after the
 /// rotation (n, 3).
 nb::tuple rotations(const Rows& J, const Rows& L, const Numbers& t, const std::string& method) {

@@ -108,7 +108,7 @@ class Properties(unittest.TestCase):
         result = json.loads((RECORDS / "2026-11-27-properties.json").read_text(encoding="utf-8"))
         discussed = (ROOT / "docs/evidence/properties.md").read_text(encoding="utf-8").split("## Deviations above 3")[1]
         for model, name in properties.large_deviations(result):
-            self.assertIn(f"**{model}, {properties.NAMES.get(name, name)}**", discussed)
+            self.assertIn(f"**{model}, {properties.label(name)}**", discussed)
 
     def test_a_deviation_is_in_units_of_the_combined_error(self):
         value, entry = {"value": 13.0, "error": 3.0}, {"value": "8", "error": "4"}
