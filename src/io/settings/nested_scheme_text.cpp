@@ -3,11 +3,11 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
 #include <regex>
 #include <sstream>
 #include <utility>
 
+#include "base/from_chars.hpp"
 #include "io/settings/quantity.hpp"
 #include "io/settings/scheme_labels.hpp"
 #include "polhode/base/error.hpp"
@@ -39,9 +39,8 @@ std::string without_blanks(std::string_view text) {
 }
 
 int steps_of(const std::string& text) {
-  int steps = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
-  if (error != std::errc() || end != text.data() + text.size() || steps < 1 || steps > max_steps)
+  const int steps = parsed_number<int>(text).value_or(0);
+  if (steps < 1 || steps > max_steps)
     throw Error(
         fmt::format("the number of inner steps per drift of the outer scheme is {}; it must be a "
                     "whole number from 1 to {}",

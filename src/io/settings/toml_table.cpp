@@ -208,11 +208,8 @@ std::optional<std::int64_t> TomlTable::integer(std::string_view key) {
   if (node == nullptr) return std::nullopt;
   const Override* const one = override_of(key);
   if (one != nullptr && one->toml.empty() && node->is_string()) {
-    const std::string text = *node->value<std::string>();
-    std::int64_t value = 0;
-    const auto [last, status] = from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc() || last != text.data() + text.size())
-      refuse_kind(key, "a whole number");
+    const auto value = parsed_number<std::int64_t>(*node->value<std::string>());
+    if (!value) refuse_kind(key, "a whole number");
     return value;
   }
   if (!node->is_integer()) refuse_kind(key, "a whole number without unit or quotes");
