@@ -232,11 +232,9 @@ std::unique_ptr<FrameWriter> resume_frames(const std::string& path, const Topolo
 void check_fit(const std::string& path, const State& state, const Topology& topology,
                const FrameChoice& choice) {
   const Format& format = writable_format(path);
-  try {
+  at_place(path, [&] {
     FrameFit(format.extension, format.limits).check(extent_of(state, topology, choice));
-  } catch (const Error& e) {
-    throw e.at(path);
-  }
+  });
 }
 
 FormatTraits format_traits(const std::string& path) {

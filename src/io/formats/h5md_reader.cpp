@@ -54,11 +54,7 @@ class H5mdReader : public FrameReader {
     else
       open_file();
     if (!file_.is_open()) refuse("the file is not HDF5, or it is damaged; give an H5MD file");
-    try {
-      find_particles();
-    } catch (const Error& e) {
-      throw e.at(name_);
-    }
+    at_place(name_, [&] { find_particles(); });
   }
 
   bool next(Frame& frame) override {

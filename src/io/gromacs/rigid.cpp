@@ -213,11 +213,8 @@ Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& 
     sites.push_back({atom.name, element, places[k], atom.mass, atom.charge, type.sigma,
                      type.epsilon, type.law});
   }
-  try {
-    return molecule_in_frame(molecule.name, std::move(sites));
-  } catch (const Error& e) {
-    throw e.at(text_of(molecule.place));
-  }
+  return at_place(text_of(molecule.place),
+                  [&] { return molecule_in_frame(molecule.name, std::move(sites)); });
 }
 
 }  // namespace polhode

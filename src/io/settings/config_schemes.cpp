@@ -13,11 +13,7 @@ OwnSchemes read_schemes(TomlTable table) {
   OwnSchemes own;
   for (const std::string& name : table.keys()) {
     const std::string text = name + ": " + *table.text(name);
-    try {
-      single_scheme_of(text);
-    } catch (const Error& e) {
-      throw e.at(table.where(name));
-    }
+    table.at(name, [&] { single_scheme_of(text); });
     own.emplace(name, text);
   }
   return own;

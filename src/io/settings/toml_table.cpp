@@ -177,21 +177,13 @@ std::optional<double> TomlTable::quantity(std::string_view key, Dimension dimens
   if (node == nullptr) return std::nullopt;
   if (node->is_number()) throw Error(no_unit(key, written(key), dimension, example), where(key));
   const std::string words = text_of(*node, key);
-  try {
-    return polhode::quantity(words, dimension, key, example);
-  } catch (const Error& e) {
-    throw e.at(where(key));
-  }
+  return at(key, [&] { return polhode::quantity(words, dimension, key, example); });
 }
 
 std::optional<Vec3<double>> TomlTable::vector(std::string_view key, Dimension dimension) {
   const auto words = text(key);
   if (!words) return std::nullopt;
-  try {
-    return vector_quantity(*words, dimension, key);
-  } catch (const Error& e) {
-    throw e.at(where(key));
-  }
+  return at(key, [&] { return vector_quantity(*words, dimension, key); });
 }
 
 std::optional<double> TomlTable::number(std::string_view key) {
