@@ -24,10 +24,10 @@
 namespace polhode {
 namespace {
 
-template <AppendFrame append, std::uint64_t head = 0>
+template <AppendFrame* append, std::uint64_t head = 0>
 std::unique_ptr<FrameWriter> append_writer(const std::string& path, const Topology& topology,
                                            const FrameChoice& choice, const FileMark* mark) {
-  return stream_writer({append, head}, path, topology, choice, mark);
+  return stream_writer(append, head, path, topology, choice, mark);
 }
 
 template <std::uint64_t head>

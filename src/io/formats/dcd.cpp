@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "binary.hpp"
 #include "format.hpp"
 #include "io/settings/quantity.hpp"
 #include "lines.hpp"
-#include "unnamed.hpp"
 
 namespace polhode {
 namespace {

@@ -111,9 +111,7 @@ void append_xtc(std::iostream& file, const FrameView& frame, std::uint64_t befor
   put_box(out, frame.box);
   out.put(count);
   if (frame.atoms <= unpacked_count) {
-    frame.each_atom([&](const Atom& atom) {
-      for (std::size_t k = 0; k < 3; ++k) out.put(static_cast<float>(atom.r[k]));
-    });
+    frame.each_atom([&](const Atom& atom) { put_vector(out, atom.r); });
   } else {
     std::vector<IntegerVector> atoms;
     atoms.reserve(frame.atoms);
