@@ -31,6 +31,11 @@ Error unreadable(const std::string& path) {
 
 }  // namespace
 
+bool is_file(const std::string& path) {
+  std::error_code unknown;
+  return std::filesystem::is_regular_file(path, unknown);
+}
+
 std::ifstream open_text_file(const std::string& path) {
   std::error_code unknown;
   if (std::filesystem::is_directory(path, unknown))

@@ -129,6 +129,12 @@ bool MdpParameters::is(std::string_view name, std::string_view word, std::string
   return same_letters(value.empty() ? fallback : std::string_view(value), word);
 }
 
+bool MdpParameters::is(std::string_view name, std::initializer_list<std::string_view> words,
+                       std::string_view fallback) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return is(name, word, fallback); });
+}
+
 std::vector<double> MdpParameters::numbers(std::string_view name) {
   const std::string value = text(name);
   std::vector<double> numbers;

@@ -56,12 +56,9 @@ class Parser {
   void virtual_site3(const FieldLine& l) { relation(l, Kind::virtual3, 4, 3); }
   void system(const FieldLine&) {}
   void block(const FieldLine&);
-  void inside(const FieldLine& line) {
-    current(line);
-  }                                 // these interactions are constant within a
-                                    // rigid body
-  void ignore(const FieldLine&) {}  // these sections are meaningless for rigid
-                                    // bodies
+  // Interactions that are constant within a rigid body, and sections without meaning for it.
+  void inside(const FieldLine& line) { current(line); }
+  void ignore(const FieldLine&) {}
   void obstacle(const FieldLine&);
   void between(const FieldLine& line);
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <system_error>
 
 #include "io/files/embedded.hpp"
+#include "io/files/text_file.hpp"
 #include "io/formats/format.hpp"
 #include "list_tables.hpp"
 #include "molecule_table.hpp"
@@ -21,13 +21,6 @@ using std::filesystem::path;
 
 std::string resolve(const path& folder, const std::string& name) {
   return (folder / name).lexically_normal().string();
-}
-
-/// Whether a file with a given name exists. The result is also false for a name that the operating
-/// system rejects, for example a name that is too long.
-bool is_file(const std::string& name) {
-  std::error_code refused;
-  return std::filesystem::is_regular_file(name, refused);
 }
 
 /// Reads a molecule, which is given by the name of a model, by the path of a molecule file, or as a
