@@ -19,8 +19,7 @@ struct FloatFormat<double> {
   using Integer = std::int64_t;
   static constexpr int fraction_bits = 52, bias = 1023;
   static constexpr double ln2_high = 0x1.62e42feep-1, ln2_low = 0x1.a39ef35793c76p-33;
-  static constexpr double min_exponent = -708, max_exponent = 709;  // range of x for which eˣ is a
-                                                                    // normal number
+  static constexpr double min_exponent = -708, max_exponent = 709;  // range where eˣ is normal
   static constexpr int exp_degree = 13, log_terms = 10;
 };
 template <>

@@ -78,10 +78,8 @@ struct AdviceFigure {
 /// quantity. Only rows with "stable [1]" equal to 1 are plotted.
 struct CanonicalFigure {
   struct Panel {
-    std::string title, column, error;  ///< title, and names of the columns with their units, as in
-                                       ///< the file
-    double strict = 0, loose = 0;      ///< bounds on the plotted magnitude, drawn as shaded areas;
-                                       ///< 0 for a logarithmic axis without bounds
+    std::string title, column, error;  ///< title, and columns with units, as in the file
+    double strict = 0, loose = 0;      ///< bounds, shaded; 0 for a logarithmic axis without bounds
   };
   std::string csv;
   std::vector<SchemeRows> schemes;
@@ -103,8 +101,7 @@ bool draw_figure(const Figure& figure, const std::string& format, std::ostream& 
 /// of the top, current ω.
 struct PolhodeFigure {
   std::string data;
-  Vec3<double> J, L;  ///< principal moments and body-frame angular momentum, in any consistent
-                      ///< units
+  Vec3<double> J, L;  ///< principal moments and body-frame L, in any consistent units
 };
 
 /// Plots the polhode on the inertia ellipsoid and, next to this figure, the path of L on the energy

@@ -56,8 +56,7 @@ std::string file_text(const std::string& path) {
   std::ifstream file = open_text_file(path);
   std::error_code unknown;
   const auto size = std::filesystem::file_size(path, unknown);
-  return stream_text(file, path, unknown ? 0 : size);  // files of unknown size (pipes) are read in
-                                                       // growing pieces
+  return stream_text(file, path, unknown ? 0 : size);  // pipes have no size
 }
 
 std::string stream_text(std::istream& in, const std::string& file, std::size_t expected) {

@@ -27,8 +27,7 @@ namespace {
 
 using hdf5::Handle;
 
-constexpr std::size_t max_texts = 3;           // maximum number of texts in an attribute, one for
-                                               // each direction
+constexpr std::size_t max_texts = 3;           // of an attribute: one for each direction
 constexpr std::size_t max_text_length = 1024;  // maximum length in bytes
 
 // Each text is followed by a zero byte. All texts together are shorter than the buffer of a pipe.

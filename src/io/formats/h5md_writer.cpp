@@ -33,8 +33,7 @@ using hdf5::Handle;
 // bits of positions and momenta are noise. Deflate would reduce a file by only 7 % and triple the
 // computing time for writing a frame.
 constexpr hsize_t small_row = 4096;
-constexpr std::size_t chunks_in_memory = 1;       // number of chunks of a series in memory: the
-                                                  // chunk that is being filled
+constexpr std::size_t chunks_in_memory = 1;       // chunks of a series: only the one being filled
 constexpr std::size_t index_in_memory = 1 << 20;  // size of the index of a file in memory [bytes]
 
 class H5mdWriter : public FrameWriter {

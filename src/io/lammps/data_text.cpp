@@ -191,8 +191,7 @@ void Parser::mass(const FieldLine& line) {
   LammpsData::AtomType& t = data_.types[type(line, 0)];
   t.mass = mass;
   if (const auto point = comment_.rfind('.'); point != comment_.npos)
-    t.site = comment_.substr(point + 1);  // files that this program writes contain names such as
-                                          // "tip4p.HW1"
+    t.site = comment_.substr(point + 1);  // exports name a site "tip4p.HW1"
 }
 
 // Reads the potential from the fields with index k and higher. The pair style selects the

@@ -33,8 +33,7 @@ using ReadSetting = void (*)(TomlTable&, const SettingRow&, Config&);
 /// Properties that only some rows have.
 struct More {
   std::string_view domain{};          ///< domain in words, if kind and bounds do not describe it
-  std::string_view fallback{};        ///< default in words, if the default depends on other
-                                      ///< settings
+  std::string_view fallback{};        ///< default in words, if other settings affect it
   std::string_view by{};              ///< key that decides whether this setting applies
   std::string_view not_set = "none";  ///< text that stands for a missing value
   ReadSetting read = nullptr;         ///< function that replaces read_row()
@@ -73,8 +72,7 @@ SettingRow row(std::string_view key, Parts... parts) {
 struct SettingTable {
   std::string_view name;
   std::vector<SettingRow> rows;
-  void (*before)(TomlTable&, Config&) = nullptr;  ///< function that is called before the rows are
-                                                  ///< read
+  void (*before)(TomlTable&, Config&) = nullptr;  ///< called before the rows are read
   void (*after)(TomlTable&, Config&) = nullptr;
 };
 

@@ -21,8 +21,7 @@ namespace polhode {
 struct LammpsData {
   struct AtomType {
     double mass = 0;                ///< mass [u]
-    std::string site;               ///< site name that exports write as a comment after the mass;
-                                    ///< may be empty
+    std::string site;               ///< site name, from the comment of exports; may be empty
     double sigma = 0, epsilon = 0;  ///< diameter [nm] and well depth [kJ/mol]
     ShortRangeLaw law{};
     bool has_pair_coefficients = false;

@@ -22,8 +22,7 @@ struct TypedSite {
 struct TypePair {
   std::string first, second;  ///< atom types of the pair, in either order
   double sigma = 0;           ///< diameter σ of the pair [nm]
-  double epsilon = 0;         ///< well depth of the pair [kJ/mol]; negative if no sigma and epsilon
-                              ///< give the interaction
+  double epsilon = 0;  ///< well depth [kJ/mol]; negative if no σ and ε give the interaction
   TextPlace place;
   ShortRangeLaw law{};
 };
