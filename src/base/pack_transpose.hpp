@@ -38,9 +38,7 @@ void transpose_blocks(hn::Vec<typename Pack<T>::Tag>* v) {
     v[3] = hn::ConcatUpperUpper(tag, o23, o01);
   }
 }
-#endif
 
-#if HWY_TARGET != HWY_SCALAR
 /// Transposes 4 × 4 floats within each 16-byte block: lane i of block b of the k-th argument goes
 /// to lane k of block b of vector i.
 template <class Vector>

@@ -50,6 +50,15 @@ Config read_document(TomlTable document, const std::string& file) {
   return config;
 }
 
+/// The kind of run file that refers to files with a given extension. The result is empty if run
+/// files may have this extension.
+std::string_view kind_of_input(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension();
+  for (const std::string_view one : {".top", ".itp", ".gro", ".mdp", ".tpr"})
+    if (extension == one) return "gromacs";
+  return is_data_file(file) ? "lammps" : "";
+}
+
 }  // namespace
 
 Config parse_config(std::string_view text, const std::string& file, const Overlay& overlay) {
@@ -86,19 +95,6 @@ void set_precision(Config& config, Precision precision) {
                             integrator.lambda, min_lambda_in_mixed, lambda_in_mixed),
                 config.place("integrator.lambda"));
 }
-
-namespace {
-
-/// The kind of run file that refers to files with a given extension. The result is empty if run
-/// files may have this extension.
-std::string_view kind_of_input(const std::string& file) {
-  const std::string extension = std::filesystem::path(file).extension();
-  for (const std::string_view one : {".top", ".itp", ".gro", ".mdp", ".tpr"})
-    if (extension == one) return "gromacs";
-  return is_data_file(file) ? "lammps" : "";
-}
-
-}  // namespace
 
 Config read_config(const std::string& file, const Overlay& overlay) {
   check_name("the run file", file);

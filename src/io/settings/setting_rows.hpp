@@ -106,8 +106,8 @@ bool is_valid(const SettingRow& row, double value);
 
 /// Simplifies the exponent of a number: "4.5e-5" instead of "4.5e-05".
 std::string tidy_exponent(std::string number);
-/// A number in its shortest form, such as "1e12".
-std::string short_number(double value);
+/// A number in its shortest form, with the unit of the row: "1e12 ps".
+std::string short_number(const SettingRow& row, double value);
 
 /// A quantity as text, for error messages and help: the default of the row or, without a default,
 /// its example.

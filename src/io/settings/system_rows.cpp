@@ -9,7 +9,6 @@
 #include "io/files/text_file.hpp"
 #include "io/formats/format.hpp"
 #include "list_tables.hpp"
-#include "molecule_table.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "setting_rows.hpp"

@@ -11,7 +11,7 @@
 #include "forces/laws/setting_names.hpp"
 #include "io/files/embedded.hpp"
 #include "io/files/text_file.hpp"
-#include "io/settings/molecule_table.hpp"
+#include "io/settings/list_tables.hpp"
 #include "io/settings/short_range_keys.hpp"
 #include "model/elements.hpp"
 #include "polhode/base/error.hpp"
