@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "base/printable.hpp"
-#include "io/figures/scheme_styles.hpp"
 #include "io/files/embedded.hpp"
 
 namespace polhode {

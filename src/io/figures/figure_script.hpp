@@ -36,6 +36,16 @@ std::string gnuplot_file(std::string_view path);
 /// Writes a text as a comment on one line.
 std::string gnuplot_comment(std::string_view text);
 
+/// The style in which a scheme is drawn.
+struct SchemeStyle {
+  std::string colour;        ///< colour as "#RRGGBB"
+  int filled = 7, open = 6;  ///< point types of gnuplot
+};
+
+/// The styles of the schemes of a figure, from data/plots/schemes.toml. Schemes that are not in
+/// schemes.toml, such as schemes written as text, get the unused styles in order.
+std::vector<SchemeStyle> scheme_styles(const std::vector<std::string>& schemes);
+
 /// Builds a gnuplot script. Texts are quoted so that nothing in them is evaluated. Templates
 /// contain no text from users.
 class FigureScript {

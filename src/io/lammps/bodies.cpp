@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "kinds.hpp"
-#include "pair_styles.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {

@@ -76,16 +76,8 @@ struct SettingTable {
   void (*after)(TomlTable&, Config&) = nullptr;
 };
 
-SettingTable system_table();
-SettingTable forces_table();
-SettingTable integrator_table();
-SettingTable run_table();
-SettingTable prepare_table();
-SettingTable output_table();
-SettingTable study_table();
-SettingTable thermostat_table();
-SettingTable barostat_table();
-SettingTable hybrid_monte_carlo_table();
+SettingTable system_table(), forces_table(), integrator_table(), run_table(), prepare_table(),
+    output_table(), study_table(), thermostat_table(), barostat_table(), hybrid_monte_carlo_table();
 
 const std::vector<SettingTable>& setting_tables();
 const SettingTable& setting_table(std::string_view name);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +49,13 @@ struct LammpsData {
   bool has_velocities = false;
   Box box;  ///< box [nm]; its lower corner is moved to the origin
 };
+
+enum class LammpsLaw { lennard_jones, buckingham, mie };
+
+/// The short-range potential of a LAMMPS pair style, with any accelerator suffix and any treatment
+/// of charges. The potential is Lennard-Jones if no style is given, and empty for unsupported
+/// styles.
+std::optional<LammpsLaw> law_of_pair_style(std::string_view style);
 
 /// Parses the text of a LAMMPS data file.
 /// @throws Error  with file, line, the text found and the text expected

@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "io/figures/figure_script.hpp"
-#include "io/figures/scheme_styles.hpp"
 
 using namespace polhode;
 namespace fs = std::filesystem;
