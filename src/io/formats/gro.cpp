@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "atom_kinds.hpp"
 #include "format.hpp"
@@ -43,11 +44,6 @@ std::string_view column(std::string_view line, std::size_t k, std::size_t width)
   return line.substr(first_number + k * width, width);
 }
 
-struct AtomLine {
-  Atom atom;
-  bool has_velocity = false;
-};
-
 // Atom kinds are identified by the characters of the residue and atom names.
 std::uint32_t kind_of(std::string_view line, AtomKinds& kinds, const Lines& lines) {
   return kinds.of(line.substr(5, 10), [&] {
@@ -60,12 +56,11 @@ std::uint32_t kind_of(std::string_view line, AtomKinds& kinds, const Lines& line
   });
 }
 
-// Reads an atom line; the kind of the atom is determined later.
-AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines) {
+// Reads an atom, and whether it has a velocity; the kind of the atom is determined later.
+std::pair<Atom, bool> read_atom(std::string_view line, std::size_t width, const Lines& lines) {
   static constexpr std::array names = {"x coordinate", "y coordinate", "z coordinate",
                                        "x velocity",   "y velocity",   "z velocity"};
-  AtomLine result;
-  Atom& atom = result.atom;
+  Atom atom;
   const auto residue = parsed<int>(line.substr(0, 5));
   if (!residue)
     lines.refuse(
@@ -73,19 +68,18 @@ AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines)
                     trimmed(line.substr(0, 5))));
   atom.residue = *residue;
   const std::size_t written = line.find_last_not_of(" \t") + 1;
-  result.has_velocity = written > first_number + 3 * width;
-  const std::size_t needed = first_number + (result.has_velocity ? 6 : 3) * width;
+  const bool has_velocity = written > first_number + 3 * width;
+  const std::size_t needed = first_number + (has_velocity ? 6 : 3) * width;
   if (written < needed)
     lines.refuse(fmt::format(
         "the line ends after {} characters; the names and three {} of {} characters each need {} "
         "characters",
-        written, result.has_velocity ? "coordinates and three velocities" : "coordinates", width,
-        needed));
+        written, has_velocity ? "coordinates and three velocities" : "coordinates", width, needed));
   for (std::size_t k = 0; k < 3; ++k)
     atom.r[k] = lines.number(column(line, k, width), names[k], in_columns);
-  for (std::size_t k = 0; k < 3 && result.has_velocity; ++k)
+  for (std::size_t k = 0; k < 3 && has_velocity; ++k)
     atom.v[k] = lines.number(column(line, 3 + k, width), names[3 + k], in_columns);
-  return result;
+  return {atom, has_velocity};
 }
 
 Box read_box(std::string_view line, const Lines& lines) {
