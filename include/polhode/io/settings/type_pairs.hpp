@@ -27,9 +27,9 @@ struct TypePair {
   ShortRangeLaw law{};
 };
 
-/// Translates the parameters of pairs of atom types to pairs of sites. If a pair is given twice,
-/// the last entry applies.
-/// @throws Error  if a pair of types cannot be translated to sites
+/// Translates the parameters of pairs of atom types to pairs of sites.
+/// @throws Error  if a pair of types cannot be translated to sites, or is given twice with different
+///   parameters
 std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
                                     std::span<const TypePair> pairs);
 
