@@ -21,7 +21,7 @@ list(FILTER kernel_sources INCLUDE REGEX "/kernels/")
 if(POLHODE_HDF5)
   list(FILTER sources EXCLUDE REGEX "formats/h5md_missing\\.cpp$")
 else()
-  list(FILTER sources EXCLUDE REGEX "formats/(h5md_(reader|series|writer)|variable_text)\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "formats/h5md_(reader|series|writer)\\.cpp$")
 endif()
 file(GLOB embedded CONFIGURE_DEPENDS data/molecules/*.toml data/molecules/*.txt data/start/*.gro data/runs/*.toml
      data/plots/*.gp data/plots/*.toml data/pages/*.html)

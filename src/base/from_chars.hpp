@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <concepts>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -47,6 +48,16 @@ std::from_chars_result from_chars(const char* first, const char* last, T& value)
   else
 #endif
     return std::from_chars(first, last, value);
+}
+
+/// The number in a text that contains only this number; empty for any other text.
+template <class T>
+std::optional<T> parsed_number(std::string_view text) {
+  T value{};
+  const char* const end = text.data() + text.size();
+  const auto [last, status] = from_chars(text.data(), end, value);
+  if (status != std::errc() || last != end) return std::nullopt;
+  return value;
 }
 
 }  // namespace polhode

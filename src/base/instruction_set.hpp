@@ -33,45 +33,35 @@ void force_instruction_set(InstructionSet instruction_set);
 // instruction set. POLHODE_CURRENT_OVERLOAD selects an overloaded function, given the type of a
 // function pointer. The loops of an instruction set that was not compiled in are an alias of the
 // scalar loops, and are never selected.
+#define POLHODE_DECLARE_IN(loops, ...) \
+  namespace loops {                    \
+  __VA_ARGS__                          \
+  }
 #if defined(POLHODE_WITHOUT_SSE4)
 #define POLHODE_DECLARE_SSE4(...) namespace loops_sse4 = loops_scalar;
 #else
-#define POLHODE_DECLARE_SSE4(...) \
-  namespace loops_sse4 {          \
-  __VA_ARGS__                     \
-  }
+#define POLHODE_DECLARE_SSE4(...) POLHODE_DECLARE_IN(loops_sse4, __VA_ARGS__)
 #endif
 #if defined(POLHODE_WITHOUT_AVX2)
 #define POLHODE_DECLARE_AVX2(...) namespace loops_avx2 = loops_scalar;
 #else
-#define POLHODE_DECLARE_AVX2(...) \
-  namespace loops_avx2 {          \
-  __VA_ARGS__                     \
-  }
+#define POLHODE_DECLARE_AVX2(...) POLHODE_DECLARE_IN(loops_avx2, __VA_ARGS__)
 #endif
 #if defined(POLHODE_WITHOUT_AVX512)
 #define POLHODE_DECLARE_AVX512(...) namespace loops_avx512 = loops_scalar;
 #else
-#define POLHODE_DECLARE_AVX512(...) \
-  namespace loops_avx512 {          \
-  __VA_ARGS__                       \
-  }
+#define POLHODE_DECLARE_AVX512(...) POLHODE_DECLARE_IN(loops_avx512, __VA_ARGS__)
 #endif
 #if defined(POLHODE_WITHOUT_NEON)
 #define POLHODE_DECLARE_NEON(...) namespace loops_neon = loops_scalar;
 #else
-#define POLHODE_DECLARE_NEON(...) \
-  namespace loops_neon {          \
-  __VA_ARGS__                     \
-  }
+#define POLHODE_DECLARE_NEON(...) POLHODE_DECLARE_IN(loops_neon, __VA_ARGS__)
 #endif
-#define POLHODE_DECLARE_LOOPS(...)    \
-  namespace loops_scalar {            \
-  __VA_ARGS__                         \
-  }                                   \
-  POLHODE_DECLARE_SSE4(__VA_ARGS__)   \
-  POLHODE_DECLARE_AVX2(__VA_ARGS__)   \
-  POLHODE_DECLARE_AVX512(__VA_ARGS__) \
+#define POLHODE_DECLARE_LOOPS(...)              \
+  POLHODE_DECLARE_IN(loops_scalar, __VA_ARGS__) \
+  POLHODE_DECLARE_SSE4(__VA_ARGS__)             \
+  POLHODE_DECLARE_AVX2(__VA_ARGS__)             \
+  POLHODE_DECLARE_AVX512(__VA_ARGS__)           \
   POLHODE_DECLARE_NEON(__VA_ARGS__)
 #define POLHODE_LOOPS_OF_SETS(function)                                    \
   {                                                                        \

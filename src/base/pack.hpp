@@ -132,7 +132,8 @@ struct MaskOf<Pack<T>> {
 /// (14-bit estimates), below 2⁻¹⁰ for 12-bit estimates, and below 2⁻⁷ for NEON (8-bit estimates).
 /// In double precision, and for 8-bit estimates, a second-order step first reduces e to ¾ e². Lane
 /// types: float, double. Largest errors of 1/r, 1/r² and 1/r³: 1.25, 2.75 and 3.5 ULP; in scalar
-/// packs 1, 2.5 and 4 ULP (tests/unit/pack_test.cpp). Valid range: any a that is a normal float.
+/// packs 1, 2.5 and 4 ULP (tests/unit/base/pack_test.cpp). Valid range: any a that is a normal
+/// float.
 template <class T>
 class InversePowers<Pack<T>> {
  public:

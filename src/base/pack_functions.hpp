@@ -19,8 +19,7 @@ struct FloatFormat<double> {
   using Integer = std::int64_t;
   static constexpr int fraction_bits = 52, bias = 1023;
   static constexpr double ln2_high = 0x1.62e42feep-1, ln2_low = 0x1.a39ef35793c76p-33;
-  static constexpr double min_exponent = -708, max_exponent = 709;  // range of x for which eˣ is a
-                                                                    // normal number
+  static constexpr double min_exponent = -708, max_exponent = 709;  // range where eˣ is normal
   static constexpr int exp_degree = 13, log_terms = 10;
 };
 template <>
@@ -39,8 +38,8 @@ Pack<T> floor(Pack<T> x) {
 
 /// The exponential eˣ = 2ᵏ eʳ with an integer k and |r| ≤ ln 2/2. The truncation error of the
 /// Taylor series of eʳ is below half a unit in the last place. Lane types: float, double. Largest
-/// error: 1.5 ULP (tests/unit/pack_functions_test.cpp). Valid range: −708 to 709 for double, −87 to
-/// 88 for float; outside this range, the result is the value at the nearest limit.
+/// error: 1.5 ULP (tests/unit/base/pack_functions_test.cpp). Valid range: −708 to 709 for double,
+/// −87 to 88 for float; outside this range, the result is the value at the nearest limit.
 template <class T>
 Pack<T> exp(Pack<T> x) {
   using Real = Pack<T>;
@@ -66,7 +65,7 @@ Pack<T> exp(Pack<T> x) {
 
 /// The natural logarithm ln x = k ln 2 + ln m with an integer k and m from √½ to √2. The value of
 /// ln m is the sum of the series of 2 artanh((m − 1)/(m + 1)). Lane types: float, double. Largest
-/// error: 2.5 ULP (tests/unit/pack_functions_test.cpp). Valid range: positive normal numbers.
+/// error: 2.5 ULP (tests/unit/base/pack_functions_test.cpp). Valid range: positive normal numbers.
 template <class T>
 Pack<T> log(Pack<T> x) {
   using Real = Pack<T>;

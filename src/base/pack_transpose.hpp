@@ -38,9 +38,7 @@ void transpose_blocks(hn::Vec<typename Pack<T>::Tag>* v) {
     v[3] = hn::ConcatUpperUpper(tag, o23, o01);
   }
 }
-#endif
 
-#if HWY_TARGET != HWY_SCALAR
 /// Transposes 4 × 4 floats within each 16-byte block: lane i of block b of the k-th argument goes
 /// to lane k of block b of vector i.
 template <class Vector>
@@ -170,8 +168,7 @@ template <std::size_t columns, class T>
 POLHODE_INLINE inline void add_sums_to_record(const std::array<Pack<T>, columns>& value,
                                               T* record) {
   constexpr std::size_t parts = record_parts<columns, T>;
-  RecordPart<T> sum[parts][2];  // even and odd lanes are summed separately, for a shorter
-                                // dependency chain
+  RecordPart<T> sum[parts][2];  // of even and odd lanes, for shorter dependency chains
   for (auto& part : sum) part[0] = part[1] = hn::Zero(RecordTag<T>());
   visit_records(value, [&](std::size_t lane, std::size_t part, RecordPart<T> row) {
     sum[part][lane % 2] = hn::Add(sum[part][lane % 2], row);

@@ -25,9 +25,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return above[b.size()];
 }
 
-namespace {
-
-std::string letters(std::string_view word) {
+std::string letters_and_digits(std::string_view word) {
   std::string kept;
   for (const char c : word)
     if (std::isalnum(static_cast<unsigned char>(c)))
@@ -35,11 +33,9 @@ std::string letters(std::string_view word) {
   return kept;
 }
 
-}  // namespace
-
 bool same_letters(std::string_view a, std::string_view b) {
-  const std::string kept = letters(a);
-  return !kept.empty() && kept == letters(b);
+  const std::string kept = letters_and_digits(a);
+  return !kept.empty() && kept == letters_and_digits(b);
 }
 
 std::string uncapitalized(std::string sentence) {

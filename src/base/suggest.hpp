@@ -23,6 +23,9 @@ std::optional<std::string> nearest_name(std::string_view word, std::span<const s
 /// suggestion is empty if no name is similar.
 std::string did_you_mean(std::string_view word, std::span<const std::string> names);
 
+/// The letters and digits of a word, in lower case.
+std::string letters_and_digits(std::string_view word);
+
 /// Whether two words have the same letters and digits, regardless of case.
 bool same_letters(std::string_view a, std::string_view b);
 

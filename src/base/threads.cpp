@@ -4,13 +4,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <thread>
 
+#include "base/from_chars.hpp"
 #include "polhode/base/error.hpp"
 
 #ifdef __linux__
@@ -77,10 +77,8 @@ std::optional<int> bound_up_to_root(const fs::path& mount, fs::path group) {
 /// Parses and checks a number of threads.
 int parse_thread_count(const std::string& text, const std::string& place) {
   const int allowed = allowed_threads();
-  int n = 0;
-  const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, n);
-  if (error == std::errc{} && end == last && n >= 1 && n <= allowed) return n;
+  const int n = parsed_number<int>(text).value_or(0);
+  if (n >= 1 && n <= allowed) return n;
   throw Error(fmt::format("threads = '{}' must be a whole number from 1 to {}, the number of cores "
                           "that this process may use",
                           text, allowed),

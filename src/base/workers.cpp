@@ -125,8 +125,7 @@ class Workers::Pool {
   ~Pool() { end(); }
 
   void run(const Work& work) {
-    if (busy_.exchange(true, std::memory_order_acquire)) {  // this is inside a task, or during a
-                                                            // call by another thread
+    if (busy_.exchange(true, std::memory_order_acquire)) {  // within a task or another call
       for (std::size_t k = 0; k < work.count; ++k) work.call(work.task, k);
       return;
     }

@@ -26,6 +26,17 @@ class Error : public std::runtime_error {
   std::string where_;
 };
 
+/// Calls action(). An Error that it throws gets a place, unless a more precise place is already
+/// known.
+template <class Action>
+decltype(auto) at_place(const std::string& where, const Action& action) {
+  try {
+    return action();
+  } catch (const Error& e) {
+    throw e.at(where);
+  }
+}
+
 /// A run that cannot continue although its input was valid, for example because the trajectory blew
 /// up. Exit code 1.
 class RunError : public std::runtime_error {

@@ -24,10 +24,10 @@
 namespace polhode {
 namespace {
 
-template <AppendFrame append, std::uint64_t head = 0>
+template <AppendFrame* append, std::uint64_t head = 0>
 std::unique_ptr<FrameWriter> append_writer(const std::string& path, const Topology& topology,
                                            const FrameChoice& choice, const FileMark* mark) {
-  return stream_writer({append, head}, path, topology, choice, mark);
+  return stream_writer(append, head, path, topology, choice, mark);
 }
 
 template <std::uint64_t head>
@@ -110,13 +110,15 @@ std::unique_ptr<FrameWriter> writer(const std::string& path, const Topology& top
                                          topology, choice);
 }
 
-// Atom kinds and residues that are taken from another file.
-class Names {
+// Adds the atom kinds and residues of another file to the frames of a format without atom names.
+class NamedReader : public FrameReader {
  public:
-  explicit Names(const Frame& frame) : kinds_(frame.kinds), source_(frame.source) {
-    for (const Atom& atom : frame.atoms) atoms_.push_back({atom.kind, atom.residue});
+  NamedReader(std::unique_ptr<FrameReader> frames, const Frame& names)
+      : frames_(std::move(frames)), kinds_(names.kinds), source_(names.source) {
+    for (const Atom& atom : names.atoms) atoms_.push_back({atom.kind, atom.residue});
   }
-  void give(Frame& frame) const {
+  bool next(Frame& frame) override {
+    if (!frames_->next(frame)) return false;
     if (frame.atoms.size() != atoms_.size())
       throw Error(fmt::format("the frame at {:g} ps has {} atoms, but the file with the atom "
                               "names, '{}', has {}; both numbers must be equal",
@@ -125,29 +127,15 @@ class Names {
     frame.kinds = kinds_;
     for (std::size_t i = 0; i < atoms_.size(); ++i)
       std::tie(frame.atoms[i].kind, frame.atoms[i].residue) = atoms_[i];
-  }
-
- private:
-  std::vector<AtomKind> kinds_;
-  std::vector<std::pair<std::uint32_t, int>> atoms_;  // kind and residue of each atom
-  std::string source_;
-};
-
-// Adds names to the frames of a format without atom names.
-class NamedReader : public FrameReader {
- public:
-  NamedReader(std::unique_ptr<FrameReader> frames, const Frame& names)
-      : frames_(std::move(frames)), names_(names) {}
-  bool next(Frame& frame) override {
-    if (!frames_->next(frame)) return false;
-    names_.give(frame);
     return true;
   }
   double fraction_read() override { return frames_->fraction_read(); }
 
  private:
   std::unique_ptr<FrameReader> frames_;
-  Names names_;
+  std::vector<AtomKind> kinds_;
+  std::vector<std::pair<std::uint32_t, int>> atoms_;  // kind and residue of each atom
+  std::string source_;
 };
 
 std::unique_ptr<FrameReader> with_names(std::unique_ptr<FrameReader> frames, const Format& format,
@@ -232,11 +220,9 @@ std::unique_ptr<FrameWriter> resume_frames(const std::string& path, const Topolo
 void check_fit(const std::string& path, const State& state, const Topology& topology,
                const FrameChoice& choice) {
   const Format& format = writable_format(path);
-  try {
+  at_place(path, [&] {
     FrameFit(format.extension, format.limits).check(extent_of(state, topology, choice));
-  } catch (const Error& e) {
-    throw e.at(path);
-  }
+  });
 }
 
 FormatTraits format_traits(const std::string& path) {

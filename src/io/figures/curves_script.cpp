@@ -6,7 +6,6 @@
 
 #include "base/printable.hpp"
 #include "figure_script.hpp"
-#include "plot_script.hpp"
 
 namespace polhode {
 namespace {
@@ -127,8 +126,8 @@ std::string script_of(const CurvesFigure& figure, const Image& image) {
   const bool titled = std::any_of(titles.begin(), titles.end(), [](auto& t) { return !t.empty(); });
   const std::size_t head = 8 + 18 * rows + (titled ? 22 : 0);  // height above a panel [pixels]
   constexpr std::size_t caption = 40, foot = 44;
-  FigureScript script(image, static_cast<int>(layout.across * layout.width + 34),
-                      static_cast<int>(caption + foot + layout.down * (layout.height + head)));
+  FigureScript script(image, layout.across * layout.width + 34,
+                      caption + foot + layout.down * (layout.height + head));
   script.file("data", figure.csv).text("caption", figure.title);
   script.text("x_label", figure.x_label).text("y_label", figure.y_label);
   script.number("left", figure.left).number("right", figure.right);

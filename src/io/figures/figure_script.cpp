@@ -3,8 +3,10 @@
 
 #include <fmt/core.h>
 
-#include "io/figures/gnuplot_text.hpp"
-#include "io/figures/scheme_styles.hpp"
+#include <algorithm>
+#include <filesystem>
+
+#include "base/printable.hpp"
 #include "io/files/embedded.hpp"
 
 namespace polhode {
@@ -16,12 +18,29 @@ std::string_view template_text(std::string_view name) {
 
 }  // namespace
 
-FigureScript::FigureScript(const Image& image, int width, int height)
+std::string gnuplot_text(std::string_view text) {
+  std::string result = "'";
+  for (const char c : printable(text)) result += c == '\'' ? std::string("''") : std::string(1, c);
+  return result + "'";
+}
+
+std::string gnuplot_file(std::string_view path) {
+  return gnuplot_text("./" + std::filesystem::path(path).filename().string());
+}
+
+// A backslash at the end of a line would join the line with the next line.
+std::string gnuplot_comment(std::string_view text) {
+  std::string line = printable(text);
+  while (line.ends_with('\\')) line.pop_back();
+  return line;
+}
+
+FigureScript::FigureScript(const Image& image, std::size_t width, std::size_t height)
     : text_(fmt::format(
           "# To change the figure, edit this script and run gnuplot on it: it draws {}.\n",
           gnuplot_comment(image.name))) {
   file("image", image.name).text("format", image.format);
-  count("width", static_cast<std::size_t>(width)).count("height", static_cast<std::size_t>(height));
+  count("width", width).count("height", height);
 }
 
 FigureScript& FigureScript::number(std::string_view name, double value) {

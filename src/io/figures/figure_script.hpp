@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Composes a gnuplot script from the values that a template uses, the common style, and the
-// template.
+// gnuplot scripts: definitions of the values that a template from data/plots uses, the common
+// style, and the template, which plots the data.
 #pragma once
 
 #include <span>
@@ -8,16 +8,50 @@
 #include <string_view>
 #include <vector>
 
-#include "plot_script.hpp"
+#include "io/figures/plot.hpp"
 
 namespace polhode {
+
+/// An image to be drawn.
+struct Image {
+  std::string name;    ///< name of the image file
+  std::string format;  ///< format: "svg" or "png"
+};
+
+std::string script_of(const EnergyFigure& figure, const Image& image);
+std::string script_of(const CurvesFigure& figure, const Image& image);
+std::string script_of(const EfficiencyFigure& figure, const Image& image);
+std::string script_of(const AdviceFigure& figure, const Image& image);
+std::string script_of(const CanonicalFigure& figure, const Image& image);
+std::string script_of(const PolhodeFigure& figure, const Image& image);
+
+/// Quotes a text with single quotes, in which gnuplot replaces neither `commands` nor backslashes.
+/// Unprintable characters are escaped before quoting, so that the text stays on one line.
+std::string gnuplot_text(std::string_view text);
+
+/// Quotes the name of a file next to the script. The result begins with "./", because gnuplot
+/// interprets "<command" and "|command" as pipes and "~" as a home folder.
+std::string gnuplot_file(std::string_view path);
+
+/// Writes a text as a comment on one line.
+std::string gnuplot_comment(std::string_view text);
+
+/// The style in which a scheme is drawn.
+struct SchemeStyle {
+  std::string colour;        ///< colour as "#RRGGBB"
+  int filled = 7, open = 6;  ///< point types of gnuplot
+};
+
+/// The styles of the schemes of a figure, from data/plots/schemes.toml. Schemes that are not in
+/// schemes.toml, such as schemes written as text, get the unused styles in order.
+std::vector<SchemeStyle> scheme_styles(const std::vector<std::string>& schemes);
 
 /// Builds a gnuplot script. Texts are quoted so that nothing in them is evaluated. Templates
 /// contain no text from users.
 class FigureScript {
  public:
   /// @param width, height  size in pixels; bitmaps have twice as many
-  FigureScript(const Image& image, int width, int height);
+  FigureScript(const Image& image, std::size_t width, std::size_t height);
 
   /// Defines a number with a decimal point, because gnuplot truncates the quotient of two integers.
   FigureScript& number(std::string_view name, double value);

@@ -13,9 +13,9 @@
 #include <filesystem>
 #include <ostream>
 
+#include "figure_script.hpp"
 #include "io/files/disk.hpp"
 #include "io/files/write_file.hpp"
-#include "plot_script.hpp"
 #include "polhode/io/files/table_file.hpp"
 
 namespace polhode {
@@ -109,26 +109,8 @@ bool run_gnuplot(const std::string& script, std::ostream& warnings, std::chrono:
   return false;
 }
 
-bool energy_plot(const EnergyFigure& figure, const std::string& format, std::ostream& warnings) {
-  return draw(figure, figure.csv, format, warnings);
-}
-
-bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings) {
-  return draw(figure, figure.csv, format, warnings);
-}
-
-bool efficiency_plot(const EfficiencyFigure& figure, const std::string& format,
-                     std::ostream& warnings) {
-  return draw(figure, figure.csv, format, warnings);
-}
-
-bool advice_plot(const AdviceFigure& figure, const std::string& format, std::ostream& warnings) {
-  return draw(figure, figure.csv, format, warnings);
-}
-
-bool canonical_plot(const CanonicalFigure& figure, const std::string& format,
-                    std::ostream& warnings) {
-  return draw(figure, figure.csv, format, warnings);
+bool draw_figure(const Figure& figure, const std::string& format, std::ostream& warnings) {
+  return std::visit([&](const auto& one) { return draw(one, one.csv, format, warnings); }, figure);
 }
 
 bool polhode_plot(const PolhodeFigure& figure, std::ostream& warnings) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "polhode/base/vec3.hpp"
@@ -25,7 +26,14 @@ inline constexpr std::array<std::string_view, 3> plot_formats = {"svg", "png", "
 bool run_gnuplot(const std::string& script, std::ostream& warnings,
                  std::chrono::seconds limit = std::chrono::seconds(60));
 
-/// The data of a figure of energies against time.
+/// The rows of one scheme in a CSV file; the first row is row 0.
+struct SchemeRows {
+  std::string scheme;
+  std::size_t first, last;
+};
+
+/// A figure of energies against time: the deviation of the total or conserved energy from its mean
+/// and the potential energy, in two panels with title and R above.
 struct EnergyFigure {
   std::string csv;  ///< file with the columns "time [ps]", "potential [kJ/mol]" and `energy`
   std::string title;
@@ -34,26 +42,11 @@ struct EnergyFigure {
                                      ///< as "0.056 ± 0.003 %"; may be empty
 };
 
-/// Plots the deviation of the total or conserved energy from its mean and the potential energy, in
-/// two panels with title and R above. Image and script are written next to the CSV file, under the
-/// name of the CSV file with other extensions.
-/// @param format  "svg" or "png"
-bool energy_plot(const EnergyFigure& figure, const std::string& format, std::ostream& warnings);
-
-/// Draws a figure of curves. Script and image are written next to the CSV file, under the same name
-/// with other extensions.
-/// @param format  "svg" or "png"
-bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings);
-
-/// The rows of one scheme in a CSV file; the first row is row 0.
-struct SchemeRows {
-  std::string scheme;
-  std::size_t first, last;
-};
-
-/// The data of a figure of R against the cost of schemes, in the columns "cost [1/ps]", "R [1]" and
-/// "R_error [1]". Two more columns contain flags: "usable [1]" is 1 for steps below the end of a
-/// curve, and "rounded [1]" is 1 where round-off dominates R.
+/// A figure of R against the cost of schemes [vanzon2008, Fig. 1] on linear axes, and of all points
+/// on logarithmic axes. The columns are "cost [1/ps]", "R [1]" and "R_error [1]". Two more columns
+/// contain flags: "usable [1]" is 1 for steps below the end of a curve, and "rounded [1]" is 1
+/// where round-off dominates R. The longest usable step has an open symbol if the curve ends at
+/// this step. Points at the round-off limit are crossed out.
 struct EfficiencyFigure {
   std::string csv;
   std::vector<SchemeRows> schemes;  ///< schemes, each with at least one usable step
@@ -61,15 +54,9 @@ struct EfficiencyFigure {
   double max_ratio = 0.035;         ///< upper end of the linear R axis
 };
 
-/// Plots R against cost for each scheme [vanzon2008, Fig. 1] on linear axes, and all points on
-/// logarithmic axes. The longest usable step has an open symbol if the curve ends at this step.
-/// Points at the round-off limit are crossed out. Script and image are written next to the CSV
-/// file, like the files of energy_plot().
-bool efficiency_plot(const EfficiencyFigure& figure, const std::string& format,
-                     std::ostream& warnings);
-
-/// The data of a figure of R against computing time, in the columns "step [fs]", "R [1]", "R_error
-/// [1]" and "usable [1]".
+/// A figure of R against computing time on logarithmic axes, with the models fitted by the adviser,
+/// the bound on R, and the chosen step. The columns are "step [fs]", "R [1]", "R_error [1]" and
+/// "usable [1]".
 struct AdviceFigure {
   struct Curve {
     SchemeRows rows;
@@ -87,18 +74,12 @@ struct AdviceFigure {
   std::optional<Answer> confirmed{};  ///< confirmed step
 };
 
-/// Plots R against computing time on logarithmic axes, with the models fitted by the adviser, the
-/// bound on R, and the chosen step. Script and image are written next to the CSV file.
-bool advice_plot(const AdviceFigure& figure, const std::string& format, std::ostream& warnings);
-
-/// The data of a figure that plots columns of a CSV file against "cost [1/ps]", in panels. Only
-/// rows with "stable [1]" equal to 1 are plotted.
+/// A figure of the bias of canonical averages against "cost [1/ps]", with one panel for each
+/// quantity. Only rows with "stable [1]" equal to 1 are plotted.
 struct CanonicalFigure {
   struct Panel {
-    std::string title, column, error;  ///< title, and names of the columns with their units, as in
-                                       ///< the file
-    double strict = 0, loose = 0;      ///< bounds on the plotted magnitude, drawn as shaded areas;
-                                       ///< 0 for a logarithmic axis without bounds
+    std::string title, column, error;  ///< title, and columns with units, as in the file
+    double strict = 0, loose = 0;      ///< bounds, shaded; 0 for a logarithmic axis without bounds
   };
   std::string csv;
   std::vector<SchemeRows> schemes;
@@ -106,18 +87,21 @@ struct CanonicalFigure {
   std::string caption{};  ///< text below the axes: the conditions of the comparison
 };
 
-/// Plots the bias of canonical averages against cost, with one panel for each quantity. Script and
-/// image are written next to the CSV file.
-bool canonical_plot(const CanonicalFigure& figure, const std::string& format,
-                    std::ostream& warnings);
+/// A figure of columns of a CSV file, whose name is its member `csv`.
+using Figure =
+    std::variant<EnergyFigure, CurvesFigure, EfficiencyFigure, AdviceFigure, CanonicalFigure>;
+
+/// Draws a figure. Script and image are written next to the CSV file, under its name with other
+/// extensions. Returns false and prints a warning if the figure was not drawn.
+/// @param format  "svg" or "png"
+bool draw_figure(const Figure& figure, const std::string& format, std::ostream& warnings);
 
 /// The data of a figure of a free top. The file has four blocks of angular velocities ω in three
 /// columns, separated by two blank lines: inertia ellipsoid, polhodes of the same energy, polhode
 /// of the top, current ω.
 struct PolhodeFigure {
   std::string data;
-  Vec3<double> J, L;  ///< principal moments and body-frame angular momentum, in any consistent
-                      ///< units
+  Vec3<double> J, L;  ///< principal moments and body-frame L, in any consistent units
 };
 
 /// Plots the polhode on the inertia ellipsoid and, next to this figure, the path of L on the energy

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "plot_script.hpp"
 
 #include "figure_script.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "io/figures/scheme_styles.hpp"
-
+// Colours and markers of schemes, the same in all figures.
 #include <toml++/toml.h>
 
+#include "figure_script.hpp"
 #include "io/files/embedded.hpp"
 
 namespace polhode {

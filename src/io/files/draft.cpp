@@ -22,8 +22,7 @@ namespace {
 
 constexpr std::string_view front = "unfinished-";
 constexpr std::size_t digits = 8,
-                      longer = front.size() + digits + 1;  // characters by which a draft's name is
-                                                           // longer than the final name
+                      longer = front.size() + digits + 1;  // added length of a draft's name
 
 /// A temporary file name in the same folder, with the same extension.
 std::string name_beside(const std::string& path) {

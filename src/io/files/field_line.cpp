@@ -61,14 +61,11 @@ double FieldLine::number(std::size_t k, std::string_view what) const {
 
 std::int64_t FieldLine::integer(std::size_t k, std::string_view what, std::int64_t minimum,
                                 std::int64_t maximum) const {
-  const std::string_view field = fields_[k];
-  std::int64_t value = 0;
-  const char* const last = field.data() + field.size();
-  const auto [end, status] = from_chars(field.data(), last, value);
-  if (status != std::errc() || end != last || value < minimum || value > maximum)
+  const auto value = parsed_number<std::int64_t>(fields_[k]);
+  if (!value || *value < minimum || *value > maximum)
     refuse(fmt::format("found '{}' for the {}, which must be a whole number from {} to {}",
-                       abbreviate(field), what, minimum, maximum));
-  return value;
+                       abbreviate(fields_[k]), what, minimum, maximum));
+  return *value;
 }
 
 }  // namespace polhode

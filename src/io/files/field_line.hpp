@@ -33,7 +33,7 @@ class FieldLine {
   /// @throws Error  if the field is not a finite number
   double number(std::size_t k, std::string_view what) const;
   /// The integer in field k.
-  /// @throws Error  if the field is not an integer from `least` to `most`
+  /// @throws Error  if the field is not an integer from `minimum` to `maximum`
   std::int64_t integer(std::size_t k, std::string_view what, std::int64_t minimum,
                        std::int64_t maximum) const;
   /// Checks the number of fields.

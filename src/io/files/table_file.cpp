@@ -30,18 +30,6 @@ std::string quote_field(const std::string& text) {
   return result + '"';
 }
 
-}  // namespace
-
-Cell::Cell(double number) : text(std::isnan(number) ? "" : fmt::format("{}", number)) {}
-
-std::string text_hash(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325;  // offset basis and prime of 64-bit FNV
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return fmt::format("{:016x}", hash);
-}
-
-namespace {
-
 std::string head_of(const std::vector<Table::Column>& columns) {
   std::string line;
   for (const auto& [name, unit] : columns) {
@@ -60,7 +48,46 @@ void write_head(std::ostream& out, const std::vector<Table::Column>& columns,
              provenance.instruction_set, provenance.seed);
 }
 
+/// Rejects a line of a table.
+[[noreturn]] void refuse_line(const std::string& path, std::size_t number,
+                              const std::string& what) {
+  throw Error(what, fmt::format("{}:{}", path, number));
+}
+
+void check_head(const std::string& path, std::size_t number, const std::string& line,
+                const std::vector<Table::Column>& columns) {
+  if (const std::string head = head_of(columns); line != head)
+    refuse_line(
+        path, number,
+        fmt::format("the table has the columns '{}'; it must have the columns '{}'", line, head));
+}
+
+/// Reads the numbers of a line.
+void read_row(const std::string& path, std::size_t number, const std::string& line,
+              std::size_t columns, std::vector<double>& row) {
+  row.clear();
+  for (const char *at = line.data(), *const end = at + line.size(); at <= end; ++at) {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    const auto [next, status] = from_chars(at, end, value);
+    if (next != end && *next != ',')
+      refuse_line(path, number, fmt::format("'{}' is not a row of numbers", line));
+    row.push_back(value);
+    at = next;
+  }
+  if (row.size() != columns)
+    refuse_line(path, number,
+                fmt::format("the row has {} numbers; it must have {}", row.size(), columns));
+}
+
 }  // namespace
+
+Cell::Cell(double number) : text(std::isnan(number) ? "" : fmt::format("{}", number)) {}
+
+std::string text_hash(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325;  // offset basis and prime of 64-bit FNV
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return fmt::format("{:016x}", hash);
+}
 
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance) {
   write_head(out, table.columns, provenance);
@@ -109,41 +136,6 @@ TableMark GrowingTable::mark() {
 void GrowingTable::check() {
   if (!out_) throw RunError("'" + path_ + "' could not be written completely; is the disk full?");
 }
-
-namespace {
-
-/// Rejects a line of a table.
-[[noreturn]] void refuse_line(const std::string& path, std::size_t number,
-                              const std::string& what) {
-  throw Error(what, fmt::format("{}:{}", path, number));
-}
-
-void check_head(const std::string& path, std::size_t number, const std::string& line,
-                const std::vector<Table::Column>& columns) {
-  if (const std::string head = head_of(columns); line != head)
-    refuse_line(
-        path, number,
-        fmt::format("the table has the columns '{}'; it must have the columns '{}'", line, head));
-}
-
-/// Reads the numbers of a line.
-void read_row(const std::string& path, std::size_t number, const std::string& line,
-              std::size_t columns, std::vector<double>& row) {
-  row.clear();
-  for (const char *at = line.data(), *const end = at + line.size(); at <= end; ++at) {
-    double value = std::numeric_limits<double>::quiet_NaN();
-    const auto [next, status] = from_chars(at, end, value);
-    if (next != end && *next != ',')
-      refuse_line(path, number, fmt::format("'{}' is not a row of numbers", line));
-    row.push_back(value);
-    at = next;
-  }
-  if (row.size() != columns)
-    refuse_line(path, number,
-                fmt::format("the row has {} numbers; it must have {}", row.size(), columns));
-}
-
-}  // namespace
 
 TableReader::TableReader(const std::string& path,
                          std::span<const std::vector<Table::Column>> columns)

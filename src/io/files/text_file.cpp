@@ -31,6 +31,11 @@ Error unreadable(const std::string& path) {
 
 }  // namespace
 
+bool is_file(const std::string& path) {
+  std::error_code unknown;
+  return std::filesystem::is_regular_file(path, unknown);
+}
+
 std::ifstream open_text_file(const std::string& path) {
   std::error_code unknown;
   if (std::filesystem::is_directory(path, unknown))
@@ -51,8 +56,7 @@ std::string file_text(const std::string& path) {
   std::ifstream file = open_text_file(path);
   std::error_code unknown;
   const auto size = std::filesystem::file_size(path, unknown);
-  return stream_text(file, path, unknown ? 0 : size);  // files of unknown size (pipes) are read in
-                                                       // growing pieces
+  return stream_text(file, path, unknown ? 0 : size);  // pipes have no size
 }
 
 std::string stream_text(std::istream& in, const std::string& file, std::size_t expected) {

@@ -9,6 +9,10 @@
 
 namespace polhode {
 
+/// Whether a regular file exists. The result is also false for a name that the operating system
+/// rejects, for example a name that is too long.
+bool is_file(const std::string& path);
+
 /// The contents of a file. Throws an Error with the name of the file.
 std::string file_text(const std::string& path);
 

@@ -16,8 +16,7 @@ std::string with_error(double value, double error) {
   const int decimals = 1 - exponent;
   const double size = std::max(std::abs(value), error);
   constexpr double small = 1e-3, large = 1e7;
-  if ((decimals > 6 && size < small) || size >= large) {  // a power of ten is factored out, the
-                                                          // same for both numbers
+  if ((decimals > 6 && size < small) || size >= large) {  // factor out a power of ten
     const int power = static_cast<int>(std::floor(std::log10(size)));
     const double unit = std::pow(10.0, power);
     const int digits = std::clamp(power + decimals, 1, 15);

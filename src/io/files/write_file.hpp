@@ -37,7 +37,7 @@ void each_row(const std::string& path, std::uint64_t bytes,
 /// link is replaced, and its target is left unchanged.
 void refuse_existing(const std::string& path, bool force);
 
-/// Writes a file completely or not at all (io/draft.hpp).
+/// Writes a file completely or not at all (io/files/draft.hpp).
 /// @param keep  new name for an existing file; if empty, the existing file is replaced
 /// @throws RunError  if the file cannot be written or renamed
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,

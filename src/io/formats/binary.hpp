@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers in binary files, in either byte order.
+// Binary coordinate files: numbers in either byte order, and frames of atoms without names.
 #pragma once
 
 #include <fmt/core.h>
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -18,6 +19,7 @@
 #include <vector>
 
 #include "polhode/base/error.hpp"
+#include "polhode/io/coordinates/frame.hpp"
 
 namespace polhode {
 
@@ -73,6 +75,23 @@ class BinaryInput {
   std::uint64_t offset_ = 0;
   std::vector<std::uint8_t> held_;
 };
+
+/// Begins a frame of atoms of a single unnamed kind. The positions of the atoms are filled in
+/// later.
+inline void begin_unnamed(Frame& frame, const std::string& file) {
+  frame.source = file;
+  frame.title.clear();
+  frame.kinds.assign(1, {});
+  frame.atoms.clear();
+  frame.has_velocities = false;
+}
+
+/// Returns a position. Throws an Error if a coordinate is not finite.
+inline const Vec3<double>& finite(const Vec3<double>& r, const BinaryInput& in) {
+  if (!std::isfinite(r.x) || !std::isfinite(r.y) || !std::isfinite(r.z))
+    in.refuse("a coordinate or velocity is not finite");
+  return r;
+}
 
 /// Collects bytes to be written to a file.
 class BinaryOutput {

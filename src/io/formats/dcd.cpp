@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "binary.hpp"
 #include "format.hpp"
 #include "io/settings/quantity.hpp"
 #include "lines.hpp"
-#include "unnamed.hpp"
 
 namespace polhode {
 namespace {
@@ -18,8 +18,7 @@ constexpr std::int32_t head_length_swapped = head_length << 24;
 // The following constants are byte offsets in a DCD file.
 constexpr std::size_t count_at = 8;     // position of the number of frames
 constexpr std::size_t delta_at = 44;    // position of the interval
-constexpr std::size_t title_at = 100;   // position of the title, which begins with the time of the
-                                        // first frame
+constexpr std::size_t title_at = 100;   // position of the title, with the time of the first frame
 constexpr std::size_t time_width = 24;  // width of the time in characters
 
 // The unit of time in CHARMM, 48.888 fs, which follows from u, Å and kcal/mol.

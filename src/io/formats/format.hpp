@@ -2,31 +2,53 @@
 // Interface of the formats: readers and writers of frames.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "format_limits.hpp"
-#include "frame_view.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
 
 namespace polhode {
+
+/// A frame whose atoms are not all stored at once. A view visits the atoms one after another, and
+/// stores only references to its sources.
+struct FrameView {
+  std::string title;
+  std::vector<AtomKind> kinds;
+  std::size_t atoms = 0;
+  bool has_velocities = false;
+  Box box;          ///< box [nm]
+  double time = 0;  ///< time [ps]
+  std::function<void(const std::function<void(const Atom&)>&)> each_atom;
+};
+
+FrameView view_of(const State& state, const Topology& topology, const FrameChoice& choice = {});
+
+/// Makes a view of a frame. All atoms are written, because massless sites cannot be recognized
+/// without masses.
+FrameView view_of(const Frame& frame, const FrameChoice& choice = {});
+
+/// A function that creates a reader of a stream, which must outlive the reader. `file` is the file
+/// name in error messages.
+using ReadFormat = std::unique_ptr<FrameReader>(std::istream& in, const std::string& file);
+
+/// A function that creates a writer, which starts a file or, given a stored position (mark),
+/// appends to the file.
+using WriteFormat = std::unique_ptr<FrameWriter>(const std::string& path, const Topology& topology,
+                                                 const FrameChoice& choice, const FileMark* mark);
 
 struct Format {
   std::string_view extension;
   bool has_names;       ///< whether files contain names of atoms
   bool has_velocities;  ///< whether files contain velocities, at least optionally
-
-  /// Creates a reader of a stream, which must outlive the reader; `file` is the file name in error
-  /// messages.
-  std::unique_ptr<FrameReader> (*read)(std::istream& in, const std::string& file);
-
-  /// Creates a writer that starts a file or, given a stored position (mark), appends to the file;
-  /// null if the format is read-only.
-  std::unique_ptr<FrameWriter> (*write)(const std::string& path, const Topology& topology,
-                                        const FrameChoice& choice, const FileMark* mark);
+  ReadFormat* read;
+  WriteFormat* write;  ///< null if the format is read-only
 
   /// Throws an Error if a file has changed since its position (mark) was stored; null if the format
   /// is read-only.
@@ -58,15 +80,8 @@ inline constexpr FormatLimits h5md_limits{.same_atoms = true, .same_velocities =
 /// @throws Error  if no format has this extension
 const Format& format_of(const std::string& path);
 
-std::unique_ptr<FrameReader> gro_reader(std::istream& in, const std::string& file);
-std::unique_ptr<FrameReader> pdb_reader(std::istream& in, const std::string& file);
-std::unique_ptr<FrameReader> xyz_reader(std::istream& in, const std::string& file);
-std::unique_ptr<FrameReader> xtc_reader(std::istream& in, const std::string& file);
-std::unique_ptr<FrameReader> trr_reader(std::istream& in, const std::string& file);
-std::unique_ptr<FrameReader> dcd_reader(std::istream& in, const std::string& file);
-std::unique_ptr<FrameReader> h5md_reader(std::istream& in, const std::string& file);
-std::unique_ptr<FrameReader> lammps_data_reader(std::istream& in, const std::string& file);
-std::unique_ptr<FrameReader> lammps_dump_reader(std::istream& in, const std::string& file);
+ReadFormat gro_reader, pdb_reader, xyz_reader, xtc_reader, trr_reader, dcd_reader, h5md_reader;
+ReadFormat lammps_data_reader, lammps_dump_reader;
 /// Creates a reader of LAMMPS dump files with particles, each of which is a molecule. The frames
 /// contain the sites of these molecules.
 std::unique_ptr<FrameReader> lammps_particle_reader(std::istream& in, const std::string& file,
@@ -79,32 +94,22 @@ std::unique_ptr<FrameReader> open_h5md(const std::string& path);
 double title_time(std::string_view title);
 
 /// A function that appends a frame to a file that already has `before` frames.
-using AppendFrame = void (*)(std::iostream& file, const FrameView& frame, std::uint64_t before);
-void append_gro(std::iostream& file, const FrameView& frame, std::uint64_t before);
-void append_pdb(std::iostream& file, const FrameView& frame, std::uint64_t before);
-void append_xyz(std::iostream& file, const FrameView& frame, std::uint64_t before);
-void append_xtc(std::iostream& file, const FrameView& frame, std::uint64_t before);
-void append_trr(std::iostream& file, const FrameView& frame, std::uint64_t before);
-void append_dcd(std::iostream& file, const FrameView& frame, std::uint64_t before);
+using AppendFrame = void(std::iostream& file, const FrameView& frame, std::uint64_t before);
+AppendFrame append_gro, append_pdb, append_xyz, append_xtc, append_trr, append_dcd;
 
-/// How frames are appended to a file, and where the variable part of the file header ends.
-struct Appending {
-  AppendFrame append;
-  std::uint64_t head;
-};
 /// End of the record that contains the number of frames in a DCD file.
 constexpr std::uint64_t dcd_count_end = 92;
 
 /// Creates a writer that appends frames to the end of a file.
-std::unique_ptr<FrameWriter> stream_writer(Appending appending, const std::string& path,
-                                           const Topology& topology, const FrameChoice& choice,
-                                           const FileMark* mark);
+/// @param head  end of the variable part of the file header
+std::unique_ptr<FrameWriter> stream_writer(AppendFrame* append, std::uint64_t head,
+                                           const std::string& path, const Topology& topology,
+                                           const FrameChoice& choice, const FileMark* mark);
 
 /// The reason why this build does not support H5MD files; empty if it does.
 extern const std::string_view h5md_missing;
 
 void check_h5md(const std::string& path, const FileMark& mark);
-std::unique_ptr<FrameWriter> h5md_writer(const std::string& path, const Topology& topology,
-                                         const FrameChoice& choice, const FileMark* mark);
+WriteFormat h5md_writer;
 
 }  // namespace polhode

@@ -19,8 +19,7 @@ struct FormatLimits {
   double max = std::numeric_limits<double>::infinity();   ///< largest coordinate [nm]
   double edge = std::numeric_limits<double>::infinity();  ///< longest edge of the box [nm]
   bool same_atoms = false;       ///< whether all frames must have the same number of atoms
-  bool same_velocities = false;  ///< whether all frames must have velocities if the first frame has
-                                 ///< velocities
+  bool same_velocities = false;  ///< whether all frames or none must have velocities
   bool even_times = false;       ///< whether the interval between frames must be constant
 };
 
@@ -31,8 +30,7 @@ struct FrameExtent {
   double edge = 0;          ///< longest edge of the box [nm]
   bool has_velocities = false;
   double time = 0;        ///< time [ps]
-  bool of_a_run = false;  ///< whether the interval of frames is constant, except possibly for the
-                          ///< last frame
+  bool of_a_run = false;  ///< whether the interval is constant, except before the last frame
 };
 
 FrameExtent extent_of(const Frame& frame);

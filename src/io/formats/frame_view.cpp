@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "frame_view.hpp"
-
 #include <fmt/core.h>
+
+#include "format.hpp"
 
 namespace polhode {
 

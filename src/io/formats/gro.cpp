@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "atom_kinds.hpp"
 #include "format.hpp"
@@ -43,11 +44,6 @@ std::string_view column(std::string_view line, std::size_t k, std::size_t width)
   return line.substr(first_number + k * width, width);
 }
 
-struct AtomLine {
-  Atom atom;
-  bool has_velocity = false;
-};
-
 // Atom kinds are identified by the characters of the residue and atom names.
 std::uint32_t kind_of(std::string_view line, AtomKinds& kinds, const Lines& lines) {
   return kinds.of(line.substr(5, 10), [&] {
@@ -60,12 +56,11 @@ std::uint32_t kind_of(std::string_view line, AtomKinds& kinds, const Lines& line
   });
 }
 
-// Reads an atom line; the kind of the atom is determined later.
-AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines) {
+// Reads an atom, and whether it has a velocity; the kind of the atom is determined later.
+std::pair<Atom, bool> read_atom(std::string_view line, std::size_t width, const Lines& lines) {
   static constexpr std::array names = {"x coordinate", "y coordinate", "z coordinate",
                                        "x velocity",   "y velocity",   "z velocity"};
-  AtomLine result;
-  Atom& atom = result.atom;
+  Atom atom;
   const auto residue = parsed<int>(line.substr(0, 5));
   if (!residue)
     lines.refuse(
@@ -73,19 +68,18 @@ AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines)
                     trimmed(line.substr(0, 5))));
   atom.residue = *residue;
   const std::size_t written = line.find_last_not_of(" \t") + 1;
-  result.has_velocity = written > first_number + 3 * width;
-  const std::size_t needed = first_number + (result.has_velocity ? 6 : 3) * width;
+  const bool has_velocity = written > first_number + 3 * width;
+  const std::size_t needed = first_number + (has_velocity ? 6 : 3) * width;
   if (written < needed)
     lines.refuse(fmt::format(
         "the line ends after {} characters; the names and three {} of {} characters each need {} "
         "characters",
-        written, result.has_velocity ? "coordinates and three velocities" : "coordinates", width,
-        needed));
+        written, has_velocity ? "coordinates and three velocities" : "coordinates", width, needed));
   for (std::size_t k = 0; k < 3; ++k)
     atom.r[k] = lines.number(column(line, k, width), names[k], in_columns);
-  for (std::size_t k = 0; k < 3 && result.has_velocity; ++k)
+  for (std::size_t k = 0; k < 3 && has_velocity; ++k)
     atom.v[k] = lines.number(column(line, 3 + k, width), names[3 + k], in_columns);
-  return result;
+  return {atom, has_velocity};
 }
 
 Box read_box(std::string_view line, const Lines& lines) {
@@ -107,69 +101,53 @@ Box read_box(std::string_view line, const Lines& lines) {
   return {{edges[0], edges[1], edges[2]}};
 }
 
-// Writes a frame line by line.
-class GroLines {
- public:
-  GroLines(std::ostream& out, const FrameView& frame, int decimals)
-      : text_(out),
-        decimals_(decimals),
-        width_(width_of(frame, decimals)),
-        velocities_(frame.has_velocities) {
-    for (const AtomKind& kind : frame.kinds)
-      names_.push_back(fmt::format("{:<5.5}{:>5.5}", kind.residue_name, kind.name));
-  }
+// Residue and atom numbers have five digits; after 99999 they start again at 0.
+constexpr int digits5 = 100000;
 
-  void head(const std::string& title, std::size_t atoms) {
-    text_.print("{}\n{:5}\n", title, atoms);
-  }
-  void atom(const Atom& atom) {
-    number_ = (number_ + 1) % digits5;
-    text_.print("{:5}", atom.residue % digits5);
-    text_.append(names_[atom.kind]);
-    text_.print("{:5}", number_);
-    for (std::size_t k = 0; k < 3; ++k) text_.fixed(atom.r[k], width_, decimals_);
-    for (std::size_t k = 0; k < 3 && velocities_; ++k)
-      text_.fixed(atom.v[k], width_, decimals_ + 1);
-    text_.end_line();
-  }
-  void box(const Box& box) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      text_.append(" ");  // the numbers of the box have no fixed columns
-      text_.fixed(box.edge[k], width_ - 1, decimals_);
-    }
-    text_.end_line();
-  }
+// The column width of numbers: sign, digits, decimal point and decimals of the widest number. As in
+// GROMACS, the width is at least the number of decimals plus five. Readers infer the width from the
+// distance between decimal points.
+std::size_t width_of(const FrameView& frame, int decimals) {
+  double r = 0, v = 0;
+  const auto widen = [](double& largest, const Vec3<double>& x) {
+    largest = std::max({largest, -10 * x.x, x.x, -10 * x.y, x.y, -10 * x.z,
+                        x.z});  // a sign needs the space of a digit
+  };
+  frame.each_atom([&](const Atom& atom) {
+    widen(r, atom.r);
+    widen(v, atom.v);
+  });
+  const double largest =
+      frame.has_velocities ? std::max(r, 10 * v) : r;  // velocities have one decimal more
+  std::size_t width = static_cast<std::size_t>(decimals) + 5;
+  for (double power = 9999; largest > power && power < 1e300; power *= 10) ++width;
+  return width;
+}
 
- private:
-  // Residue and atom numbers have five digits; after 99999 they start again at 0.
-  static constexpr int digits5 = 100000;
-
-  // The column width of numbers: sign, digits, decimal point and decimals of the widest number. As
-  // in GROMACS, the width is at least the number of decimals plus five. Readers infer the width
-  // from the distance between decimal points.
-  static std::size_t width_of(const FrameView& frame, int decimals) {
-    double r = 0, v = 0;
-    const auto widen = [](double& largest, const Vec3<double>& x) {
-      largest = std::max({largest, -10 * x.x, x.x, -10 * x.y, x.y, -10 * x.z,
-                          x.z});  // a sign needs the space of a digit
-    };
-    frame.each_atom([&](const Atom& atom) {
-      widen(r, atom.r);
-      widen(v, atom.v);
-    });
-    const double largest =
-        frame.has_velocities ? std::max(r, 10 * v) : r;  // velocities have one decimal more
-    std::size_t width = static_cast<std::size_t>(decimals) + 5;
-    for (double power = 9999; largest > power && power < 1e300; power *= 10) ++width;
-    return width;
+void write(std::ostream& out, const FrameView& frame, int decimals) {
+  const std::size_t width = width_of(frame, decimals);
+  std::vector<std::string> names;  // names of each kind
+  for (const AtomKind& kind : frame.kinds)
+    names.push_back(fmt::format("{:<5.5}{:>5.5}", kind.residue_name, kind.name));
+  TextBuffer text(out);
+  text.print("{}\n{:5}\n", frame.title, frame.atoms);
+  int number = 0;
+  frame.each_atom([&](const Atom& atom) {
+    number = (number + 1) % digits5;
+    text.print("{:5}", atom.residue % digits5);
+    text.append(names[atom.kind]);
+    text.print("{:5}", number);
+    for (std::size_t k = 0; k < 3; ++k) text.fixed(atom.r[k], width, decimals);
+    for (std::size_t k = 0; k < 3 && frame.has_velocities; ++k)
+      text.fixed(atom.v[k], width, decimals + 1);
+    text.end_line();
+  });
+  for (std::size_t k = 0; k < 3; ++k) {
+    text.append(" ");  // the numbers of the box have no fixed columns
+    text.fixed(frame.box.edge[k], width - 1, decimals);
   }
-
-  TextBuffer text_;
-  std::vector<std::string> names_;  // names of each kind
-  int decimals_, number_ = 0;
-  std::size_t width_;
-  bool velocities_;
-};
+  text.end_line();
+}
 
 // Reads the frames of a file one after another.
 class GroReader : public FrameReader {
@@ -231,19 +209,6 @@ class GroReader : public FrameReader {
   Lines lines_;
 };
 
-Frame first_frame(std::istream& in, const std::string& file) {
-  Frame frame;
-  if (!GroReader(in, file).next(frame)) throw Error("the file ends before its title", file + ":1");
-  return frame;
-}
-
-void write(std::ostream& out, const FrameView& frame, int decimals) {
-  GroLines lines(out, frame, decimals);
-  lines.head(frame.title, frame.atoms);
-  frame.each_atom([&](const Atom& atom) { lines.atom(atom); });
-  lines.box(frame.box);
-}
-
 }  // namespace
 
 double title_time(std::string_view title) {
@@ -264,7 +229,9 @@ void append_gro(std::iostream& file, const FrameView& frame, std::uint64_t) {
 
 Frame parse_gro(std::string_view text, const std::string& file) {
   std::istringstream in{std::string(text)};
-  return first_frame(in, file);
+  Frame frame;
+  if (!GroReader(in, file).next(frame)) throw Error("the file ends before its title", file + ":1");
+  return frame;
 }
 
 void write_gro(std::ostream& out, const Frame& frame, int decimals) {

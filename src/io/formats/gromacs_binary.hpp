@@ -2,7 +2,7 @@
 // Functions common to XTC and TRR files: XDR numbers, boxes as three vectors, atoms without names.
 #pragma once
 
-#include "unnamed.hpp"
+#include "binary.hpp"
 
 namespace polhode {
 
@@ -28,6 +28,10 @@ Box take_box(BinaryInput& in) {
 inline void put_box(BinaryOutput& out, const Box& box) {
   for (std::size_t k = 0; k < 9; ++k)
     out.put(k % 4 == 0 ? static_cast<float>(box.edge[k / 4]) : 0.0f);
+}
+
+inline void put_vector(BinaryOutput& out, const Vec3<double>& v) {
+  for (std::size_t k = 0; k < 3; ++k) out.put(static_cast<float>(v[k]));
 }
 
 /// The number of atoms in a header.

@@ -1,27 +1,67 @@
 // SPDX-License-Identifier: MIT
 // H5MD files [debuyl2014] of this and of other programs: positions, velocities and box of the first
 // group of particles.
+#include <fcntl.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <istream>
 #include <iterator>
 #include <optional>
 #include <span>
+#include <stdexcept>
 
 #include "format.hpp"
 #include "h5md_moments.hpp"
 #include "hdf5.hpp"
 #include "io/settings/quantity.hpp"
+#include "own_process.hpp"
 #include "polhode/base/error.hpp"
-#include "variable_text.hpp"
 
 namespace polhode {
 namespace {
 
 using hdf5::Handle;
+
+constexpr std::size_t max_texts = 3;           // of an attribute: one for each direction
+constexpr std::size_t max_text_length = 1024;  // maximum length in bytes
+
+// Each text is followed by a zero byte. All texts together are shorter than the buffer of a pipe.
+void read_texts_into(int pipe, hid_t attribute, hid_t type, std::size_t count) {
+  std::array<char*, max_texts> texts{};
+  if (H5Aread(attribute, type, texts.data()) < 0) throw std::runtime_error("no texts");
+  std::string all;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (texts[k] == nullptr) throw std::runtime_error("no text");
+    all.append(texts[k], ::strnlen(texts[k], max_text_length)).push_back('\0');
+  }
+  if (::write(pipe, all.data(), all.size()) != static_cast<ssize_t>(all.size()))
+    throw std::runtime_error("no room");
+}
+
+// The `count` strings of variable length of an attribute, which most programs use for units. The
+// result is empty if the strings cannot be read. The strings are read in a separate process,
+// because the HDF5 library (1.10) trusts the lengths in the file. A damaged file can make the HDF5
+// library write out of bounds or loop forever.
+std::vector<std::string> variable_texts(hid_t attribute, hid_t type, std::size_t count) {
+  std::array<int, 2> pipe{};
+  if (count > max_texts || ::pipe2(pipe.data(), O_CLOEXEC) != 0) return {};
+  const bool done =
+      done_in_own_process([&] { read_texts_into(pipe[1], attribute, type, count); }, 1);
+  ::close(pipe[1]);
+  std::string all(max_texts * (max_text_length + 1), '\0');
+  const ssize_t length = TEMP_FAILURE_RETRY(::read(pipe[0], all.data(), all.size()));
+  ::close(pipe[0]);
+  if (!done || length < 0) return {};
+  std::vector<std::string> texts;
+  for (std::size_t k = 0, at = 0; k < count; ++k, at += texts.back().size() + 1)
+    texts.emplace_back(all.c_str() + at);
+  return texts;
+}
 
 // An H5MD element with a value at each step or time, or with a single constant value.
 struct ReadSeries {
@@ -54,11 +94,7 @@ class H5mdReader : public FrameReader {
     else
       open_file();
     if (!file_.is_open()) refuse("the file is not HDF5, or it is damaged; give an H5MD file");
-    try {
-      find_particles();
-    } catch (const Error& e) {
-      throw e.at(name_);
-    }
+    at_place(name_, [&] { find_particles(); });
   }
 
   bool next(Frame& frame) override {
@@ -219,10 +255,10 @@ class H5mdReader : public FrameReader {
     if (H5Tget_class(type) != H5T_STRING) return {};
     const auto count =
         static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
-    if (count == 0 || count > hdf5::max_texts) return {};
-    if (H5Tis_variable_str(type) > 0) return hdf5::variable_texts(attribute, type, count);
+    if (count == 0 || count > max_texts) return {};
+    if (H5Tis_variable_str(type) > 0) return variable_texts(attribute, type, count);
     const std::size_t width = H5Tget_size(type);
-    if (width > hdf5::max_text_length) return {};
+    if (width > max_text_length) return {};
     std::string letters(width * count, '\0');
     if (H5Aread(attribute, type, letters.data()) < 0) return {};
     std::vector<std::string> texts;
@@ -322,8 +358,7 @@ class H5mdReader : public FrameReader {
     for (const hsize_t extent : count) size *= extent;
     into.resize(size);
     const Handle file_space(H5Dget_space(series.values), H5Sclose);
-    const Handle space(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
-                       H5Sclose);
+    const Handle space = hdf5::space_of(count);
     if (H5Sselect_hyperslab(file_space, H5S_SELECT_SET, from.data(), nullptr, count.data(),
                             nullptr) < 0 ||
         H5Dread(series.values, H5T_NATIVE_DOUBLE, space, file_space, H5P_DEFAULT, into.data()) < 0)

@@ -73,7 +73,7 @@ std::optional<std::uint64_t> frame_checksum(const std::map<std::string, Series>&
     hsize_t count = 1;
     for (const hsize_t extent : series.row) count *= extent;
     bytes.resize(H5Tget_size(type) * count);
-    const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+    const Handle memory = hdf5::space_of({count});
     const Handle place = row_space(series, frame);
     if (H5Dread(series.values, type, memory, place, H5P_DEFAULT, bytes.data()) < 0) return {};
     before = crc64(bytes.data(), bytes.size(), before);

@@ -33,8 +33,7 @@ using hdf5::Handle;
 // bits of positions and momenta are noise. Deflate would reduce a file by only 7 % and triple the
 // computing time for writing a frame.
 constexpr hsize_t small_row = 4096;
-constexpr std::size_t chunks_in_memory = 1;       // number of chunks of a series in memory: the
-                                                  // chunk that is being filled
+constexpr std::size_t chunks_in_memory = 1;       // chunks of a series: only the one being filled
 constexpr std::size_t index_in_memory = 1 << 20;  // size of the index of a file in memory [bytes]
 
 class H5mdWriter : public FrameWriter {
@@ -223,10 +222,8 @@ class H5mdWriter : public FrameWriter {
     check(H5Awrite(a, type, &value));
   }
   void attribute(hid_t of, const char* name, const std::vector<int>& numbers) const {
-    const hsize_t size = numbers.size();
-    const Handle space = numbers.size() == 1
-                             ? make_handle(H5Screate(H5S_SCALAR), H5Sclose)
-                             : make_handle(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Handle space = check(numbers.size() == 1 ? Handle(H5Screate(H5S_SCALAR), H5Sclose)
+                                                   : hdf5::space_of({numbers.size()}));
     const Handle a =
         make_handle(H5Acreate2(of, name, H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     check(H5Awrite(a, H5T_NATIVE_INT, numbers.data()));
@@ -244,7 +241,7 @@ class H5mdWriter : public FrameWriter {
   }
   Handle new_constants(const std::string& name, hid_t type, hsize_t size) const {
     make_parents(name);
-    const Handle space = make_handle(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Handle space = check(hdf5::space_of({size}));
     return make_handle(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT,
                                   timeless(H5P_DATASET_CREATE), H5P_DEFAULT),
                        H5Dclose);
@@ -344,8 +341,7 @@ class H5mdWriter : public FrameWriter {
   void periodic(hid_t box) const {
     const Handle type = make_handle(H5Tcopy(H5T_C_S1), H5Tclose);
     check(H5Tset_size(type, H5T_VARIABLE));
-    const hsize_t size = 3;
-    const Handle space = make_handle(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Handle space = check(hdf5::space_of({3}));
     const Handle a =
         make_handle(H5Acreate2(box, "boundary", type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     const std::array<const char*, 3> text = {"periodic", "periodic", "periodic"};
@@ -390,15 +386,12 @@ class H5mdWriter : public FrameWriter {
   }
 
   void put(const Series& series, hid_t type, const void* values) {
-    std::vector<hsize_t> extents{frames_ + 1}, count{1};
-    for (const hsize_t extent : series.row) {
-      extents.push_back(extent);
-      count.push_back(extent);
-    }
+    std::vector<hsize_t> extents{frames_ + 1};
+    extents.insert(extents.end(), series.row.begin(), series.row.end());
     check(H5Dset_extent(series.values, extents.data()));
     const Handle file_space = h5md::row_space(series, frames_);
-    const Handle space = make_handle(
-        H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
+    extents[0] = 1;
+    const Handle space = check(hdf5::space_of(extents));
     check(H5Dwrite(series.values, type, space, file_space, H5P_DEFAULT, values));
   }
 

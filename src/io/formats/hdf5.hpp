@@ -109,6 +109,10 @@ inline Handle dataset(hid_t where, const std::string& name) {
   return set;
 }
 
+inline Handle space_of(const std::vector<hsize_t>& extents) {
+  return {H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose};
+}
+
 inline std::vector<hsize_t> extents(hid_t dataset) {
   const Handle space(H5Dget_space(dataset), H5Sclose);
   const int rank = H5Sget_simple_extent_ndims(space);

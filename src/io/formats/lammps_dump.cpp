@@ -3,16 +3,30 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "atom_kinds.hpp"
 #include "format.hpp"
-#include "io/lammps/unit_styles.hpp"
 #include "io/settings/quantity.hpp"
 #include "lines.hpp"
 
 namespace polhode {
 namespace {
+
+struct LammpsUnits {
+  double length;  // unit of length [nm]
+  double time;    // unit of time [ps]
+};
+
+// The units of a LAMMPS unit style that is suitable for molecules; empty for other styles.
+std::optional<LammpsUnits> lammps_units(std::string_view style) {
+  const double angstrom = unit("A", Dimension::length), fs = unit("fs", Dimension::time);
+  if (style == "real") return LammpsUnits{angstrom, fs};
+  if (style == "metal") return LammpsUnits{angstrom, 1};
+  if (style == "nano") return LammpsUnits{1, 1e3};
+  return std::nullopt;
+}
 
 // The meaning of a column of atom data: a property and, for a vector, the component.
 struct DumpColumn {
@@ -286,7 +300,7 @@ class LammpsDumpReader : public FrameReader {
 
   void sort_by_ids(Frame& frame) {
     order_.resize(ids_.size());
-    for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = i;
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::stable_sort(order_.begin(), order_.end(),
                      [&](std::size_t a, std::size_t b) { return ids_[a] < ids_[b]; });
     for (std::size_t k = 1; k < order_.size(); ++k)

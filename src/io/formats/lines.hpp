@@ -24,11 +24,7 @@ template <class Number>
 std::optional<Number> parsed(std::string_view field) {
   field = trimmed(field);
   if (field.starts_with('+')) field.remove_prefix(1);
-  Number value{};
-  const auto end = field.data() + field.size();
-  const auto [last, status] = from_chars(field.data(), end, value);
-  if (field.empty() || status != std::errc() || last != end) return std::nullopt;
-  return value;
+  return parsed_number<Number>(field);
 }
 
 /// Reads a text line by line and keeps the line number for errors.

@@ -17,8 +17,7 @@ using IntegerVector = std::array<std::int32_t, 3>;
 
 struct PackedIntegers {
   IntegerVector lower{}, upper{};  ///< bounds of each coordinate
-  std::int32_t small_range = 0;    ///< range of the first differences, as an index into the table
-                                   ///< of ranges
+  std::int32_t small_range = 0;    ///< index of the range of the first differences
   std::vector<std::uint8_t> bits;  ///< packed bits, most significant first
 };
 

@@ -18,9 +18,9 @@ namespace {
 
 class StreamWriter : public FrameWriter {
  public:
-  StreamWriter(Appending appending, std::string path, const Topology& topology,
+  StreamWriter(AppendFrame* append, std::uint64_t head, std::string path, const Topology& topology,
                const FrameChoice& choice, const FileMark* mark)
-      : appending_(appending), path_(std::move(path)), topology_(topology), choice_(choice) {
+      : append_(append), head_(head), path_(std::move(path)), topology_(topology), choice_(choice) {
     using std::ios;
     if (mark == nullptr) {
       remove_output(path_);
@@ -43,7 +43,7 @@ class StreamWriter : public FrameWriter {
     if (!stream_.flush()) refuse();
     sync_file(path_);
     const auto bytes = static_cast<std::uint64_t>(stream_.tellp());
-    const std::uint64_t from = std::min(std::max(summed_, appending_.head), bytes);
+    const std::uint64_t from = std::min(std::max(summed_, head_), bytes);
     checksum_ = file_crc64(path_, from, bytes, checksum_);
     summed_ = bytes;
     return {frames_, bytes, checksum_};
@@ -51,7 +51,7 @@ class StreamWriter : public FrameWriter {
 
  private:
   void append(const FrameView& frame) {
-    appending_.append(stream_, frame, frames_);
+    append_(stream_, frame, frames_);
     if (!stream_.flush()) refuse();
     ++frames_;
   }
@@ -59,7 +59,8 @@ class StreamWriter : public FrameWriter {
     throw RunError(fmt::format("'{}' could not be written completely; is the disk full?", path_));
   }
 
-  Appending appending_;
+  AppendFrame* append_;
+  std::uint64_t head_;
   std::string path_;
   Topology topology_;
   FrameChoice choice_;
@@ -71,10 +72,10 @@ class StreamWriter : public FrameWriter {
 
 }  // namespace
 
-std::unique_ptr<FrameWriter> stream_writer(Appending appending, const std::string& path,
-                                           const Topology& topology, const FrameChoice& choice,
-                                           const FileMark* mark) {
-  return std::make_unique<StreamWriter>(appending, path, topology, choice, mark);
+std::unique_ptr<FrameWriter> stream_writer(AppendFrame* append, std::uint64_t head,
+                                           const std::string& path, const Topology& topology,
+                                           const FrameChoice& choice, const FileMark* mark) {
+  return std::make_unique<StreamWriter>(append, head, path, topology, choice, mark);
 }
 
 }  // namespace polhode

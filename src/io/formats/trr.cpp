@@ -139,13 +139,8 @@ void append_trr(std::iostream& file, const FrameView& frame, std::uint64_t befor
   out.put(static_cast<float>(frame.time));
   out.put(0.0f);  // value of lambda
   put_box(out, frame.box);
-  frame.each_atom([&](const Atom& atom) {
-    for (std::size_t k = 0; k < 3; ++k) out.put(static_cast<float>(atom.r[k]));
-  });
-  if (frame.has_velocities)
-    frame.each_atom([&](const Atom& atom) {
-      for (std::size_t k = 0; k < 3; ++k) out.put(static_cast<float>(atom.v[k]));
-    });
+  frame.each_atom([&](const Atom& atom) { put_vector(out, atom.r); });
+  if (frame.has_velocities) frame.each_atom([&](const Atom& atom) { put_vector(out, atom.v); });
   out.write(file);
 }
 

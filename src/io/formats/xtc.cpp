@@ -11,12 +11,9 @@ namespace polhode {
 namespace {
 
 constexpr std::int32_t xtc_magic = 1995;
-constexpr std::int32_t magic_of_large = 2023;    // magic number for lengths of packed coordinates
-                                                 // with 64 bits
-constexpr std::size_t max_of_small = 298261617;  // number of atoms whose packed length certainly
-                                                 // fits in 32 bits
-constexpr std::size_t unpacked_count = 9;        // number of atoms up to which coordinates are
-                                                 // stored uncompressed
+constexpr std::int32_t magic_of_large = 2023;    // magic number if lengths have 64 bits
+constexpr std::size_t max_of_small = 298261617;  // up to here, the packed length fits in 32 bits
+constexpr std::size_t unpacked_count = 9;        // largest number of atoms stored as floats
 constexpr float precision = 1000;                // stored integers per nm [1/nm]
 
 class XtcReader : public FrameReader {
@@ -111,9 +108,7 @@ void append_xtc(std::iostream& file, const FrameView& frame, std::uint64_t befor
   put_box(out, frame.box);
   out.put(count);
   if (frame.atoms <= unpacked_count) {
-    frame.each_atom([&](const Atom& atom) {
-      for (std::size_t k = 0; k < 3; ++k) out.put(static_cast<float>(atom.r[k]));
-    });
+    frame.each_atom([&](const Atom& atom) { put_vector(out, atom.r); });
   } else {
     std::vector<IntegerVector> atoms;
     atoms.reserve(frame.atoms);

@@ -19,50 +19,6 @@ namespace {
 
 constexpr std::string_view massless_species = "X";
 
-// Writes a frame line by line.
-class XyzLines {
- public:
-  XyzLines(std::ostream& out, const std::vector<AtomKind>& kinds, bool velocities)
-      : text_(out), velocities_(velocities) {
-    for (const AtomKind& kind : kinds)
-      species_.push_back(
-          fmt::format("{:<2}", kind.element.empty() ? massless_species : kind.element));
-  }
-
-  void head(std::size_t atoms, const Box& box, double time) {
-    const Vec3<double> edge = box.edge / angstrom_;
-    text_.print(
-        "{}\nLattice=\"{:.10g} 0 0 0 {:.10g} 0 0 0 {:.10g}\" Properties=species:S:1:pos:R:3{} "
-        "Time={:.6f} pbc=\"T T T\"\n",
-        atoms, edge.x, edge.y, edge.z, velocities_ ? ":velo:R:3" : "", time);
-  }
-  void atom(const Atom& atom) {
-    text_.append(species_[atom.kind]);
-    vector(atom.r / angstrom_);
-    if (velocities_) vector(atom.v / angstrom_);
-    text_.end_line();
-  }
-
- private:
-  void vector(const Vec3<double>& v) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      text_.append(" ");
-      text_.fixed(v[k], 14, 8);
-    }
-  }
-
-  TextBuffer text_;
-  std::vector<std::string> species_;  // species of each kind
-  bool velocities_;
-  double angstrom_ = unit("A", Dimension::length);
-};
-
-void write(std::ostream& out, const FrameView& frame) {
-  XyzLines lines(out, frame.kinds, frame.has_velocities);
-  lines.head(frame.atoms, frame.box, frame.time);
-  frame.each_atom([&](const Atom& atom) { lines.atom(atom); });
-}
-
 // A column of the atom lines: meaning and number of words.
 struct Property {
   enum class What { species, position, velocity, residue, other } what;
@@ -284,6 +240,29 @@ std::unique_ptr<FrameReader> xyz_reader(std::istream& in, const std::string& fil
   return std::make_unique<XyzReader>(in, file);
 }
 
-void append_xyz(std::iostream& out, const FrameView& frame, std::uint64_t) { write(out, frame); }
+void append_xyz(std::iostream& out, const FrameView& frame, std::uint64_t) {
+  const double angstrom = unit("A", Dimension::length);
+  std::vector<std::string> species;  // species of each kind
+  for (const AtomKind& kind : frame.kinds)
+    species.push_back(fmt::format("{:<2}", kind.element.empty() ? massless_species : kind.element));
+  TextBuffer text(out);
+  const Vec3<double> edge = frame.box.edge / angstrom;
+  text.print(
+      "{}\nLattice=\"{:.10g} 0 0 0 {:.10g} 0 0 0 {:.10g}\" Properties=species:S:1:pos:R:3{} "
+      "Time={:.6f} pbc=\"T T T\"\n",
+      frame.atoms, edge.x, edge.y, edge.z, frame.has_velocities ? ":velo:R:3" : "", frame.time);
+  const auto vector = [&](const Vec3<double>& v) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      text.append(" ");
+      text.fixed(v[k], 14, 8);
+    }
+  };
+  frame.each_atom([&](const Atom& atom) {
+    text.append(species[atom.kind]);
+    vector(atom.r / angstrom);
+    if (frame.has_velocities) vector(atom.v / angstrom);
+    text.end_line();
+  });
+}
 
 }  // namespace polhode

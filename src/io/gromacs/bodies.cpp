@@ -57,8 +57,7 @@ class Copies {
 struct FoundShape {
   Shape shape;
   std::string origin;
-  bool of_topology = true;  // whether the topology determines the shape, rather than the run file
-                            // or the initial configuration
+  bool of_topology = true;  // whether the topology determines the shape
 };
 
 class Shapes {

@@ -4,7 +4,6 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <sstream>
@@ -57,10 +56,8 @@ class Translation {
   std::string edges();
   void output();
 
-  bool stochastic() {
-    return mdp_.is("integrator", "sd", "md") || mdp_.is("integrator", "bd", "md");
-  }
-  bool minimises();
+  bool stochastic() { return mdp_.is("integrator", {"sd", "bd"}, "md"); }
+  bool minimises() { return mdp_.is("integrator", {"steep", "cg", "l-bfgs", "lbfgs"}, "md"); }
   bool has_thermostat() { return stochastic() || !mdp_.is("tcoupl", "no"); }
   /// A time [ps] that is given as a number of steps.
   double time_of(std::string_view steps, double fallback) {
@@ -134,16 +131,15 @@ void Translation::truncation() {
   }
   if (!old && !mdp_.is("vdwtype", "cut-off", "cut-off"))
     mdp_.differs("vdwtype", "not available: short-range potentials end at the cutoff");
-  const bool energy = mdp_.is("DispCorr", "ener") || mdp_.is("DispCorr", "allener");
+  const bool energy = mdp_.is("DispCorr", {"ener", "allener"});
   if (energy) mdp_.differs("DispCorr", "the correction applies to energy and pressure");
-  if (energy || mdp_.is("DispCorr", "enerpres") || mdp_.is("DispCorr", "allenerpres"))
+  if (energy || mdp_.is("DispCorr", {"enerpres", "allenerpres"}))
     line("dispersion_correction", "true", "DispCorr");
 }
 
 void Translation::electrostatics() {
   const auto any = [&](std::initializer_list<std::string_view> names) {
-    return std::any_of(names.begin(), names.end(),
-                       [&](auto name) { return mdp_.is("coulombtype", name, "cut-off"); });
+    return mdp_.is("coulombtype", names, "cut-off");
   };
   const bool plain = any({"cut-off"});
   if (plain || any({"reaction-field", "generalized-reaction-field", "reaction-field-zero"})) {
@@ -196,17 +192,11 @@ void Translation::integrator() {
   if (mdp_.is("integrator", "bd", "md"))
     mdp_.differs("integrator",
                  "Brownian dynamics is not available: Langevin dynamics is used instead");
-  else if (!minimises() && !stochastic() && !mdp_.is("integrator", "md", "md") &&
-           !mdp_.is("integrator", "md-vv", "md") && !mdp_.is("integrator", "md-vv-avek", "md"))
+  else if (!minimises() && !stochastic() &&
+           !mdp_.is("integrator", {"md", "md-vv", "md-vv-avek"}, "md"))
     mdp_.differs("integrator", "not available: molecular dynamics is used instead");
   if (!mdp_.is("comm-mode", "linear", "linear"))
     mdp_.differs("comm-mode", "the centre of mass is at rest, but the system may rotate");
-}
-
-bool Translation::minimises() {
-  static constexpr std::array<std::string_view, 4> minimisers = {"steep", "cg", "l-bfgs", "lbfgs"};
-  return std::any_of(minimisers.begin(), minimisers.end(),
-                     [&](auto name) { return mdp_.is("integrator", name, "md"); });
 }
 
 void Translation::run() {
@@ -235,7 +225,7 @@ void Translation::thermostat() {
   if (std::any_of(times.begin(), times.end(), [&](double t) { return t != time; }))
     mdp_.differs("tau-t",
                  "all molecules have the same thermostat, with the first value of this list");
-  if (stochastic() || mdp_.is("tcoupl", "andersen") || mdp_.is("tcoupl", "andersen-massive")) {
+  if (stochastic() || mdp_.is("tcoupl", {"andersen", "andersen-massive"})) {
     line("type", "\"langevin\"", stochastic() ? "integrator = sd" : "tcoupl");
     if (time > 0) quantity("friction", 1 / time, "1/ps", "1/tau-t");
     if (!stochastic())

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <memory>
 #include <utility>
 
@@ -17,16 +16,6 @@
 
 namespace polhode::gromacs {
 namespace {
-
-/// The letters and digits of a text, by which GROMACS compares names and words.
-std::string normal(std::string_view text) {
-  std::string letters;
-  for (const char letter : text) {
-    const auto c = static_cast<unsigned char>(letter);
-    if (std::isalnum(c)) letters += static_cast<char>(std::tolower(c));
-  }
-  return letters;
-}
 
 /// Parameters that run files do not support: the beginning of each name, and the reason. The first
 /// entry that matches a name applies.
@@ -94,7 +83,7 @@ constexpr auto reasons = std::to_array<Reason>({
 bool is_off(std::string_view value) {
   static constexpr std::array<std::string_view, 4> off = {"", "no", "none", "0"};
   return std::any_of(off.begin(), off.end(),
-                     [&](std::string_view word) { return normal(value) == word; });
+                     [&](std::string_view word) { return letters_and_digits(value) == word; });
 }
 
 }  // namespace
@@ -111,12 +100,12 @@ MdpParameters::MdpParameters(std::string_view text, const std::string& file) {
     const TextPlace place{name_of_file, number};
     const auto equals = line.find('=');
     const std::string name(trimmed(line.substr(0, equals)));
-    if (equals == line.npos || normal(name).empty() || name.size() > max_name_length)
+    if (equals == line.npos || letters_and_digits(name).empty() || name.size() > max_name_length)
       throw Error(fmt::format("found '{}' instead of a parameter; write \"name = value\", and "
                               "begin comments with a semicolon",
                               line.substr(0, max_name_length)),
                   text_of(place));
-    if (!index_.emplace(normal(name), parameters_.size()).second)
+    if (!index_.emplace(letters_and_digits(name), parameters_.size()).second)
       throw Error(fmt::format("the parameter {} is given twice; delete one line", name),
                   text_of(place));
     parameters_.push_back({name, std::string(trimmed(line.substr(equals + 1))), place});
@@ -124,7 +113,7 @@ MdpParameters::MdpParameters(std::string_view text, const std::string& file) {
 }
 
 MdpParameters::Parameter* MdpParameters::find(std::string_view name) {
-  const auto found = index_.find(normal(name));
+  const auto found = index_.find(letters_and_digits(name));
   return found == index_.end() ? nullptr : &parameters_[found->second];
 }
 
@@ -138,6 +127,12 @@ std::string MdpParameters::text(std::string_view name) {
 bool MdpParameters::is(std::string_view name, std::string_view word, std::string_view fallback) {
   const std::string value = text(name);
   return same_letters(value.empty() ? fallback : std::string_view(value), word);
+}
+
+bool MdpParameters::is(std::string_view name, std::initializer_list<std::string_view> words,
+                       std::string_view fallback) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return is(name, word, fallback); });
 }
 
 std::vector<double> MdpParameters::numbers(std::string_view name) {
@@ -167,7 +162,7 @@ std::vector<MdpDifference> MdpParameters::differences() const {
   for (const Parameter& p : parameters_) {
     std::string reason = p.reason;
     if (!p.asked && reason.empty()) {
-      const std::string name = normal(p.name);
+      const std::string name = letters_and_digits(p.name);
       const auto known = std::find_if(reasons.begin(), reasons.end(), [&](const Reason& r) {
         return name.starts_with(r.beginning);
       });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,6 +27,9 @@ class MdpParameters {
   /// Whether the value of a parameter is a given word, compared by letters and digits. An absent
   /// parameter has the value `fallback`.
   bool is(std::string_view name, std::string_view word, std::string_view fallback = "no");
+  /// Whether the value of a parameter is one of several words.
+  bool is(std::string_view name, std::initializer_list<std::string_view> words,
+          std::string_view fallback = "no");
   std::vector<double> numbers(std::string_view name);
   double number(std::string_view name, double fallback);
 

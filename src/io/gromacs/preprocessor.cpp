@@ -42,9 +42,7 @@ std::optional<Line> Preprocessor::next() {
       continue;
     }
     const std::string_view text = trimmed(*line);
-    if (text.empty() || text.front() == '*')
-      continue;  // with '*' at the beginning, the whole line
-                 // is a comment
+    if (text.empty() || text.front() == '*') continue;  // a line that begins with '*' is a comment
     if (text.front() == '#') {
       directive(text.substr(1));
     } else if (!skipped()) {

@@ -36,8 +36,7 @@ class Preprocessor {
     std::size_t conditions = 0;  // number of open conditions at the beginning of the file
   };
   struct Condition {
-    bool taken, reached;  // whether the lines of the condition are active, and whether the
-                          // enclosing lines are
+    bool taken, reached;  // whether these lines, and the enclosing lines, are active
     bool otherwise;       // whether #else was found
     TextPlace place;
   };

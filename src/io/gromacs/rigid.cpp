@@ -150,8 +150,7 @@ std::vector<Distance> constrained_distances(const GromacsTopology& topology,
     }
   }
   if (rigidity == Rigidity::by_constraints) return std::move(distances.list);
-  for (const GromacsRelation& r : molecule.relations) {  // a bond, an angle and a bond form a
-                                                         // triangle
+  for (const GromacsRelation& r : molecule.relations) {  // bond, angle, bond: a triangle
     if (r.kind != Kind::angle || !has_minimum(r)) continue;
     const auto angle = first_number(topology, molecule, r, tables.angles);
     const auto a = distances.between(r.atoms[0], r.atoms[1]);
@@ -213,11 +212,8 @@ Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& 
     sites.push_back({atom.name, element, places[k], atom.mass, atom.charge, type.sigma,
                      type.epsilon, type.law});
   }
-  try {
-    return molecule_in_frame(molecule.name, std::move(sites));
-  } catch (const Error& e) {
-    throw e.at(text_of(molecule.place));
-  }
+  return at_place(text_of(molecule.place),
+                  [&] { return molecule_in_frame(molecule.name, std::move(sites)); });
 }
 
 }  // namespace polhode

@@ -26,11 +26,6 @@ void add_list(std::vector<std::string>& folders, const std::string& list) {
   }
 }
 
-bool is_file(const path& file) {
-  std::error_code unreadable;
-  return std::filesystem::is_regular_file(file, unreadable);
-}
-
 }  // namespace
 
 std::optional<std::string> gromacs_data_folder() {
@@ -54,7 +49,7 @@ IncludeLoader file_loader(std::vector<std::string> folders) {
         std::vector<path> candidates = {path(includer).parent_path() / name};
         for (const std::string& folder : folders) candidates.push_back(path(folder) / name);
         for (const path& candidate : candidates)
-          if (is_file(candidate)) {
+          if (is_file(candidate.string())) {
             const std::string file = candidate.lexically_normal().string();
             return LoadedText{file, file_text(file)};
           }

@@ -54,14 +54,10 @@ class Parser {
   void angle(const FieldLine& l) { relation(l, Kind::angle, 3, 1); }
   void virtual_site2(const FieldLine& l) { relation(l, Kind::virtual2, 3, 1); }
   void virtual_site3(const FieldLine& l) { relation(l, Kind::virtual3, 4, 3); }
-  void system(const FieldLine&) {}
   void block(const FieldLine&);
-  void inside(const FieldLine& line) {
-    current(line);
-  }                                 // these interactions are constant within a
-                                    // rigid body
-  void ignore(const FieldLine&) {}  // these sections are meaningless for rigid
-                                    // bodies
+  // Interactions that are constant within a rigid body, and sections without meaning for it.
+  void inside(const FieldLine& line) { current(line); }
+  void ignore(const FieldLine&) {}
   void obstacle(const FieldLine&);
   void between(const FieldLine& line);
 
@@ -99,7 +95,7 @@ const std::map<std::string, Parser::Reader, std::less<>>& Parser::readers() {
       {"dummies2", &Parser::virtual_site2},
       {"virtual_sites3", &Parser::virtual_site3},
       {"dummies3", &Parser::virtual_site3},
-      {"system", &Parser::system},
+      {"system", &Parser::ignore},
       {"molecules", &Parser::block},
       {"exclusions", &Parser::inside},
       {"pairs", &Parser::inside},

@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "kinds.hpp"
-#include "pair_styles.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {
@@ -112,11 +111,9 @@ RigidTopology rigid_topology(const LammpsData& data) {
       typed.push_back(
           {kind.name + '.' + kind.sites[k], std::to_string(atom.type), type.epsilon, type.law});
     }
-    try {
+    at_place(data.file, [&] {
       result.topology.parts.push_back({rigid_molecule(kind.name, std::move(sites)), kind.count});
-    } catch (const Error& e) {
-      throw e.at(data.file);
-    }
+    });
     result.origins.push_back(kind.sites.size() == 1
                                  ? "one atom"
                                  : "one rigid body per molecule id, with the mean shape");

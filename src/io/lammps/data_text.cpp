@@ -17,7 +17,6 @@
 #include "io/topology/lammps_data.hpp"
 #include "io/topology/lammps_export.hpp"
 #include "kinds.hpp"
-#include "pair_styles.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {
@@ -191,8 +190,7 @@ void Parser::mass(const FieldLine& line) {
   LammpsData::AtomType& t = data_.types[type(line, 0)];
   t.mass = mass;
   if (const auto point = comment_.rfind('.'); point != comment_.npos)
-    t.site = comment_.substr(point + 1);  // files that this program writes contain names such as
-                                          // "tip4p.HW1"
+    t.site = comment_.substr(point + 1);  // exports name a site "tip4p.HW1"
 }
 
 // Reads the potential from the fields with index k and higher. The pair style selects the
@@ -335,6 +333,34 @@ LammpsData Parser::result() {
 }
 
 }  // namespace
+
+std::optional<LammpsLaw> law_of_pair_style(std::string_view style) {
+  std::string_view name = take_word(style);
+  if (name.empty()) return LammpsLaw::lennard_jones;
+  for (const std::string_view suffix : {"/gpu", "/intel", "/kk", "/omp", "/opt"})
+    if (name.ends_with(suffix)) {
+      name.remove_suffix(suffix.size());
+      break;
+    }
+  // Some unsupported styles begin with the name of a supported style: lj/cut/soft,
+  // lj/cut/thole/long, lj/cut/dipole/cut, buck/mdf.
+  constexpr std::pair<std::string_view, LammpsLaw> known[] = {
+      {"lj/cut", LammpsLaw::lennard_jones},
+      {"lj/cut/coul/cut", LammpsLaw::lennard_jones},
+      {"lj/cut/coul/debye", LammpsLaw::lennard_jones},
+      {"lj/cut/coul/dsf", LammpsLaw::lennard_jones},
+      {"lj/cut/coul/long", LammpsLaw::lennard_jones},
+      {"lj/cut/coul/msm", LammpsLaw::lennard_jones},
+      {"lj/cut/coul/wolf", LammpsLaw::lennard_jones},
+      {"buck", LammpsLaw::buckingham},
+      {"buck/coul/cut", LammpsLaw::buckingham},
+      {"buck/coul/long", LammpsLaw::buckingham},
+      {"buck/coul/msm", LammpsLaw::buckingham},
+      {"mie/cut", LammpsLaw::mie}};
+  for (const auto& [known_name, law] : known)
+    if (name == known_name) return law;
+  return std::nullopt;
+}
 
 LammpsData parse_lammps_data(std::string_view text, const std::string& file) {
   return Parser(text, file).result();

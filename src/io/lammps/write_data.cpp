@@ -40,6 +40,11 @@ void write_masses(std::ostream& out, const LammpsTypes& types) {
                type.site.mass > 0 ? type.site.mass : lammps_massless, type.name);
 }
 
+// A vector with enough digits to reproduce its numbers exactly.
+std::string digits_of(const Vec3<double>& v) {
+  return fmt::format("{:.17g} {:.17g} {:.17g}", v.x, v.y, v.z);
+}
+
 // Converts a velocity to Å/fs.
 Vec3<double> in_real_units(const Vec3<double>& v) {
   return v / (unit("A", Dimension::length) / unit("fs", Dimension::time));
@@ -108,15 +113,13 @@ void write_lammps_data(std::ostream& out, const std::string& title, const State&
   const double angstrom = unit("A", Dimension::length);
   fmt::print(out, "\nAtoms # full\n\n");
   each_atom([&](std::size_t atom, std::size_t molecule, std::size_t part, std::size_t k) {
-    const Vec3<double> r = frame.atoms[atom].r / angstrom;
-    fmt::print(out, "{} {} {} {:.17g} {:.17g} {:.17g} {:.17g}\n", atom + 1, molecule,
-               types.number(part, k), topology.parts[part].molecule.sites[k].charge, r.x, r.y, r.z);
+    fmt::print(out, "{} {} {} {:.17g} {}\n", atom + 1, molecule, types.number(part, k),
+               topology.parts[part].molecule.sites[k].charge,
+               digits_of(frame.atoms[atom].r / angstrom));
   });
   fmt::print(out, "\nVelocities\n\n");
-  for (std::size_t atom = 0; atom < frame.atoms.size(); ++atom) {
-    const Vec3<double> v = in_real_units(frame.atoms[atom].v);
-    fmt::print(out, "{} {:.17g} {:.17g} {:.17g}\n", atom + 1, v.x, v.y, v.z);
-  }
+  for (std::size_t atom = 0; atom < frame.atoms.size(); ++atom)
+    fmt::print(out, "{} {}\n", atom + 1, digits_of(in_real_units(frame.atoms[atom].v)));
   if (bonds == 0) return;
   fmt::print(out, "\nBonds\n\n");
   std::size_t bond = 0;
@@ -136,22 +139,17 @@ void write_lammps_particles(std::ostream& out, const std::string& title, const S
     fmt::print(out, "{} {:.17g} # {}\n", sites + part + 1, topology.parts[part].molecule.mass,
                topology.parts[part].molecule.name);
   fmt::print(out, "\nAtoms # atomic\n\n");
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    const Vec3<double> q = wrapped(state.q[i], state.box) / angstrom;
-    fmt::print(out, "{} {} {:.17g} {:.17g} {:.17g}\n", i + 1, sites + bodies.part[i] + 1, q.x, q.y,
-               q.z);
-  }
+  for (std::size_t i = 0; i < state.size(); ++i)
+    fmt::print(out, "{} {} {}\n", i + 1, sites + bodies.part[i] + 1,
+               digits_of(wrapped(state.q[i], state.box) / angstrom));
   fmt::print(out, "\nVelocities\n\n");
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    const Vec3<double> v = in_real_units(bodies.inverse_m[i] * state.p[i]);
-    fmt::print(out, "{} {:.17g} {:.17g} {:.17g}\n", i + 1, v.x, v.y, v.z);
-  }
+  for (std::size_t i = 0; i < state.size(); ++i)
+    fmt::print(out, "{} {}\n", i + 1, digits_of(in_real_units(bodies.inverse_m[i] * state.p[i])));
   fmt::print(out, "\n{}\n\n", lammps_particle_section);
   for (std::size_t i = 0; i < state.size(); ++i) {
     const Quaternion<double> a = state.orientation[i];
-    const Vec3<double> ell = in_real_units(state.ell[i] / angstrom);
-    fmt::print(out, "{} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", i + 1, a.w, a.x,
-               a.y, a.z, ell.x, ell.y, ell.z);
+    fmt::print(out, "{} {:.17g} {} {}\n", i + 1, a.w, digits_of(a.vector()),
+               digits_of(in_real_units(state.ell[i] / angstrom)));
   }
 }
 
@@ -167,8 +165,7 @@ void write_lammps_molecule(std::ostream& out, const Topology& topology, std::siz
     }
   };
   section("Coords", [&](std::size_t, const Site& site) {
-    const Vec3<double> r = site.r / unit("A", Dimension::length);
-    fmt::print(out, "{:.17g} {:.17g} {:.17g}\n", r.x, r.y, r.z);
+    fmt::print(out, "{}\n", digits_of(site.r / unit("A", Dimension::length)));
   });
   section("Types", [&](std::size_t k, const Site& site) {
     fmt::print(out, "{} # {}\n", types.number(part, k), site.name);

@@ -10,7 +10,6 @@
 #include "forces/pairs/pair_table.hpp"
 #include "io/settings/quantity.hpp"
 #include "io/topology/lammps_export.hpp"
-#include "lone_site.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 
@@ -47,6 +46,15 @@ std::string coefficients(const Buckingham<double>& law) {
 }
 
 }  // namespace
+
+Molecule lone_site(const LammpsTypes::Type& type, const Topology& topology, double charge) {
+  Molecule molecule;
+  molecule.name = topology.parts[type.part].molecule.name;
+  molecule.sites = {type.site};
+  molecule.sites[0].r = {};
+  molecule.sites[0].charge = charge;
+  return molecule;
+}
 
 std::string lammps_pair_style(const ForceSettings& s) {
   const double angstrom = unit("A", Dimension::length);

@@ -9,7 +9,6 @@
 #include "forces/pairs/molecule_pair.hpp"
 #include "io/settings/quantity.hpp"
 #include "io/topology/lammps_export.hpp"
-#include "lone_site.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {

@@ -5,12 +5,14 @@
 
 #include <filesystem>
 #include <map>
+#include <sstream>
 #include <string_view>
 
 #include "base/printable.hpp"
 #include "io/files/embedded.hpp"
 #include "io/files/text_file.hpp"
 #include "io/settings/config_parts.hpp"
+#include "io/settings/scheme_labels.hpp"
 #include "io/settings/settings.hpp"
 #include "list_tables.hpp"
 #include "polhode/base/error.hpp"
@@ -50,6 +52,15 @@ Config read_document(TomlTable document, const std::string& file) {
   return config;
 }
 
+/// The kind of run file that refers to files with a given extension. The result is empty if run
+/// files may have this extension.
+std::string_view kind_of_input(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension();
+  for (const std::string_view one : {".top", ".itp", ".gro", ".mdp", ".tpr"})
+    if (extension == one) return "gromacs";
+  return is_data_file(file) ? "lammps" : "";
+}
+
 }  // namespace
 
 Config parse_config(std::string_view text, const std::string& file, const Overlay& overlay) {
@@ -59,6 +70,28 @@ Config parse_config(std::string_view text, const std::string& file, const Overla
   config.text = text;
   config.notes = std::move(notes);
   return config;
+}
+
+OwnSchemes read_schemes(TomlTable table) {
+  OwnSchemes own;
+  for (const std::string& name : table.keys()) {
+    const std::string text = name + ": " + *table.text(name);
+    table.at(name, [&] { single_scheme_of(text); });
+    own.emplace(name, text);
+  }
+  return own;
+}
+
+std::string with_own_schemes(const std::string& text, const OwnSchemes& own) {
+  const bool definitions = text.find(';') != std::string::npos;  // definitions may contain slashes
+  if (own.empty() || definitions) return text;
+  std::istringstream words(text);
+  std::string result, before = "/";
+  for (std::string word; words >> word; before = word) {
+    const auto scheme = before == "/" ? own.find(word) : own.end();
+    result += (result.empty() ? "" : " ") + (scheme == own.end() ? word : scheme->second);
+  }
+  return result;
 }
 
 std::string wrong_temperature(const Config& config) {
@@ -86,19 +119,6 @@ void set_precision(Config& config, Precision precision) {
                             integrator.lambda, min_lambda_in_mixed, lambda_in_mixed),
                 config.place("integrator.lambda"));
 }
-
-namespace {
-
-/// The kind of run file that refers to files with a given extension. The result is empty if run
-/// files may have this extension.
-std::string_view kind_of_input(const std::string& file) {
-  const std::string extension = std::filesystem::path(file).extension();
-  for (const std::string_view one : {".top", ".itp", ".gro", ".mdp", ".tpr"})
-    if (extension == one) return "gromacs";
-  return is_data_file(file) ? "lammps" : "";
-}
-
-}  // namespace
 
 Config read_config(const std::string& file, const Overlay& overlay) {
   check_name("the run file", file);

@@ -36,7 +36,7 @@ void set_type(std::variant<Types...>& type, std::string_view name) {
 /// The compressibility of liquid water [nm³ mol/kJ].
 double default_compressibility();
 
-/// The settings of a barostat at a pressure [kJ/mol/nm³], with the compressibility of liquid water.
-BarostatSettings default_barostat(double pressure = 0);
+/// The default settings of a barostat, with the compressibility of liquid water.
+BarostatSettings default_barostat();
 
 }  // namespace polhode

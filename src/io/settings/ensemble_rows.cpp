@@ -172,8 +172,6 @@ SettingTable hybrid_monte_carlo_table() {
 }
 
 double default_compressibility() { return 4.5e-5 * unit("1/bar", Dimension::compressibility); }
-BarostatSettings default_barostat(double pressure) {
-  return {.type = {}, .pressure = pressure, .compressibility = default_compressibility()};
-}
+BarostatSettings default_barostat() { return {.compressibility = default_compressibility()}; }
 
 }  // namespace polhode

@@ -102,11 +102,7 @@ void read_pairs(const std::vector<TomlTable>& tables, Config& config) {
   for (TomlTable table : tables) {
     mixing.pairs.push_back(read_pair(table, config.source));
     if (!system.topology.file.empty()) continue;  // this is checked when the topology is read
-    try {
-      check(mixing, topology);
-    } catch (const Error& e) {
-      throw e.at(table.where("sites"));
-    }
+    table.at("sites", [&] { check(mixing, topology); });
   }
 }
 

@@ -3,11 +3,11 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
 #include <regex>
 #include <sstream>
 #include <utility>
 
+#include "base/from_chars.hpp"
 #include "io/settings/quantity.hpp"
 #include "io/settings/scheme_labels.hpp"
 #include "polhode/base/error.hpp"
@@ -39,9 +39,8 @@ std::string without_blanks(std::string_view text) {
 }
 
 int steps_of(const std::string& text) {
-  int steps = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
-  if (error != std::errc() || end != text.data() + text.size() || steps < 1 || steps > max_steps)
+  const int steps = parsed_number<int>(text).value_or(0);
+  if (steps < 1 || steps > max_steps)
     throw Error(
         fmt::format("the number of inner steps per drift of the outer scheme is {}; it must be a "
                     "whole number from 1 to {}",
@@ -85,9 +84,16 @@ std::string name_or_stages(const Scheme& s) {
   return s.in_table() || s.has_own_name() ? std::string(s.name()) : text_of(s);
 }
 
-std::string joined(const std::string& outer, const std::string& inner, int steps,
-                   const std::string& from, const std::string& cutoff) {
-  return fmt::format("{} / {} x {} within {} to {} nm", outer, inner, steps, from, cutoff);
+/// A scheme as text.
+/// @param text    function that returns the text of a single scheme
+/// @param length  format of the distances
+template <class Text>
+std::string nested_text(const NestedScheme& scheme, const Text& text, const char* length = "{}") {
+  if (!scheme.inner) return text(scheme.outer);
+  const InnerScheme& inner = *scheme.inner;
+  return fmt::format("{} / {} x {} within {} to {} nm", text(scheme.outer), text(inner.scheme),
+                     inner.steps, fmt::format(fmt::runtime(length), inner.switch_from),
+                     fmt::format(fmt::runtime(length), inner.cutoff));
 }
 
 }  // namespace
@@ -123,10 +129,7 @@ Scheme single_scheme_of(const NamedScheme& scheme) {
 }
 
 std::string name_of(const NestedScheme& scheme) {
-  if (!scheme.inner) return name_or_stages(scheme.outer);
-  const InnerScheme& inner = *scheme.inner;
-  return joined(name_or_stages(scheme.outer), name_or_stages(inner.scheme), inner.steps,
-                fmt::format("{:g}", inner.switch_from), fmt::format("{:g}", inner.cutoff));
+  return nested_text(scheme, name_or_stages, "{:g}");
 }
 
 std::string label_of(const NamedScheme& scheme) {
@@ -135,20 +138,13 @@ std::string label_of(const NamedScheme& scheme) {
 }
 
 std::string named_text_of(const NestedScheme& scheme) {
-  const auto named = [](const Scheme& s) {
+  return nested_text(scheme, [](const Scheme& s) {
     return s.has_own_name() ? fmt::format("{}: {}", s.name(), text_of(s)) : name_or_stages(s);
-  };
-  if (!scheme.inner) return named(scheme.outer);
-  const InnerScheme& inner = *scheme.inner;
-  return joined(named(scheme.outer), named(inner.scheme), inner.steps,
-                fmt::format("{}", inner.switch_from), fmt::format("{}", inner.cutoff));
+  });
 }
 
 std::string text_of(const NestedScheme& scheme) {
-  if (!scheme.inner) return text_of(scheme.outer);
-  const InnerScheme& inner = *scheme.inner;
-  return joined(text_of(scheme.outer), text_of(inner.scheme), inner.steps,
-                fmt::format("{}", inner.switch_from), fmt::format("{}", inner.cutoff));
+  return nested_text(scheme, [](const Scheme& s) { return text_of(s); });
 }
 
 }  // namespace polhode

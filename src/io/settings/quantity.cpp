@@ -85,47 +85,30 @@ struct Words {
   std::string_view example;
 };
 
-Words words(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::length:
-      return {"a", "length", "1 nm"};
-    case Dimension::time:
-      return {"a", "time", "2 fs"};
-    case Dimension::wall_clock:
-      return {"a", "wall-clock time", "5 min"};
-    case Dimension::mass:
-      return {"a", "mass", "15.9994 u"};
-    case Dimension::charge:
-      return {"a", "charge", "0.52 e"};
-    case Dimension::temperature:
-      return {"a", "temperature", "297 K"};
-    case Dimension::energy:
-      return {"an", "energy", "0.65 kJ/mol"};
-    case Dimension::force:
-      return {"a", "force", "10 kJ/mol/nm"};
-    case Dimension::density:
-      return {"a", "density", "1 g/cm3"};
-    case Dimension::dipole:
-      return {"a", "dipole moment", "1.85 D"};
-    case Dimension::pressure:
-      return {"a", "pressure", "1 bar"};
-    case Dimension::power:
-      return {"a", "energy drift", "0.1 kJ/mol/ns"};
-    case Dimension::viscosity:
-      return {"a", "viscosity", "0.9 mPa s"};
-    case Dimension::fraction:
-      return {"a", "fraction", "0.5 %"};
-    case Dimension::inverse_length:
-      return {"an", "inverse length", "2 1/nm"};
-    case Dimension::rate:
-      return {"a", "rate", "1 1/ps"};
-    case Dimension::compressibility:
-      return {"a", "compressibility", "4.5e-5 1/bar"};
-    case Dimension::dispersion:
-      return {"a", "dispersion coefficient", "6e-3 kJ/mol nm6"};
-  }
-  return {"", "", ""};
-}
+// Words in the order of Dimension.
+constexpr std::array all_words = {
+    Words{"a", "length", "1 nm"},
+    Words{"a", "time", "2 fs"},
+    Words{"a", "wall-clock time", "5 min"},
+    Words{"a", "mass", "15.9994 u"},
+    Words{"a", "charge", "0.52 e"},
+    Words{"a", "temperature", "297 K"},
+    Words{"a", "force", "10 kJ/mol/nm"},
+    Words{"an", "energy", "0.65 kJ/mol"},
+    Words{"a", "density", "1 g/cm3"},
+    Words{"a", "dipole moment", "1.85 D"},
+    Words{"a", "pressure", "1 bar"},
+    Words{"a", "energy drift", "0.1 kJ/mol/ns"},
+    Words{"a", "viscosity", "0.9 mPa s"},
+    Words{"a", "fraction", "0.5 %"},
+    Words{"an", "inverse length", "2 1/nm"},
+    Words{"a", "rate", "1 1/ps"},
+    Words{"a", "compressibility", "4.5e-5 1/bar"},
+    Words{"a", "dispersion coefficient", "6e-3 kJ/mol nm6"},
+};
+static_assert(all_words.size() == static_cast<std::size_t>(Dimension::dispersion) + 1);
+
+const Words& words(Dimension dimension) { return all_words[static_cast<std::size_t>(dimension)]; }
 
 constexpr std::string_view no_break_space = "\u00A0";
 
@@ -170,18 +153,11 @@ double number(std::string_view& rest, const QuantityText& source) {
   return value;
 }
 
-/// The number in a text that contains only this number.
-std::optional<double> parsed_number(std::string_view text) {
-  double value = 0;
-  const auto [end, status] = from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 /// The unit in an example: "mPa s" in "0.9 mPa s".
 std::string_view unit_of(std::string_view example) {
   for (auto space = example.find(' ');
-       space != example.npos && parsed_number(example.substr(0, space)); space = example.find(' '))
+       space != example.npos && parsed_number<double>(example.substr(0, space));
+       space = example.find(' '))
     example.remove_prefix(space + 1);
   return example;
 }
@@ -220,7 +196,7 @@ std::string no_unit(std::string_view name, std::string_view number, Dimension di
   if (bare.size() > 1 && bare.front() == '"') bare = bare.substr(1, bare.size() - 2);
   bare = trimmed(bare);
   if (dimension == Dimension::fraction)
-    if (const auto value = parsed_number(bare); value && std::isfinite(100 * *value))
+    if (const auto value = parsed_number<double>(bare); value && std::isfinite(100 * *value))
       return fmt::format(
           "{} = {} has no unit; write \"{} %\", or \"{:.15g} %\" if the number is a fraction of 1",
           name, number, bare, 100 * *value);

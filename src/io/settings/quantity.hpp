@@ -22,8 +22,7 @@ enum class Dimension {
   density,          ///< [u/nm³]
   dipole,           ///< [e nm]
   pressure,         ///< [kJ/mol/nm³]
-  power,            ///< power [kJ/mol/ps]; the unit "K" means energy divided by Boltzmann's
-                    ///< constant
+  power,            ///< power [kJ/mol/ps]; the unit "K" as for energies
   viscosity,        ///< [u/(nm ps)]
   fraction,         ///< fraction [1], written in %
   inverse_length,   ///< [1/nm]

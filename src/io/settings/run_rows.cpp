@@ -23,11 +23,7 @@ constexpr SettingBounds equilibration = between(0, 1e12, " (one second)");
 /// @throws Error  with the place of the key, if the text is not a scheme
 NamedScheme scheme_of(const std::string& text, const TomlTable& table, std::string_view key,
                       const Config& config) {
-  try {
-    return with_own_schemes(text, config.schemes);
-  } catch (const Error& e) {
-    throw e.at(table.where(key));
-  }
+  return table.at(key, [&] { return with_own_schemes(text, config.schemes); });
 }
 
 void read_scheme(TomlTable& table, const SettingRow& row, Config& config) {
@@ -50,11 +46,7 @@ void read_accuracy(TomlTable& table, const SettingRow& row, Config& config) {
   std::optional<Requirement>& accuracy = config.integrator.accuracy;
   if (const auto text = table.holds_text(row.key) ? table.text(row.key) : std::nullopt;
       text && is_of_bias(*text)) {
-    try {
-      accuracy = required_bias(*text, "accuracy");
-    } catch (const Error& e) {
-      throw Error(e.what(), table.where(row.key));
-    }
+    accuracy = table.at(row.key, [&] { return required_bias(*text, "accuracy"); });
   } else if (const auto ratio = table.quantity(row.key, *row.unit.dimension, row.unit.example)) {
     table.require(is_valid(row, *ratio), row.key, complaint(row));
     accuracy = Requirement{RequiredOf::ratio, *ratio};
@@ -66,12 +58,8 @@ void read_accuracy(TomlTable& table, const SettingRow& row, Config& config) {
 
 void read_steps(TomlTable& table, const SettingRow& row, Config& config) {
   for (const std::string& text : table.texts(row.key).value_or(std::vector<std::string>{})) {
-    double step = 0;
-    try {
-      step = quantity(text, Dimension::time, row.key, row.unit.example);
-    } catch (const Error& e) {
-      throw e.at(table.where(row.key));
-    }
+    const double step = table.at(
+        row.key, [&] { return quantity(text, Dimension::time, row.key, row.unit.example); });
     table.require(is_valid(row, step), row.key, complaint(row));
     config.study.steps.push_back(step);
   }

@@ -126,15 +126,16 @@ std::string tidy_exponent(std::string number) {
   return number;
 }
 
-std::string short_number(double value) { return tidy_exponent(fmt::format("{:g}", value)); }
+std::string short_number(const SettingRow& row, double value) {
+  const std::string number = tidy_exponent(fmt::format("{:g}", value));
+  return fmt::format("{}{}{}", number, row.unit.dimension ? " " : "", row.unit.symbol);
+}
 
 std::string complaint(const SettingRow& row) {
   const bool long_or_above = row.unit.dimension == Dimension::time ||
                              row.unit.dimension == Dimension::wall_clock ||
                              row.unit.dimension == Dimension::length;
-  const auto number = [&](double value) {
-    return short_number(value) + (row.unit.dimension ? " " : "") + std::string(row.unit.symbol);
-  };
+  const auto number = [&](double value) { return short_number(row, value); };
   const SettingBounds& b = row.bounds;
   std::string text = "must be ";
   if (std::isfinite(b.min))

@@ -33,8 +33,7 @@ using ReadSetting = void (*)(TomlTable&, const SettingRow&, Config&);
 /// Properties that only some rows have.
 struct More {
   std::string_view domain{};          ///< domain in words, if kind and bounds do not describe it
-  std::string_view fallback{};        ///< default in words, if the default depends on other
-                                      ///< settings
+  std::string_view fallback{};        ///< default in words, if other settings affect it
   std::string_view by{};              ///< key that decides whether this setting applies
   std::string_view not_set = "none";  ///< text that stands for a missing value
   ReadSetting read = nullptr;         ///< function that replaces read_row()
@@ -73,21 +72,12 @@ SettingRow row(std::string_view key, Parts... parts) {
 struct SettingTable {
   std::string_view name;
   std::vector<SettingRow> rows;
-  void (*before)(TomlTable&, Config&) = nullptr;  ///< function that is called before the rows are
-                                                  ///< read
+  void (*before)(TomlTable&, Config&) = nullptr;  ///< called before the rows are read
   void (*after)(TomlTable&, Config&) = nullptr;
 };
 
-SettingTable system_table();
-SettingTable forces_table();
-SettingTable integrator_table();
-SettingTable run_table();
-SettingTable prepare_table();
-SettingTable output_table();
-SettingTable study_table();
-SettingTable thermostat_table();
-SettingTable barostat_table();
-SettingTable hybrid_monte_carlo_table();
+SettingTable system_table(), forces_table(), integrator_table(), run_table(), prepare_table(),
+    output_table(), study_table(), thermostat_table(), barostat_table(), hybrid_monte_carlo_table();
 
 const std::vector<SettingTable>& setting_tables();
 const SettingTable& setting_table(std::string_view name);
@@ -108,8 +98,8 @@ bool is_valid(const SettingRow& row, double value);
 
 /// Simplifies the exponent of a number: "4.5e-5" instead of "4.5e-05".
 std::string tidy_exponent(std::string number);
-/// A number in its shortest form, such as "1e12".
-std::string short_number(double value);
+/// A number in its shortest form, with the unit of the row: "1e12 ps".
+std::string short_number(const SettingRow& row, double value);
 
 /// A quantity as text, for error messages and help: the default of the row or, without a default,
 /// its example.

@@ -31,9 +31,7 @@ std::string domain_of(const SettingRow& row) {
     for (const std::string_view name : row.member.names) names.push_back(code(name));
     return fmt::format("{}", fmt::join(names, ", "));
   }
-  const auto number = [&](double value) {
-    return short_number(value) + (row.unit.dimension ? " " : "") + std::string(row.unit.symbol);
-  };
+  const auto number = [&](double value) { return short_number(row, value); };
   switch (kinds_of(row).front()) {
     case SettingKind::boolean:
       return "`true`, `false`";

@@ -51,18 +51,14 @@ struct SettingBounds {
 struct Setting {
   std::string table, key;
   std::vector<SettingKind> kinds;     ///< kinds that the value of the setting may have
-  std::string unit;                   ///< unit in which a quantity is written; empty for other
-                                      ///< kinds
+  std::string unit;                   ///< unit of a quantity; empty for other kinds
   std::string domain;                 ///< values and bounds, such as "temperature ≥ 0 K"
   std::string fallback;               ///< default value, possibly in words; empty if there is none
-  std::string example;                ///< an example such as "2 fs", or the names of all values;
-                                      ///< empty for other kinds
+  std::string example;                ///< "2 fs", or the names of all values; may be empty
   SettingBounds bounds;               ///< bounds of numbers
   std::string by;                     ///< key that decides whether the setting applies
-  std::vector<std::string> by_names;  ///< values of the deciding key for which the setting applies;
-                                      ///< empty if it applies for all values
-  std::string doc;                    ///< meaning of the setting, in Markdown with the links of the
-                                      ///< manual
+  std::vector<std::string> by_names;  ///< values of `by` for which it applies; empty: all
+  std::string doc;                    ///< meaning, in Markdown with links of the manual
 
   std::string path() const { return table + '.' + key; }
 };

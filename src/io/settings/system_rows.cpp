@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <system_error>
 
 #include "io/files/embedded.hpp"
+#include "io/files/text_file.hpp"
 #include "io/formats/format.hpp"
 #include "list_tables.hpp"
-#include "molecule_table.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "setting_rows.hpp"
@@ -21,13 +20,6 @@ using std::filesystem::path;
 
 std::string resolve(const path& folder, const std::string& name) {
   return (folder / name).lexically_normal().string();
-}
-
-/// Whether a file with a given name exists. The result is also false for a name that the operating
-/// system rejects, for example a name that is too long.
-bool is_file(const std::string& name) {
-  std::error_code refused;
-  return std::filesystem::is_regular_file(name, refused);
 }
 
 /// Reads a molecule, which is given by the name of a model, by the path of a molecule file, or as a
@@ -42,11 +34,7 @@ void read_model(TomlTable& table, const path& folder, const std::string& file,
   const auto model = table.text("model");
   if (!model) table.refuse("model", "a molecule has no model; write for example model = \"tip4p\"");
   component.model = is_molecule_path(*model) ? resolve(folder, *model) : *model;
-  try {
-    read_molecule(component.model);
-  } catch (const Error& e) {
-    throw e.at(table.where("model"));
-  }
+  table.at("model", [&] { read_molecule(component.model); });
 }
 
 SystemSettings::Component read_component(TomlTable table, const path& folder,
@@ -73,12 +61,11 @@ void read_box(TomlTable& table, const SettingRow& row, Config& config) {
   if (table.holds_list(row.key)) {
     const auto edges = table.texts(row.key);
     table.require(edges->size() == 3, row.key, "must be one edge or a list of three");
-    for (std::size_t k = 0; k < 3; ++k) try {
-        box[k] =
-            quantity((*edges)[k], Dimension::length, fmt::format("box[{}]", k), row.unit.example);
-      } catch (const Error& e) {
-        throw e.at(table.where(row.key));
-      }
+    for (std::size_t k = 0; k < 3; ++k)
+      box[k] = table.at(row.key, [&] {
+        return quantity((*edges)[k], Dimension::length, fmt::format("box[{}]", k),
+                        row.unit.example);
+      });
   } else {
     const double edge = *table.quantity(row.key, Dimension::length, row.unit.example);
     box = {edge, edge, edge};
@@ -107,11 +94,7 @@ void read_start(TomlTable& table, const path& folder, SystemSettings& system) {
                 fmt::format("is neither an embedded initial configuration, such as \"w512\", nor a "
                             "file: '{}' does not exist",
                             file));
-  try {
-    format_of(file);
-  } catch (const Error& e) {
-    throw e.at(table.where("initial_configuration"));
-  }
+  table.at("initial_configuration", [&] { format_of(file); });
   system.initial_configuration = std::move(file);
 }
 
@@ -245,11 +228,9 @@ void read_shapes(const std::vector<TomlTable>& tables, TopologySettings& topolog
                    "a shape needs a molecule and its positions; write for example "
                    "molecule = \"CO2\", positions = [\"0 0 0 nm\", \"0.116 0 0 nm\"]");
     Shape shape;
-    for (const std::string& position : *positions) try {
-        shape.push_back(vector_quantity(position, Dimension::length, "positions"));
-      } catch (const Error& e) {
-        throw e.at(table.where("positions"));
-      }
+    for (const std::string& position : *positions)
+      shape.push_back(table.at(
+          "positions", [&] { return vector_quantity(position, Dimension::length, "positions"); }));
     if (!topology.shapes.emplace(*molecule, std::move(shape)).second)
       table.refuse("molecule", "has two shapes; delete one of them");
   }

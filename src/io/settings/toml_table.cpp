@@ -177,21 +177,13 @@ std::optional<double> TomlTable::quantity(std::string_view key, Dimension dimens
   if (node == nullptr) return std::nullopt;
   if (node->is_number()) throw Error(no_unit(key, written(key), dimension, example), where(key));
   const std::string words = text_of(*node, key);
-  try {
-    return polhode::quantity(words, dimension, key, example);
-  } catch (const Error& e) {
-    throw e.at(where(key));
-  }
+  return at(key, [&] { return polhode::quantity(words, dimension, key, example); });
 }
 
 std::optional<Vec3<double>> TomlTable::vector(std::string_view key, Dimension dimension) {
   const auto words = text(key);
   if (!words) return std::nullopt;
-  try {
-    return vector_quantity(*words, dimension, key);
-  } catch (const Error& e) {
-    throw e.at(where(key));
-  }
+  return at(key, [&] { return vector_quantity(*words, dimension, key); });
 }
 
 std::optional<double> TomlTable::number(std::string_view key) {
@@ -208,11 +200,8 @@ std::optional<std::int64_t> TomlTable::integer(std::string_view key) {
   if (node == nullptr) return std::nullopt;
   const Override* const one = override_of(key);
   if (one != nullptr && one->toml.empty() && node->is_string()) {
-    const std::string text = *node->value<std::string>();
-    std::int64_t value = 0;
-    const auto [last, status] = from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc() || last != text.data() + text.size())
-      refuse_kind(key, "a whole number");
+    const auto value = parsed_number<std::int64_t>(*node->value<std::string>());
+    if (!value) refuse_kind(key, "a whole number");
     return value;
   }
   if (!node->is_integer()) refuse_kind(key, "a whole number without unit or quotes");

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/settings/quantity.hpp"
+#include "polhode/base/error.hpp"
 #include "polhode/io/settings/overlay.hpp"
 
 namespace polhode {
@@ -65,6 +66,11 @@ class TomlTable {
   /// as "--cutoff". If the table does not have the key, the result is the place of the table.
   std::string where(std::string_view key) const;
 
+  /// Calls action(). An Error that it throws gets the place of a key.
+  template <class Action>
+  decltype(auto) at(std::string_view key, const Action& action) const {
+    return at_place(where(key), action);
+  }
   /// Throws an Error of the form `key = value complaint`. Without a key, the error text is only the
   /// complaint.
   [[noreturn]] void refuse(std::string_view key, const std::string& complaint) const;

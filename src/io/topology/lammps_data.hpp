@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,8 +22,7 @@ namespace polhode {
 struct LammpsData {
   struct AtomType {
     double mass = 0;                ///< mass [u]
-    std::string site;               ///< site name that exports write as a comment after the mass;
-                                    ///< may be empty
+    std::string site;               ///< site name, from the comment of exports; may be empty
     double sigma = 0, epsilon = 0;  ///< diameter [nm] and well depth [kJ/mol]
     ShortRangeLaw law{};
     bool has_pair_coefficients = false;
@@ -49,6 +49,13 @@ struct LammpsData {
   bool has_velocities = false;
   Box box;  ///< box [nm]; its lower corner is moved to the origin
 };
+
+enum class LammpsLaw { lennard_jones, buckingham, mie };
+
+/// The short-range potential of a LAMMPS pair style, with any accelerator suffix and any treatment
+/// of charges. The potential is Lennard-Jones if no style is given, and empty for unsupported
+/// styles.
+std::optional<LammpsLaw> law_of_pair_style(std::string_view style);
 
 /// Parses the text of a LAMMPS data file.
 /// @throws Error  with file, line, the text found and the text expected

@@ -61,6 +61,10 @@ void write_lammps_molecule(std::ostream& out, const Topology& topology, std::siz
 inline constexpr std::size_t lammps_table_size = 20000;
 inline constexpr double lammps_table_start = 0.03;
 
+/// A molecule with a single site of a given type. The pair table of two molecules with one site
+/// each has one pair, which follows from the mixing rule or an exception.
+Molecule lone_site(const LammpsTypes::Type& type, const Topology& topology, double charge);
+
 /// Writes the tables of all interacting pairs of types, for pair_style table.
 /// @return  name of the section for each pair of types i ≤ j, empty if they do not interact
 /// @throws Error  if the settings truncate between centres of mass, which is not possible with

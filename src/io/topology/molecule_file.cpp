@@ -11,7 +11,7 @@
 #include "forces/laws/setting_names.hpp"
 #include "io/files/embedded.hpp"
 #include "io/files/text_file.hpp"
-#include "io/settings/molecule_table.hpp"
+#include "io/settings/list_tables.hpp"
 #include "io/settings/short_range_keys.hpp"
 #include "model/elements.hpp"
 #include "polhode/base/error.hpp"
@@ -44,11 +44,7 @@ Site read_site(TomlTable table, const std::string& file) {
   Site site;
   site.name = required_text(table, "name", "OW");
   site.element = table.text("element").value_or("");
-  try {
-    check_name("the element of site '" + site.name + "'", site.element);
-  } catch (const Error& e) {
-    throw e.at(table.where("element"));
-  }
+  table.at("element", [&] { check_name("the element of site '" + site.name + "'", site.element); });
   if (!site.element.empty() && !is_element(site.element))
     table.refuse(
         "element",
@@ -101,15 +97,11 @@ Molecule read_molecule_table(TomlTable table, const std::string& file) {
     throw Error("the molecule has no site; add at least one table [[site]]", table.where(""));
   std::vector<Site> sites;
   for (const TomlTable& site : *site_tables) sites.push_back(read_site(site, file));
-  try {
-    Molecule molecule = rigid_molecule(name, std::move(sites));
-    molecule.description = description;
-    molecule.source = source;
-    molecule.mixing = mixing;
-    return molecule;
-  } catch (const Error& e) {
-    throw e.at(table.where(""));
-  }
+  Molecule molecule = table.at("", [&] { return rigid_molecule(name, std::move(sites)); });
+  molecule.description = description;
+  molecule.source = source;
+  molecule.mixing = mixing;
+  return molecule;
 }
 
 Molecule parse_molecule(std::string_view text, const std::string& file) {

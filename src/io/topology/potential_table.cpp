@@ -15,8 +15,7 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t min_rows = 4, max_rows = 100'000;
-constexpr double max_unevenness = 1e-3;  // largest round-off of r in the file, relative to the
-                                         // spacing
+constexpr double max_unevenness = 1e-3;  // largest round-off of r, in spacings
 
 struct Columns {
   std::vector<double> r, u, f;

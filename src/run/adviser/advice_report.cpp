@@ -269,7 +269,7 @@ void write_advice(const AdviceReport& report, const Provenance& provenance,
   write_file(files.json, [&](std::ostream& out) { out << json_text(quantities(report)) << '\n'; });
   if (files.figure.empty()) return;
   pass_messages(callbacks, [&](std::ostream& warnings) {
-    advice_plot(figure_of(report, points.rows.size()), files.figure.substr(files.prefix.size() + 1),
+    draw_figure(figure_of(report, points.rows.size()), files.figure.substr(files.prefix.size() + 1),
                 warnings);
   });
 }

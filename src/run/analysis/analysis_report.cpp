@@ -50,7 +50,7 @@ std::vector<std::string> write_files(AnalysisReport& report, const AnalysisInput
     if (input.plot == "none" || file.figure.panels.empty()) continue;
     file.figure.csv = csv;
     pass_messages(callbacks, [&](std::ostream& warnings) {
-      if (curves_plot(file.figure, input.plot, warnings))
+      if (draw_figure(file.figure, input.plot, warnings))
         written.push_back(fmt::format("{}-{}.{}", input.prefix, file.name, input.plot));
     });
   }

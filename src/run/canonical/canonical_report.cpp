@@ -161,7 +161,6 @@ struct CanonicalStudy {
   static constexpr auto perform = perform_canonical_runs;
   static constexpr auto records_of = point_records;
   static constexpr auto figure_of = figure;
-  static constexpr auto plot = canonical_plot;
 
   const Config& config;
   std::vector<CanonicalMethod> methods = canonical_methods(config.study);

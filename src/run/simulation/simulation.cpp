@@ -388,7 +388,7 @@ RunReport Simulation::report(const Trajectory& trajectory, const RunFileNames& n
                    trajectory.stopped};
   if (!names.plot.empty())
     pass_messages(callbacks, [&](std::ostream& warnings) {
-      energy_plot(energy_figure(report.summary, names.energies,
+      draw_figure(energy_figure(report.summary, names.energies,
                                 fmt::format("{}, {} at {:g} fs", config_.source,
                                             name_of({settings_->scheme, settings_->inner}),
                                             settings_->step * units::fs_per_ps)),

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "io/figures/plot.hpp"
 #include "io/files/draft.hpp"
 #include "io/files/write_file.hpp"
 #include "polhode/base/error.hpp"
@@ -27,7 +28,6 @@ namespace polhode {
 ///     read(stream, path)                         all runs of any such record
 ///     perform(config, known, keep, callbacks, workers)
 ///     records_of(report), figure_of(report, csv)
-///     plot(figure, format, warnings)
 /// and, as an object with the settings `config`,
 ///     points()                                   their number
 ///     check(system)                              throws Error
@@ -133,7 +133,7 @@ class StudyJob {
                [&](std::ostream& out) { out << json_text(quantities(report)) << '\n'; });
     pass_messages(callbacks_, [&](std::ostream& warnings) {
       for (const char* format : {"svg", "png"})
-        Study::plot(Study::figure_of(report, files_.points), format, warnings);
+        draw_figure(Study::figure_of(report, files_.points), format, warnings);
     });
   }
 

@@ -196,7 +196,6 @@ struct EnergyStudy {
   static constexpr auto perform = perform_study_runs;
   static constexpr auto records_of = point_records;
   static constexpr auto figure_of = figure;
-  static constexpr auto plot = efficiency_plot;
 
   const Config& config;
   std::vector<StudyPoint> all = study_points(config.study);

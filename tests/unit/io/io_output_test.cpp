@@ -16,7 +16,6 @@
 #include "io/files/checksum.hpp"
 #include "io/files/write_file.hpp"
 #include "io/formats/format.hpp"
-#include "io/formats/frame_view.hpp"
 #include "model/initial_state.hpp"
 #include "polhode/io/files/table_file.hpp"
 #include "polhode/io/topology/molecule_file.hpp"

@@ -8,8 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/figures/gnuplot_text.hpp"
-#include "io/figures/scheme_styles.hpp"
+#include "io/figures/figure_script.hpp"
 
 using namespace polhode;
 namespace fs = std::filesystem;
@@ -76,7 +75,7 @@ TEST_CASE("without gnuplot there is a warning, and the script is kept") {
   setenv("PATH", place.folder.c_str(), 1);
   std::ostringstream warnings;
   const std::string prefix = (place.folder / "efficiency").string();
-  CHECK(!efficiency_plot(study_in(place.folder, "efficiency"), "svg", warnings));
+  CHECK(!draw_figure(study_in(place.folder, "efficiency"), "svg", warnings));
   CHECK(warnings.str().find("gnuplot is not installed") != std::string::npos);
   CHECK(warnings.str().find("gnuplot efficiency.gp") != std::string::npos);
   const std::string script = script_of(prefix + ".gp");
@@ -106,9 +105,9 @@ TEST_CASE("a figure has a curve for each scheme, in the scheme's style") {
       CHECK(script.find("filled" + at + std::to_string(styles[k].filled)) != std::string::npos);
     }
   };
-  efficiency_plot(study, "svg", warnings);
+  draw_figure(study, "svg", warnings);
   has_curves(place.folder / "figure.gp");
-  advice_plot(advice_in(place.folder), "svg", warnings);
+  draw_figure(advice_in(place.folder), "svg", warnings);
   has_curves(place.folder / "advice.gp");
 }
 
@@ -119,7 +118,7 @@ TEST_CASE("curves of panels are numbered through, and those with errors have ban
   CurvesFigure figure{(place.folder / "g.csv").string(), "g", "r", "g"};
   figure.panels = {{"O-`H`", {{"a", 2, 3}, {"b", 4}}, {{"fit", {0, 1}, {0, 2}}}, 0, 2.5},
                    {"", {{"", 5, 6}}, {}, -1, 1}};
-  curves_plot(figure, "svg", warnings);
+  draw_figure(figure, "svg", warnings);
   const std::string script = script_of(place.folder / "g.gp");
   for (const char* line :
        {"title_of[1] = 'O-`H`'\n", "panels = 2\n", "across = 2\n", "first_curve[2] = 3\n",
@@ -138,25 +137,25 @@ TEST_CASE("figures are drawn if gnuplot is installed") {
     csv << "# polhode\ntime [ps],potential [kJ/mol],conserved [kJ/mol]\n";
     for (int k = 0; k < 20; ++k) csv << k << ',' << -100 + k % 3 << ',' << -50 + k % 2 << '\n';
   }
-  const bool drawn =
-      energy_plot({(place.folder / "run.csv").string(), "a \"run\"", "conserved", "0.3 ± 0.1 %"},
-                  "svg", warnings);
+  const bool drawn = draw_figure(
+      EnergyFigure{(place.folder / "run.csv").string(), "a \"run\"", "conserved", "0.3 ± 0.1 %"},
+      "svg", warnings);
   if (!drawn && warnings.str().find("not installed") != std::string::npos) return;
   CHECK(drawn);
-  CHECK(efficiency_plot(study_in(place.folder, "eff"), "svg", warnings));
+  CHECK(draw_figure(study_in(place.folder, "eff"), "svg", warnings));
   EfficiencyFigure none = study_in(place.folder, "none");
   none.schemes.clear();
-  CHECK(efficiency_plot(none, "svg", warnings));
+  CHECK(draw_figure(none, "svg", warnings));
   AdviceFigure advice = advice_in(place.folder);
-  CHECK(advice_plot(advice, "svg", warnings));
+  CHECK(draw_figure(advice, "svg", warnings));
   advice = {advice.csv, {}};
-  CHECK(advice_plot(advice, "svg", warnings));
+  CHECK(draw_figure(advice, "svg", warnings));
   for (const std::size_t panels : {1u, 2u, 5u}) {
     CurvesFigure figure{(place.folder / "many.csv").string(), "many", "r", "g", 1, 8};
     std::ofstream(figure.csv) << "r,a,a error,b\n1,1,0.1,2\n2,3,,2\n8,5,0.2,2\n";
     for (std::size_t p = 0; p < panels; ++p)
       figure.panels.push_back({"g", {{"a", 2, 3}, {"b", 4}}, {{"fit", {1, 8}, {1, 5}}}, 0, 6});
-    CHECK(curves_plot(figure, "svg", warnings));
+    CHECK(draw_figure(figure, "svg", warnings));
   }
   {
     std::ofstream data(place.folder / "top.dat");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/figures/scheme_styles.hpp"
+#include "io/figures/figure_script.hpp"
 
 #include <doctest/doctest.h>
 

@@ -29,13 +29,11 @@ struct SystemSettings {
   struct Component {
     std::string model;              ///< name of a model, or path of a molecule file
     std::optional<Molecule> own{};  ///< molecule of the component, if the run file defines it
-    std::size_t count = 0;          ///< number of molecules; if 0, the initial configuration
-                                    ///< determines it
+    std::size_t count = 0;          ///< number of molecules; 0: as in the initial configuration
   };
   std::vector<Component> molecules;
   TopologySettings topology;        ///< topology file, as an alternative to `molecules`
-  std::optional<double> density;    ///< density of the start lattice, if there is no initial
-                                    ///< configuration [u/nm³]
+  std::optional<double> density;    ///< density of the start lattice [u/nm³]
   std::optional<Vec3<double>> box;  ///< box edges, if there is no initial configuration [nm]
   double temperature = 297;         ///< temperature of initial velocities, and of a thermostat [K]
   /// Whether velocities are drawn. If false, the initial configuration must have velocities. If
@@ -69,8 +67,7 @@ struct IntegratorSettings {
 };
 
 struct RunSettings {
-  bool minimise = false;   ///< whether the energy of the initial configuration is minimised before
-                           ///< the run
+  bool minimise = false;   ///< whether the energy is minimised before the run
   double equilibrate = 0;  ///< length of the equilibration with velocity rescaling [ps]
   double length = 15;      ///< length of the trajectory [ps]
   double sample = 0.004;   ///< interval between samples of the energies [ps]
@@ -84,8 +81,7 @@ struct RunSettings {
 /// Lengths of the equilibration stages of polhode prepare.
 struct PreparationSettings {
   double nvt = 20;   ///< length at constant volume [ps]
-  double npt = 100;  ///< length at constant pressure after the NVT stage, if there is a barostat
-                     ///< [ps]
+  double npt = 100;  ///< length of the NPT stage after it, if there is a barostat [ps]
 };
 
 struct OutputSettings {
@@ -93,8 +89,7 @@ struct OutputSettings {
   double trajectory_every = 0.1;       ///< interval between frames [ps]; 0: no trajectory
   std::vector<std::string> formats = {"xyz", "gro"};
   bool massless_sites = true;     ///< whether to write massless sites to trajectories
-  bool velocities = true;         ///< whether to write velocities to trajectories, if the format
-                                  ///< can store them
+  bool velocities = true;         ///< whether to write velocities, if the format has them
   bool pressure_tensor = false;   ///< whether the energies file has the pressure tensor
   bool processed = false;         ///< whether samples are read through a postprocessor
   std::string plot = "svg";       ///< format of figures: "svg", "png" or "none"
@@ -121,8 +116,7 @@ struct StudySettings {
   StudyEnsemble ensemble = StudyEnsemble::nve;
   int runs = 10;                      ///< number of independent initial configurations per point
   double length = 15;                 ///< length of each run [ps]
-  double decorrelate = 10;            ///< length of the equilibration of each initial configuration
-                                      ///< after drawing new momenta [ps]
+  double decorrelate = 10;            ///< length of the equilibration with new momenta [ps]
   double configurational_sample = 0;  ///< interval between samples of configurational temperatures
                                       ///< [ps]; 0: none
 };
@@ -150,8 +144,7 @@ struct Config {
     std::string value;  ///< value as written, such as "\"1 nm\""
     std::string place;  ///< place of the setting, such as "water.toml:9, forces.cutoff"
   };
-  std::map<std::string, Given, std::less<>> given;  ///< settings of the run file by path, such as
-                                                    ///< "forces.cutoff"
+  std::map<std::string, Given, std::less<>> given;  ///< settings by path: "forces.cutoff"
 
   bool gives(std::string_view path) const { return given.contains(path); }
   /// The place of a setting for error messages. If the setting has its default, the result is the

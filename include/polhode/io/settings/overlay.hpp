@@ -11,10 +11,8 @@ namespace polhode {
 /// A setting that overrides the run file. The value of the override is parsed according to the key.
 struct Override {
   std::string key;                  ///< key such as "integrator.step", or a list of tables: "pair"
-  std::vector<std::string> values;  ///< value as text, also for a number ("4"); for a list, one
-                                    ///< text per element
-  std::string place;                ///< option that sets the value, such as "--step", for error
-                                    ///< messages
+  std::vector<std::string> values;  ///< value as text, such as "4"; for a list, one per element
+  std::string place;                ///< option for error messages, such as "--step"
   std::string toml{};               ///< value as written in a run file; if empty, `values` is used
 };
 

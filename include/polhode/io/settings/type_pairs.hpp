@@ -22,15 +22,14 @@ struct TypedSite {
 struct TypePair {
   std::string first, second;  ///< atom types of the pair, in either order
   double sigma = 0;           ///< diameter σ of the pair [nm]
-  double epsilon = 0;         ///< well depth of the pair [kJ/mol]; negative if no sigma and epsilon
-                              ///< give the interaction
+  double epsilon = 0;  ///< well depth [kJ/mol]; negative if no σ and ε give the interaction
   TextPlace place;
   ShortRangeLaw law{};
 };
 
-/// Translates the parameters of pairs of atom types to pairs of sites. If a pair is given twice,
-/// the last entry applies.
-/// @throws Error  if a pair of types cannot be translated to sites
+/// Translates the parameters of pairs of atom types to pairs of sites.
+/// @throws Error  if a pair of types cannot be translated to sites, or is given twice with different
+///   parameters
 std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
                                     std::span<const TypePair> pairs);
 

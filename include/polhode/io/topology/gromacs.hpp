@@ -43,8 +43,7 @@ struct GromacsAtomType {
   double sigma = 0;       ///< [nm]
   double epsilon = 0;     ///< [kJ/mol]
   ShortRangeLaw law{};
-  bool one_sided = false;  ///< Whether exactly one of C6 and C12 is 0. No sigma and epsilon give
-                           ///< such a potential.
+  bool one_sided = false;  ///< whether one of C6 and C12 is 0: no sigma and epsilon give this
   TextPlace place;
 
   bool same_parameters(const GromacsAtomType& other) const {

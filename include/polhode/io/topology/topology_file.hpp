@@ -30,8 +30,7 @@ struct TopologySettings {
 struct RigidTopology {
   Topology topology;
   Mixing mixing;
-  bool rule_is_open = false;         ///< whether the file has no mixing rule, so that the rule of
-                                     ///< the run file applies
+  bool rule_is_open = false;         ///< whether the mixing rule of the run file applies
   bool rule_matters = false;         ///< whether some pairs use the mixing rule
   std::vector<std::string> origins;  ///< how the shape of each molecule type was determined
   /// Shapes that the topology does not determine, by molecule type, in the principal frame. Such
