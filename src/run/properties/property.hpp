@@ -70,11 +70,8 @@ struct Property {
   const char* name;  ///< name, such as "heat-capacity"
   const char* unit;  ///< unit, such as "J/mol/K"
   MeasuredIn measured_in;
-  const char* definition;    ///< definition in a sentence
-  const char* sources;       ///< keys of docs/references.bib
-  bool of_dipoles = false;   ///< whether molecules must have a dipole moment, and electrostatics
-                             ///< must be PME
-  bool of_rotation = false;  ///< whether molecules must rotate
+  const char* definition;  ///< definition in a sentence
+  const char* sources;     ///< keys of docs/references.bib
   /// Computes the value in `unit` from the means of averages; null for properties of other runs.
   double (*value)(std::span<const double> means, const PropertyConditions& conditions) = nullptr;
   DefinedAt at = DefinedAt::any;
