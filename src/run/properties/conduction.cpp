@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/properties/conduction.hpp"
-
+// The thermal conductivity from dynamics with the heat flux.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "polhode/forces/heat_flux.hpp"
 #include "run/properties/chain.hpp"
 #include "run/properties/dynamics.hpp"
+#include "run/properties/estimates.hpp"
 #include "run/properties/low_frequency_spectrum.hpp"
 
 namespace polhode {
@@ -55,8 +55,8 @@ double conductivity_per_spectrum(double temperature) {
   return 1 / (2 * units::boltzmann * temperature * temperature * W_per_m_K);
 }
 
-void thermal_conductivity(MeasuredProperty& m, const Contributions& contributions,
-                          const PointData& data) {
+void estimate_conduction(MeasuredProperty& m, const Contributions& contributions,
+                         const PointData& data) {
   const PartOfSums all = [](auto sums) { return sums; };
   const std::vector<BlockMeans> runs = dynamics_of(contributions, all);
   if (runs.front().empty()) return;

@@ -9,12 +9,10 @@
 
 #include "io/settings/quantity.hpp"
 #include "polhode/base/units.hpp"
-#include "run/properties/conduction.hpp"
 #include "run/properties/distances.hpp"
 #include "run/properties/dynamics.hpp"
 #include "run/properties/estimates.hpp"
 #include "run/properties/property.hpp"
-#include "run/properties/slab_estimate.hpp"
 #include "run/properties/target.hpp"
 
 namespace polhode {

@@ -205,6 +205,15 @@ std::string why_not_coupled(const Topology& topology) {
 
 }  // namespace
 
+bool has_charges(const Molecule& molecule) {
+  return std::ranges::any_of(molecule.sites, [](const Site& site) { return site.charge != 0; });
+}
+
+bool has_charges(const Topology& topology) {
+  return std::ranges::any_of(topology.parts,
+                             [](const auto& part) { return has_charges(part.molecule); });
+}
+
 std::span<const Property> properties() { return all; }
 
 const Property& property(std::string_view name) {
@@ -223,8 +232,8 @@ std::string why_not(const Property& p, const Topology& topology, const ForceSett
   const std::string_view name = p.name;
   const bool has_mesh = forces.electrostatics == Electrostatics::pme;
   const auto any = [&](const auto& has) {
-    return std::any_of(topology.parts.begin(), topology.parts.end(),
-                       [&](const Topology::Part& part) { return has(part.molecule); });
+    return std::ranges::any_of(topology.parts,
+                               [&](const auto& part) { return has(part.molecule); });
   };
   if (name == "dielectric-constant" && any(is_ion))
     return "the total dipole of ions is not defined in a periodic box";
@@ -243,8 +252,7 @@ std::string why_not(const Property& p, const Topology& topology, const ForceSett
   if (p.measured_in == MeasuredIn::conduction && topology.parts.size() > 1)
     return "the heat flux of a mixture needs the partial enthalpies of all kinds of molecules";
   if (p.measured_in == MeasuredIn::coupling) return why_not_coupled(topology);
-  if (p.measured_in == MeasuredIn::slab && !has_mesh &&
-      any([](const Molecule& m) { return std::ranges::any_of(m.sites, &Site::charge); }))
+  if (p.measured_in == MeasuredIn::slab && !has_mesh && has_charges(topology))
     return "charges attract each other across a surface beyond any cutoff; this property requires "
            "electrostatics = \"pme\"";
   if (name == "rotational-relaxation" && !any([](const Molecule& m) { return m.top != Top::atom; }))

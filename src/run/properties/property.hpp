@@ -86,6 +86,10 @@ std::span<const Property> properties();
 /// @throws Error  if there is none of this name; the message suggests a name
 const Property& property(std::string_view name);
 
+/// Whether a site has a charge.
+bool has_charges(const Molecule& molecule);
+bool has_charges(const Topology& topology);
+
 /// The reason why a system does not have a property; empty if it has the property.
 std::string why_not(const Property& property, const Topology& topology,
                     const ForceSettings& forces);

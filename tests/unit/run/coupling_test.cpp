@@ -17,7 +17,6 @@
 #include "run/properties/point_system.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/replica_file.hpp"
-#include "run/properties/state_point.hpp"
 
 using namespace polhode;
 

@@ -26,7 +26,6 @@
 #include "run/properties/replica.hpp"
 #include "run/properties/replica_file.hpp"
 #include "run/properties/second_virial.hpp"
-#include "run/properties/state_point.hpp"
 #include "run/properties/target.hpp"
 
 using namespace polhode;
