@@ -4,14 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/units.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/with_bath.hpp"
 #include "polhode/math/random.hpp"
-#include "run/properties/volume_moves.hpp"
 #include "run/simulation/system/relaxation.hpp"
 #include "run/simulation/system/stable_step.hpp"
 
@@ -28,6 +29,8 @@ void check_acceptance(const HybridMonteCarloMemory& hybrid, const StatePoint& at
                   "step, fewer molecules, or the sampling molecular-dynamics",
                   at.text(), hybrid.accepted, hybrid.trajectories));
 }
+
+double relaxation_time(double step) { return std::max(2.0, 100 * step); }  // of the volume [ps]
 
 /// The scheme with a bath at the ends of its steps.
 Scheme with_ends(const ReplicaSettings& settings) {
@@ -149,6 +152,34 @@ bool relax_copies(Chain& chain, const Replica& replica, std::uint64_t stream) {
                                           replica.step * static_cast<double>(steps), stream);
   t.ensemble.thermostat = Langevin{0.01 / replica.step, 0.01 / replica.step};
   return chain.run(t).has_value();
+}
+
+BarostatSettings barostat(const ReplicaSettings& settings, double compressibility, double step) {
+  BarostatSettings b{.type = CellRescaling{relaxation_time(step)},
+                     .pressure = settings.at.pressure};
+  b.compressibility = compressibility;
+  b.every = 25 * step;
+  return b;
+}
+
+double compressibility_of_moves(const Replica& replica, const StatePoint& at) {
+  constexpr double min_relaxations = 8, max_change = 16;
+  const std::size_t end = std::bit_floor(replica.averages.size());
+  const std::size_t later_half = end / 2;
+  const double length = static_cast<double>((end - later_half) * steps_of_averages) * replica.step;
+  if (end < 2 || length < min_relaxations * relaxation_time(replica.step))
+    return replica.compressibility;
+  double weight = 0, V = 0, V2 = 0;
+  for (std::size_t k = later_half; k < end; ++k) {
+    const BlockMeans::Block& sums = replica.averages[k].sums;
+    weight += sums.weight;
+    V += sums.sum[volume];
+    V2 += sums.sum[volume_squared];
+  }
+  V /= weight;
+  const double measured = (V2 / weight - V * V) / (units::boltzmann * at.temperature * V);
+  return std::clamp(measured, replica.compressibility / max_change,
+                    max_change * replica.compressibility);
 }
 
 TrajectorySettings averages_of(const Chain& chain, double compressibility, double step,

@@ -39,8 +39,7 @@ std::vector<EquilibrationTrace> traces_of(const PointData& data) {
         trace.time.push_back((static_cast<double>(trace.time.size()) + 0.5) * part);
         trace.potential.push_back(segment.potentials[k] /
                                   static_cast<double>(data.topology.size()));
-        trace.density.push_back(data.topology.mass() / segment.volumes[k] /
-                                unit("kg/m3", Dimension::density));
+        trace.density.push_back(in_kg_m3(data.topology.mass() / segment.volumes[k]));
       }
     trace.begin = static_cast<double>(equilibrated(replica) * parts_of_averages) * part;
     traces.push_back(std::move(trace));

@@ -8,7 +8,6 @@
 #include "base/version.hpp"
 #include "io/files/embedded.hpp"
 #include "io/files/with_error.hpp"
-#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/run/properties/measure.hpp"
 #include "run/properties/property.hpp"
@@ -178,13 +177,12 @@ std::string of_curves(const MeasureReport& report) {
   const auto& [maxima, slopes] = report.curves;
   if (maxima.empty() && slopes.empty()) return "";
   std::string rows, figures, text = "<h2>Curves over state points</h2>\n";
-  const auto bar = [](double pressure) { return pressure / unit("bar", Dimension::pressure); };
   for (const DensityMaximum& m : maxima) {
     figures += density_figure(report, m);
     rows += fmt::format(
         "<tr><td class=\"number\">{:g}</td><td class=\"number\">{}</td>"
         "<td class=\"number\">{}</td><td>{}</td></tr>\n",
-        bar(m.pressure), estimate_text(m.temperature), estimate_text(m.density),
+        in_bar(m.pressure), estimate_text(m.temperature), estimate_text(m.density),
         m.obstacle.empty() ? m.fit.text() : html(m.obstacle));
   }
   if (!maxima.empty())

@@ -5,7 +5,6 @@
 
 #include "io/files/with_error.hpp"
 #include "io/settings/output_units.hpp"
-#include "io/settings/quantity.hpp"
 #include "polhode/run/properties/measure.hpp"
 #include "run/properties/property.hpp"
 #include "run/quantity_lists.hpp"
@@ -13,13 +12,11 @@
 namespace polhode {
 namespace {
 
-double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
-
 Value pressure_of(const StatePoint& at) {
   return at.constant_volume() ? Value() : Value(in_bar(at.pressure));
 }
 Value density_of(const StatePoint& at) {
-  return at.constant_volume() ? Value(at.density / unit("kg/m3", Dimension::density)) : Value();
+  return at.constant_volume() ? Value(in_kg_m3(at.density)) : Value();
 }
 
 /// Remarks on a value: corrections included in the value, and reasons why the value may not meet

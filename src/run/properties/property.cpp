@@ -36,9 +36,7 @@ double variance_of_enthalpy(Means m, const PropertyConditions& c) {
          p * p * (m[volume_squared] - m[volume] * m[volume]);
 }
 
-double density(Means m, const PropertyConditions& c) {
-  return c.mass / m[volume] / unit("kg/m3", Dimension::density);
-}
+double density(Means m, const PropertyConditions& c) { return in_kg_m3(c.mass / m[volume]); }
 double molar_volume(Means m, const PropertyConditions& c) {
   return per_molecule(m[volume], c) / cm3_per_mol;
 }
@@ -54,9 +52,7 @@ double enthalpy(Means m, const PropertyConditions& c) {
   const double p = c.at.constant_volume() ? pressure_of_all(m, c) : c.at.pressure;
   return per_molecule(m[potential] + c.degrees_of_freedom / 2 * kT(c) + p * m[volume], c);
 }
-double pressure(Means m, const PropertyConditions& c) {
-  return pressure_of_all(m, c) / unit("bar", Dimension::pressure);
-}
+double pressure(Means m, const PropertyConditions& c) { return in_bar(pressure_of_all(m, c)); }
 double enthalpy_of_vaporization(Means m, const PropertyConditions& c) {
   return kT(c) - per_molecule(m[potential] + c.at.pressure * m[volume], c);
 }

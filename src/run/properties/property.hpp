@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/settings/quantity.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/model/topology.hpp"
 #include "polhode/run/properties/measure.hpp"
@@ -19,6 +20,9 @@ inline constexpr double cm3_per_mol =
     1e21 / units::avogadro;  ///< 1 cm³/mol as a volume per molecule [nm³]
 inline constexpr double W_per_m_K = units::avogadro * 1e-24;  ///< [kJ/mol/(nm ps K)]
 inline constexpr double nm2_per_ns = 1e-3;                    ///< 1e-9 m²/s [nm²/ps]
+
+inline double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
+inline double in_kg_m3(double density) { return density / unit("kg/m3", Dimension::density); }
 
 /// Quantities of the whole system that are averaged at constant pressure.
 enum AverageOf : std::size_t {

@@ -29,7 +29,6 @@
 #include "run/properties/elongate.hpp"
 #include "run/properties/low_frequency_spectrum.hpp"
 #include "run/properties/phases.hpp"
-#include "run/properties/volume_moves.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/relaxation.hpp"
 

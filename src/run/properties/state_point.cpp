@@ -10,6 +10,7 @@
 #include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
 #include "run/properties/measure_request.hpp"
+#include "run/properties/property.hpp"
 
 namespace polhode {
 namespace {
@@ -67,8 +68,6 @@ Dimension dimension_of(std::string_view part) {
   }
 }
 
-double in_kg_m3(double density) { return density / unit("kg/m3", Dimension::density); }
-
 double at(const Range& range, int point, int points) {
   return points == 1 ? range.first
                      : range.first + (range.last - range.first) * point / (points - 1);
@@ -103,12 +102,12 @@ void check(const std::optional<Range>& temperature, const std::optional<Range>& 
 
 std::string StatePoint::text() const {
   if (constant_volume()) return fmt::format("{:g} K, {:g} kg/m3", temperature, in_kg_m3(density));
-  return fmt::format("{:g} K, {:g} bar", temperature, pressure / unit("bar", Dimension::pressure));
+  return fmt::format("{:g} K, {:g} bar", temperature, in_bar(pressure));
 }
 
 std::string StatePoint::file_text() const {
   if (constant_volume()) return fmt::format("{:g}K-{:g}kgm3", temperature, in_kg_m3(density));
-  return fmt::format("{:g}K-{:g}bar", temperature, pressure / unit("bar", Dimension::pressure));
+  return fmt::format("{:g}K-{:g}bar", temperature, in_bar(pressure));
 }
 
 std::vector<StatePoint> state_points(std::string_view text) {

@@ -11,7 +11,6 @@
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/math/random.hpp"
 #include "run/properties/coupling.hpp"
-#include "run/properties/coupling_path.hpp"
 #include "run/properties/estimates.hpp"
 #include "run/properties/measure_request.hpp"
 #include "run/properties/point_system.hpp"
