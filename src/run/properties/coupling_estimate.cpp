@@ -9,9 +9,7 @@
 #include "io/settings/quantity.hpp"
 #include "measure/equilibration.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/measure/step_bias.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
-#include "run/properties/coupling.hpp"
 #include "run/properties/dynamics.hpp"
 #include "run/properties/estimates.hpp"
 #include "run/properties/property.hpp"
@@ -144,9 +142,8 @@ void to_vapour(MeasuredProperty& m, const PointData& data, double volume) {
   const double kT = units::boltzmann * data.at.temperature, bar = unit("bar", Dimension::pressure),
                liquid = static_cast<double>(data.topology.size()) / volume;
   const Molecule& molecule = data.topology.parts.front().molecule;
-  const Estimate B = data.second_virial
-                         ? data.second_virial()
-                         : second_virial(molecule, data.mixing, data.at.temperature).value;
+  const Estimate B = data.second_virial ? data.second_virial()
+                                        : second_virial(molecule, data.mixing, data.at.temperature);
   if (!std::isfinite(B.value)) {
     m.value = {std::nan("")};
     m.obstacle = "the second virial coefficient was not completed";

@@ -5,18 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <string_view>
 
 #include "io/settings/quantity.hpp"
-#include "measure/convergence.hpp"
 #include "measure/displacement.hpp"
 #include "measure/finite_size.hpp"
 #include "measure/reorientation.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/math/fit.hpp"
-#include "polhode/measure/step_bias.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "run/properties/distances.hpp"
 #include "run/properties/dynamics.hpp"
@@ -209,8 +205,7 @@ void estimate_dynamics(MeasuredProperty& m, const Contributions& contributions,
 void estimate_pair(MeasuredProperty& m, const PointData& data) {
   for (std::size_t points = 1024; points <= 65536 && !m.reached(); points *= 4) {
     const Estimate B = second_virial(data.topology.parts.front().molecule, data.mixing,
-                                     data.at.temperature, points, Workers::serial(), data.stop)
-                           .value;
+                                     data.at.temperature, points, Workers::serial(), data.stop);
     if (!std::isfinite(B.value)) break;
     m.value = {B.value / cm3_per_mol, B.error / cm3_per_mol, Known::yes, 15};
   }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -30,7 +29,6 @@
 #include "run/properties/schedule.hpp"
 #include "run/properties/second_virial.hpp"
 #include "run/properties/target.hpp"
-#include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {
@@ -135,8 +133,7 @@ Estimate PointMeasurement::second_virial_of_liquid() const {
   constexpr std::size_t orientations = 4096;
   const Estimate B =
       second_virial(system_.topology.parts.front().molecule, system_.mixing, at().temperature,
-                    orientations, workers_, [this] { return stopped(); })
-          .value;
+                    orientations, workers_, [this] { return stopped(); });
   if (std::isfinite(B.value)) second_virial_ = B;
   return B;
 }
