@@ -18,17 +18,6 @@
 namespace polhode {
 namespace {
 
-/// The mean of one of the quantities.
-SeriesEstimate mean_of(std::span<const BlockMeans> runs, std::size_t quantity) {
-  std::vector<BlockMeans> only;
-  for (const BlockMeans& run : runs) {
-    std::vector<BlockMeans::Block> blocks;
-    for (const auto& [weight, sum] : run.blocks()) blocks.push_back({weight, {sum[quantity]}});
-    only.emplace_back(std::move(blocks));
-  }
-  return pooled_estimate(only, [](auto mean) { return mean[0]; });
-}
-
 std::vector<EquilibrationTrace> traces_of(const PointData& data) {
   std::vector<EquilibrationTrace> traces;
   for (const Replica& replica : data.replicas) {
@@ -85,7 +74,7 @@ std::vector<MeasuredCurve> spectrum_of_heat_flux(const PointData& data) {
   const double factor = conductivity_per_spectrum(data.at.temperature);
   return {spectrum_of("spectrum of the heat flux: at zero frequency it is the thermal conductivity",
                       "W/m/K", length_of_segment(contributions),
-                      [&](std::size_t b) { return scaled(mean_of(runs, b), factor); })};
+                      [&](std::size_t b) { return scaled(pooled_mean(runs, b), factor); })};
 }
 
 /// The mean-square displacement of each kind of molecule, and the spectrum of the pressure.
@@ -128,7 +117,7 @@ std::vector<MeasuredDistribution> distributions(const PointData& data) {
     const std::vector<double> scale = distances.scales(p);
     for (std::size_t k = 0; k < distances.bins(); ++k) {
       d.r.push_back(distances.middle(k));
-      d.g.push_back(scaled(mean_of(runs, distances.index(p, k)), scale[k]));
+      d.g.push_back(scaled(pooled_mean(runs, distances.index(p, k)), scale[k]));
     }
     d.peak =
         distances.first_peak(p, means, [&](const auto& f) { return pooled_estimate(runs, f); });
