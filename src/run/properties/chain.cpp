@@ -102,17 +102,17 @@ TrajectorySettings segment_of_dynamics(const Chain& chain, double whole_step, st
   return t;
 }
 
-bool extend(DynamicsChain& segments, Chain& chain, std::uint64_t stream,
-            std::uint64_t stream_of_pairs, const SegmentOfDynamics& simulate) {
+bool extend(DynamicsChain& segments, Chain& chain, double step, std::uint64_t stream,
+            std::uint64_t stream_of_pairs, SegmentOfDynamics& simulate) {
   const std::size_t k = segments.segments.size();
   State& state = chain.system().state;
   const State start = state;
-  const auto segment = simulate(1, stream + k);
+  const auto segment = simulate(chain, step, 1, stream + k);
   if (!segment) return false;
   const State end = state;
   if (chain.settings().paired_runs && k % paired_every == 0) {
     state = start;
-    const auto paired = simulate(2, stream_of_pairs + k);
+    const auto paired = simulate(chain, step, 2, stream_of_pairs + k);
     if (!paired) return false;
     segments.paired.push_back({k, *paired});
   }
@@ -134,17 +134,24 @@ void scale_to(State& state, double volume) {
   state.box = Box{factor * state.box.edge};
 }
 
-void scale_to_mean(State& state, const Replica& replica, std::size_t from,
-                   const ReplicaSettings& settings) {
-  if (settings.at.constant_volume()) return;
+void scale_to_mean(Chain& chain, const Replica& replica, std::size_t from) {
+  if (chain.settings().at.constant_volume()) return;
   double V = 0;
   for (std::size_t k = from; k < replica.averages.size(); ++k)
     V += replica.averages[k].sums.sum[volume] / replica.averages[k].sums.weight;
-  scale_to(state, V / static_cast<double>(replica.averages.size() - from));
+  scale_to(chain.system().state, V / static_cast<double>(replica.averages.size() - from));
 }
 
-bool relax_copies(Chain& chain, const Replica& replica, std::uint64_t stream) {
+bool begin_copies(Chain& chain, const Replica& replica, std::size_t from,
+                  const std::optional<State>& last, void (*make)(System&), std::uint64_t stream) {
   constexpr std::size_t steps = 5000;
+  State& state = chain.system().state = replica.state;
+  if (!last) scale_to_mean(chain, replica, from);
+  make(chain.system());
+  if (last) {
+    state = *last;
+    return true;
+  }
   check_separated(chain.system(), minimise(chain.system(), relaxed_start));
   draw_momenta(chain.system(),
                derived_seed(chain.settings().config.system.seed, stream + replica.index));
