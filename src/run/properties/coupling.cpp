@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "polhode/base/units.hpp"
-#include "polhode/math/random.hpp"
 #include "run/properties/chain.hpp"
 
 namespace polhode {

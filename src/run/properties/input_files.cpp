@@ -11,7 +11,6 @@
 #include <string_view>
 
 #include "base/printable.hpp"
-#include "io/settings/output_units.hpp"
 #include "io/settings/run_file_template.hpp"
 #include "io/topology/gromacs_mdp.hpp"
 #include "polhode/base/error.hpp"

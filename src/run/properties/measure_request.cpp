@@ -12,7 +12,6 @@
 #include "io/files/split_words.hpp"
 #include "io/files/text_file.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/units.hpp"
 #include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/with_bath.hpp"

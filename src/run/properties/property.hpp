@@ -2,11 +2,9 @@
 // The properties that can be measured: each is a row with its definition.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "io/settings/quantity.hpp"
 #include "polhode/base/units.hpp"

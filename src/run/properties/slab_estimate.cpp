@@ -2,14 +2,10 @@
 // The surface tension and the coexistence of liquid and vapour, from the slabs of the replicas.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string_view>
 
-#include "io/files/with_error.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/measure/step_bias.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "run/properties/dynamics.hpp"
 #include "run/properties/estimates.hpp"
