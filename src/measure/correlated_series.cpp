@@ -2,6 +2,7 @@
 #include "polhode/measure/correlated_series.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -120,19 +121,9 @@ Noise noise(std::vector<Modes> runs) {
 }  // namespace
 
 std::string reason(Known known) {
-  switch (known) {
-    case Known::yes:
-      return "";
-    case Known::too_few_samples:
-      return "too few samples";
-    case Known::too_short:
-      return "run too short";
-    case Known::not_defined:
-      return "not defined";
-    case Known::grows:
-      return "grows with the length of the run";
-  }
-  return "";
+  constexpr std::array reasons{"", "too few samples", "run too short", "not defined",
+                               "grows with the length of the run"};  // of each Known
+  return reasons[static_cast<std::size_t>(known)];
 }
 
 double three_sigma(const SeriesEstimate& estimate) {
@@ -198,15 +189,21 @@ SeriesEstimate correlation_time(const SeriesEstimate& mean, double variance, dou
   return {tau, tau * std::sqrt(2 / mean.modes), Known::yes, mean.modes};
 }
 
+SeriesEstimate pooled_mean(std::span<const BlockMeans> runs, std::size_t quantity) {
+  std::vector<BlockMeans> only;
+  for (const BlockMeans& run : runs) {
+    std::vector<BlockMeans::Block> blocks;
+    for (const auto& [weight, sum] : run.blocks()) blocks.push_back({weight, {sum[quantity]}});
+    only.emplace_back(std::move(blocks));
+  }
+  return pooled_estimate(only, [](auto mean) { return mean[0]; });
+}
+
 std::vector<SeriesEstimate> series_estimates(const BlockMeans& blocks) {
   std::vector<SeriesEstimate> result;
   const std::size_t quantities = blocks.empty() ? 0 : blocks.blocks().front().sum.size();
-  for (std::size_t k = 0; k < quantities; ++k) {
-    std::vector<BlockMeans::Block> one;
-    for (const auto& [weight, sum] : blocks.blocks()) one.push_back({weight, {sum[k]}});
-    result.push_back(
-        series_estimate(BlockMeans(std::move(one)), [](auto mean) { return mean[0]; }));
-  }
+  for (std::size_t k = 0; k < quantities; ++k)
+    result.push_back(pooled_mean(std::span(&blocks, 1), k));
   return result;
 }
 

@@ -46,20 +46,23 @@ SeriesEstimate at_rest(const BlockMeans& means, const SeriesEstimate& e) {
 
 }  // namespace
 
-TotalDipole::TotalDipole(const Topology& topology) {
+Vec3<double> total_dipole(const State& state, const Topology& topology) {
+  Vec3<double> M{};
+  std::size_t i = 0;
   for (const auto& [molecule, count] : topology.parts) {
-    dipole_.push_back(dipole_moment(molecule));
-    count_.push_back(count);
-    squares_ += static_cast<double>(count) * norm2(dipole_.back());
+    const Vec3<double> dipole = dipole_moment(molecule);
+    for (const std::size_t end = i + count; i < end; ++i) M += to_lab(state.orientation[i], dipole);
   }
+  return M;
+}
+
+TotalDipole::TotalDipole(const Topology& topology) : topology_(topology) {
+  for (const auto& [molecule, count] : topology.parts)
+    squares_ += static_cast<double>(count) * norm2(dipole_moment(molecule));
 }
 
 void TotalDipole::add(const State& state, const std::optional<StepError>& error) {
-  Vec3<double> M{};
-  std::size_t i = 0;
-  for (std::size_t part = 0; part < count_.size(); ++part)
-    for (const std::size_t end = i + count_[part]; i < end; ++i)
-      M += to_lab(state.orientation[i], dipole_[part]);
+  const Vec3<double> M = total_dipole(state, topology_);
   const double V = state.box.volume();
   blocks_.add(std::array{M.x, M.y, M.z, norm2(M), V});
   if (error) response_.add(*error, std::array{M.x, M.y, M.z, norm2(M), V, error->kinetic});

@@ -16,7 +16,10 @@ namespace polhode {
 /// The permittivity of the surroundings at infinity for PME as used here: a conductor ("tin foil").
 inline constexpr double tin_foil = std::numeric_limits<double>::infinity();
 
-/// Collects the total dipole moment M = Σ μ of molecules without a net charge. For charged
+/// The total dipole moment M = Σ μ in the lab frame [e nm].
+Vec3<double> total_dipole(const State& state, const Topology& topology);
+
+/// Collects the total dipole moment of molecules without a net charge. For charged
 /// molecules, M is not defined in a periodic box.
 class TotalDipole {
  public:
@@ -54,8 +57,7 @@ class TotalDipole {
                      double degrees_of_freedom, FixedMeans fixed) const;
 
  private:
-  std::vector<Vec3<double>> dipole_;  // dipole moment of the molecules of each part, body frame
-  std::vector<std::size_t> count_;
+  Topology topology_;
   double squares_ = 0;     // sum of squared dipole moments Σ μ²
   TimeBlocks blocks_;      // blocks of M, M² and V
   StepResponse response_;  // time-step response of these and of the kinetic energy

@@ -4,15 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
-#include "polhode/base/units.hpp"
 #include "polhode/math/fit.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 
 namespace polhode {
 
-void Unwrapped::follow(const State& state) {
+void Displacement::follow(const State& state) {
   if (q_.size() == 0) {
     q_ = last_ = state.q;
     return;
@@ -35,24 +33,17 @@ Displacement::Displacement(const Topology& topology, std::size_t lags) : bodies_
 }
 
 void Displacement::add(const State& state, Workers& workers) {
-  unwrapped_.follow(state);
-  const Vec3<double> centre = centre_of_mass(unwrapped_.centres(), bodies_);
+  follow(state);
+  const Vec3<double> centre = centre_of_mass(q_, bodies_);
   std::size_t first = 0;
   for (TimeCorrelation& part : parts_) {
-    part.add([&](std::size_t i) { return unwrapped_.centres()[first + i] - centre; }, workers);
+    part.add([&](std::size_t i) { return q_[first + i] - centre; }, workers);
     first += part.bodies();
   }
 }
 
 BlockMeans Displacement::mean_square(std::size_t part, Workers& workers) {
-  std::vector<BlockMeans::Block> sum = parts_[part].means(0, workers).blocks();
-  for (std::size_t axis = 1; axis < 3; ++axis) {
-    const BlockMeans along = mean_square_along(axis, part, workers);
-    for (std::size_t b = 0; b < sum.size(); ++b)
-      for (std::size_t lag = 0; lag < sum[b].sum.size(); ++lag)
-        sum[b].sum[lag] += along.blocks()[b].sum[lag];
-  }
-  return BlockMeans(std::move(sum));
+  return parts_[part].sum_of_means(workers);
 }
 
 BlockMeans Displacement::mean_square_along(std::size_t axis, std::size_t part, Workers& workers) {
@@ -117,11 +108,6 @@ Convergence diffusion_convergence(const BlockMeans& squared, double interval,
                      D.known != Known::yes    ? Obstacle::no_error
                      : differs(rise, D.value) ? Obstacle::slope_changes
                                               : Obstacle::none);
-}
-
-double yeh_hummer_correction(double temperature, double viscosity, double edge) {
-  constexpr double xi = 2.837297;  // constant for a cubic lattice of images [yeh2004, Eq. 12]
-  return xi * units::boltzmann * temperature / (6 * units::pi * viscosity * edge);
 }
 
 }  // namespace polhode

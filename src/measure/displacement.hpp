@@ -13,22 +13,6 @@
 
 namespace polhode {
 
-/// Unwraps trajectories. Centres in frames may be wrapped into the box. Each centre is therefore
-/// advanced by the minimum image of the displacement since the previous frame.
-class Unwrapped {
- public:
-  /// Adds the next frame.
-  void follow(const State& state);
-  const Vec3Column& centres() const { return q_; }  ///< unwrapped centres [nm]
-  /// The largest displacement along an axis between two frames, relative to the box edge along that
-  /// axis. A displacement of half an edge or more is underestimated.
-  double max_step() const { return max_step_; }
-
- private:
-  Vec3Column q_, last_;
-  double max_step_ = 0;
-};
-
 /// The largest relative displacement between two frames for which periodic images can be
 /// distinguished reliably. Displacements scatter, and a displacement above half an edge would be
 /// assigned to the wrong image.
@@ -49,11 +33,17 @@ class Displacement {
   /// The part of the mean-square displacement along one axis [nm²].
   BlockMeans mean_square_along(std::size_t axis, std::size_t part,
                                Workers& workers = Workers::serial());
-  double max_step() const { return unwrapped_.max_step(); }
+  /// The largest displacement along an axis between two frames, relative to the box edge along that
+  /// axis. A displacement of half an edge or more is underestimated.
+  double max_step() const { return max_step_; }
 
  private:
+  void follow(const State& state);
+
   Bodies bodies_;
-  Unwrapped unwrapped_;
+  Vec3Column q_, last_;  // unwrapped centres, which are advanced by the minimum image of the
+                         // displacement since the previous frame, and centres of this frame [nm]
+  double max_step_ = 0;
   std::vector<TimeCorrelation> parts_;
 };
 
@@ -87,10 +77,5 @@ double fitted_displacement(const BlockMeans& squared_displacement, double interv
 /// if the window contains lags at which molecules have not yet left the cages of their neighbours.
 Convergence diffusion_convergence(const BlockMeans& squared_displacement, double interval,
                                   const FitWindow& window);
-
-/// Yeh-Hummer finite-size correction: the amount by which the periodic images lower the diffusion
-/// coefficient in a cubic box [nm²/ps], ξ k_B T/(6 π η L) with ξ = 2.837297 [yeh2004, Eq. 12].
-/// @param viscosity  viscosity of the liquid [u/(nm ps)]
-double yeh_hummer_correction(double temperature, double viscosity, double edge);
 
 }  // namespace polhode

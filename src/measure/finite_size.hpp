@@ -17,7 +17,8 @@ inline constexpr double orthoboxy_ratio = 2.7933596497;
 Vec3<double> image_mobility(const Vec3<double>& edge);
 
 /// The amounts by which the periodic images lower the diffusion coefficients along the three axes
-/// of a rectangular box [nm²/ps]. The amounts are negative along the short axes of a long box.
+/// of a rectangular box [nm²/ps]. The amounts are negative along the short axes of a long box. In a
+/// cubic box of edge L they are 2.837297 k_B T/(6 π η L) [yeh2004, Eq. 12].
 /// @param viscosity  viscosity of the liquid [u/(nm ps)]
 Vec3<double> finite_size_correction(double temperature, double viscosity, const Vec3<double>& edge);
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/measure/step_response.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace polhode {

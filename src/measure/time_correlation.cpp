@@ -16,14 +16,13 @@ constexpr std::size_t chunks_per_window = 4;  // more chunks need more transform
 using Modes = Column<std::complex<double>>;
 
 bool is_displacement(Product product) {
-  return product == Product::displacement || product == Product::displacement_x ||
-         product == Product::displacement_y || product == Product::displacement_z;
+  return product == Product::displacement_x || product == Product::displacement_y ||
+         product == Product::displacement_z;
 }
 
 // The number of functions of a vector whose products add up to a Product of two vectors.
 std::size_t terms(Product product) {
   switch (product) {
-    case Product::displacement:
     case Product::dot:
       return 3;
     case Product::dot_squared:
@@ -36,7 +35,6 @@ std::size_t terms(Product product) {
 // (a · b)² = Σ a_i a_j b_i b_j consists of three squares and of three mixed terms that occur twice.
 double term(Product product, std::size_t k, const Vec3<double>& a) {
   switch (product) {
-    case Product::displacement:
     case Product::dot:
       return a[k];
     case Product::dot_squared:
@@ -55,13 +53,6 @@ double term(Product product, std::size_t k, const Vec3<double>& a) {
 }
 
 }  // namespace
-
-struct TimeCorrelation::Scratch {
-  explicit Scratch(const RealTransform& transform)
-      : series(transform.size()), all(transform.modes()), fresh(transform.modes()) {}
-  Column<double> series;
-  Modes all, fresh;
-};
 
 TimeCorrelation::TimeCorrelation(std::size_t bodies, std::size_t lags,
                                  std::vector<Product> products)
@@ -113,7 +104,8 @@ void TimeCorrelation::sum_up(Workers& workers) {
 // complex conjugate of the transform of a.
 void TimeCorrelation::sum_up(std::size_t group) {
   const std::size_t held = before_ + fresh_, row = lags_ + chunk_;
-  Scratch scratch(transform_);
+  Column<double> series(transform_.size());
+  Modes all(transform_.modes()), fresh(transform_.modes());
   for (std::size_t p = 0; p < products_.size(); ++p) {
     const Product product = products_[p];
     const bool displacement = is_displacement(product);
@@ -130,27 +122,37 @@ void TimeCorrelation::sum_up(std::size_t group) {
       const Vec3<double> origin = displacement ? vector(0) : Vec3<double>{};
       for (std::size_t k = 0; k < terms(product); ++k) {
         for (std::size_t t = 0; t < transform_.size(); ++t)
-          scratch.series[t] = t < held ? term(product, k, vector(t) - origin) : 0.0;
-        transform_.forward(scratch.series, scratch.all);
-        for (std::size_t t = 0; t < before_; ++t) scratch.series[t] = 0;
-        transform_.forward(scratch.series, scratch.fresh);
+          series[t] = t < held ? term(product, k, vector(t) - origin) : 0.0;
+        transform_.forward(series, all);
+        for (std::size_t t = 0; t < before_; ++t) series[t] = 0;
+        transform_.forward(series, fresh);
         for (std::size_t w = 0; w < transform_.modes(); ++w)
-          correlation[w] += scratch.fresh[w] * std::conj(scratch.all[w]);
+          correlation[w] += fresh[w] * std::conj(all[w]);
       }
-      for (std::size_t k = 0; displacement && k < terms(product); ++k)
-        for (std::size_t t = 0; t < held; ++t)
-          squares[t + 1] += std::pow(term(product, k, vector(t) - origin), 2);
+      for (std::size_t t = 0; displacement && t < held; ++t)
+        squares[t + 1] += std::pow(term(product, 0, vector(t) - origin), 2);
     }
-    transform_.backward(correlation, scratch.series);
+    transform_.backward(correlation, series);
     for (std::size_t t = 0; t < held; ++t) squares[t + 1] += squares[t];
     for (std::size_t lag = 0; lag < std::min(held, lags_); ++lag) {
-      const double products = scratch.series[lag] / static_cast<double>(transform_.size());
+      const double products = series[lag] / static_cast<double>(transform_.size());
       const std::size_t first = std::max(before_, lag);
       sums_[group][p][lag] = displacement ? squares[held] - squares[first] + squares[held - lag] -
                                                 squares[first - lag] - 2 * products
                                           : products;
     }
   }
+}
+
+BlockMeans TimeCorrelation::sum_of_means(Workers& workers) {
+  std::vector<BlockMeans::Block> sum = means(0, workers).blocks();
+  for (std::size_t k = 1; k < products_.size(); ++k) {
+    const BlockMeans one = means(k, workers);
+    for (std::size_t block = 0; block < sum.size(); ++block)
+      for (std::size_t lag = 0; lag < sum[block].sum.size(); ++lag)
+        sum[block].sum[lag] += one.blocks()[block].sum[lag];
+  }
+  return BlockMeans(std::move(sum));
 }
 
 BlockMeans TimeCorrelation::means(std::size_t k, Workers& workers) {

@@ -17,10 +17,9 @@ namespace polhode {
 /// The product that is averaged over bodies and time origins, for a vector a at times t and t +
 /// lag.
 enum class Product {
-  displacement,  ///< |a(t + lag) − a(t)|²
-  dot,           ///< a(t) · a(t + lag)
-  dot_squared,   ///< (a(t) · a(t + lag))²
-  x,             ///< a_x(t) a_x(t + lag), and similarly for the other components
+  dot,          ///< a(t) · a(t + lag)
+  dot_squared,  ///< (a(t) · a(t + lag))²
+  x,            ///< a_x(t) a_x(t + lag), and similarly for the other components
   y,
   z,
   displacement_x,  ///< (a_x(t + lag) − a_x(t))², and similarly for the other components
@@ -54,9 +53,10 @@ class TimeCorrelation {
   /// mean of all blocks is the mean of all products. Each block deviates from the mean over all
   /// blocks by the contribution of the block's products.
   BlockMeans means(std::size_t k, Workers& workers = Workers::serial());
+  /// The sum of the means of all products, such as those along three axes.
+  BlockMeans sum_of_means(Workers& workers = Workers::serial());
 
  private:
-  struct Scratch;
   void sum_up(Workers& workers);
   void sum_up(std::size_t group);
 

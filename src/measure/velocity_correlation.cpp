@@ -8,6 +8,23 @@
 #include "polhode/model/centre_of_mass.hpp"
 
 namespace polhode {
+namespace {
+
+BlockMeans divided(const BlockMeans& means, double by) {
+  std::vector<BlockMeans::Block> blocks = means.blocks();
+  for (BlockMeans::Block& block : blocks)
+    for (double& sum : block.sum) sum /= by;
+  return BlockMeans(std::move(blocks));
+}
+
+/// The integral by the trapezoidal rule over every `stride`-th lag, up to a given lag.
+double trapezia(std::span<const double> C, double interval, std::size_t stride, std::size_t last) {
+  double sum = (C.front() + C[last]) / 2;
+  for (std::size_t lag = stride; lag < last; lag += stride) sum += C[lag];
+  return sum * static_cast<double>(stride) * interval;
+}
+
+}  // namespace
 
 VelocityCorrelation::VelocityCorrelation(const Topology& topology, std::size_t lags)
     : bodies_(topology) {
@@ -39,24 +56,12 @@ void VelocityCorrelation::add(const State& state, Workers& workers) {
 }
 
 BlockMeans VelocityCorrelation::linear(std::size_t part, Workers& workers) {
-  std::vector<BlockMeans::Block> blocks = linear_[part].means(0, workers).blocks();
-  for (BlockMeans::Block& block : blocks)
-    for (double& sum : block.sum) sum /= 3;
-  return BlockMeans(std::move(blocks));
+  return divided(linear_[part].means(0, workers), 3);
 }
 
 BlockMeans VelocityCorrelation::angular(std::size_t part, std::size_t axis, Workers& workers) {
-  if (!linear_body(part)) return angular_[part].means(axis, workers);
-  std::vector<BlockMeans::Block> sum = angular_[part].means(0, workers).blocks();
-  for (std::size_t k = 1; k < 3; ++k) {
-    const BlockMeans one = angular_[part].means(k, workers);
-    for (std::size_t block = 0; block < sum.size(); ++block)
-      for (std::size_t lag = 0; lag < sum[block].sum.size(); ++lag)
-        sum[block].sum[lag] += one.blocks()[block].sum[lag];
-  }
-  for (BlockMeans::Block& block : sum)
-    for (double& product : block.sum) product /= 2;
-  return BlockMeans(std::move(sum));
+  return linear_body(part) ? divided(angular_[part].sum_of_means(workers), 2)
+                           : angular_[part].means(axis, workers);
 }
 
 bool VelocityCorrelation::linear_body(std::size_t part) const {
@@ -83,17 +88,6 @@ BlockMeans running_integral(const BlockMeans& correlation, double interval) {
   }
   return BlockMeans(std::move(blocks));
 }
-
-namespace {
-
-/// The integral by the trapezoidal rule over every `stride`-th lag, up to a given lag.
-double trapezia(std::span<const double> C, double interval, std::size_t stride, std::size_t last) {
-  double sum = (C.front() + C[last]) / 2;
-  for (std::size_t lag = stride; lag < last; lag += stride) sum += C[lag];
-  return sum * static_cast<double>(stride) * interval;
-}
-
-}  // namespace
 
 Convergence integral_convergence(const BlockMeans& correlation, double interval) {
   const BlockMeans integral = running_integral(correlation, interval);

@@ -2,7 +2,6 @@
 // Velocity autocorrelation functions, with spectra and diffusion coefficients.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 

@@ -12,6 +12,7 @@
 #include "measure/displacement.hpp"
 #include "model/initial_state.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/base/units.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/measure/energy.hpp"
@@ -113,9 +114,9 @@ TEST_CASE("analysis of free molecules in memory") {
   };
   const double added = value("D_without_images_1e-9_m2_per_s").get<double>() -
                        value("D_1e-9_m2_per_s").get<double>();
-  const double expected =
-      1000 * yeh_hummer_correction(a.conditions->temperature().value,
-                                   quantity("0.494 mPa s", Dimension::viscosity, "viscosity"), 2);
+  const double kT = units::boltzmann * a.conditions->temperature().value,
+               viscosity = quantity("0.494 mPa s", Dimension::viscosity, "viscosity");
+  const double expected = 1000 * 2.837297 * kT / (6 * units::pi * viscosity * 2);  // [yeh2004]
   CHECK(added == doctest::Approx(expected).epsilon(1e-6));
 }
 

@@ -2,7 +2,6 @@
 // Sums of quantities in consecutive blocks of time.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 

@@ -3,7 +3,6 @@
 // Eq. (44)).
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "polhode/forces/force_field.hpp"

@@ -61,6 +61,9 @@ SeriesEstimate series_estimate(const BlockMeans& blocks,
 SeriesEstimate pooled_estimate(std::span<const BlockMeans> runs,
                                const std::function<double(std::span<const double>)>& statistic);
 
+/// The mean of one of the quantities of independent runs, with its standard error.
+SeriesEstimate pooled_mean(std::span<const BlockMeans> runs, std::size_t quantity);
+
 /// The multiple of the standard error that bounds the deviation from the true value with a given
 /// probability. Student's t distribution with `modes` degrees of freedom is used.
 double interval_factor(const SeriesEstimate& estimate, double probability);

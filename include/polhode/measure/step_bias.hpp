@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 
 #include "polhode/measure/step_response.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"

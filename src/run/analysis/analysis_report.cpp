@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <optional>
-#include <utility>
 
 #include "io/figures/plot.hpp"
 #include "io/files/write_file.hpp"

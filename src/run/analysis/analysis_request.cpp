@@ -8,7 +8,6 @@
 #include <limits>
 #include <optional>
 #include <sstream>
-#include <utility>
 
 #include "base/suggest.hpp"
 #include "io/figures/plot.hpp"

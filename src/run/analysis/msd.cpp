@@ -90,37 +90,26 @@ std::string why_no_displacements(const FirstFrames& f) {
                                           "molecules, but there is only one molecule";
 }
 
-/// The diffusion coefficient of a kind of molecule, and the line fitted to the mean-square
-/// displacements.
-struct Diffusion {
-  SeriesEstimate value;  ///< diffusion coefficient in this box [1e-9 m²/s]
-  AxisEstimates axes;    ///< diffusion coefficients along the axes of the box [1e-9 m²/s]
-  Convergence convergence;
-  CurvesFigure::Line line;
+/// The line fitted to the mean-square displacements, with the diffusion coefficient [1e-9 m²/s].
+CurvesFigure::Line fitted_line(const SeriesEstimate& D, const Convergence& convergence,
+                               const BlockMeans& squared, double interval, const FitWindow& fit) {
+  const auto at = [&](double lag) { return fitted_displacement(squared, interval, fit, lag); };
+  return {"fit: " + (convergence.converged()
+                         ? "D = " + with_error(D.value, known_error(D)) + " × 10⁻⁹ m²/s"
+                         : std::string("D not converged")),
+          {fit.from, fit.to},
+          {at(fit.from), at(fit.to)}};
+}
 
-  Diffusion(const SeriesEstimate& D, const AxisEstimates& along, const BlockMeans& squared,
-            double interval, const FitWindow& fit)
-      : value(scaled(D, in_1e9_m2_per_s)),
-        axes(along),
-        convergence(diffusion_convergence(squared, interval, fit)) {
-    const auto at = [&](double lag) { return fitted_displacement(squared, interval, fit, lag); };
-    line = {"fit: " + (convergence.converged()
-                           ? "D = " + with_error(value.value, known_error(value)) + " × 10⁻⁹ m²/s"
-                           : std::string("D not converged")),
-            {fit.from, fit.to},
-            {at(fit.from), at(fit.to)}};
-  }
-
-  Quantities quantities(const std::string& molecule, const FitWindow& fit,
-                        const Correction& correction) const;
-};
-
-Quantities Diffusion::quantities(const std::string& molecule, const FitWindow& fit,
-                                 const Correction& c) const {
+/// The diffusion coefficients in this box, of a kind of molecule and along the axes [1e-9 m²/s],
+/// and the coefficient in an infinite box.
+Quantities quantities_of(const std::string& molecule, const SeriesEstimate& D,
+                         const AxisEstimates& axes, const Convergence& convergence,
+                         const FitWindow& fit, const Correction& c) {
   const std::string label = "D of " + molecule;
-  SeriesEstimate corrected = value;
+  SeriesEstimate corrected = D;
   corrected.value += c.mean().value_or(0);
-  Quantities list = {{"D", "1e-9 m2/s", converging(value, convergence, max_lag)}};
+  Quantities list = {{"D", "1e-9 m2/s", converging(D, convergence, max_lag)}};
   if (c.axes)
     list.push_back({"D_without_images", "1e-9 m2/s", converging(corrected, convergence, max_lag)});
   if (!convergence.converged()) {
@@ -129,7 +118,7 @@ Quantities Diffusion::quantities(const std::string& molecule, const FitWindow& f
   }
   list.push_back({"D_along_axes", "1e-9 m2/s", axes});
   list.push_back(row(label, fmt::format("{} 1e-9 m2/s in this box, lags {:g} to {:g} ps",
-                                        short_text(value), fit.from, fit.to)));
+                                        short_text(D), fit.from, fit.to)));
   list.push_back(
       row("  along x, y and z", fmt::format("{}, {} and {} 1e-9 m2/s", short_text(axes[0]),
                                             short_text(axes[1]), short_text(axes[2]))));
@@ -173,16 +162,16 @@ Quantities Msd::add_part(AnalysisFile& file, std::size_t part, const FitWindow& 
   CurvesFigure::Panel panel{title_of_part(a, part), {}};
   draw(panel, "MSD", polhode::add(file.table, of_part(a, part, "msd"), "nm2", squared), squared);
   Quantities list;
-  const SeriesEstimate D = diffusion(means, a.interval, fit);
+  const SeriesEstimate D = scaled(diffusion(means, a.interval, fit), in_1e9_m2_per_s);
   if (count > 0 && !std::isnan(D.value)) {
     AxisEstimates along;
     for (std::size_t axis = 0; axis < along.size(); ++axis)
       along[axis] = scaled(diffusion_along(displacement_.mean_square_along(axis, part, all.workers),
                                            a.interval, fit),
                            in_1e9_m2_per_s);
-    const Diffusion found(D, along, means, a.interval, fit);
-    panel.lines.push_back(found.line);
-    list = found.quantities(molecule.name, fit, correction);
+    const Convergence convergence = diffusion_convergence(means, a.interval, fit);
+    panel.lines.push_back(fitted_line(D, convergence, means, a.interval, fit));
+    list = quantities_of(molecule.name, D, along, convergence, fit, correction);
   } else if (count > 0 && part == 0) {
     all.notes.push_back(
         fmt::format("no diffusion coefficient: there are fewer than two lags between {:g} and {:g} "

@@ -4,14 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/units.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/with_bath.hpp"
 #include "polhode/math/random.hpp"
-#include "run/properties/volume_moves.hpp"
 #include "run/simulation/system/relaxation.hpp"
 #include "run/simulation/system/stable_step.hpp"
 
@@ -28,6 +29,8 @@ void check_acceptance(const HybridMonteCarloMemory& hybrid, const StatePoint& at
                   "step, fewer molecules, or the sampling molecular-dynamics",
                   at.text(), hybrid.accepted, hybrid.trajectories));
 }
+
+double relaxation_time(double step) { return std::max(2.0, 100 * step); }  // of the volume [ps]
 
 /// The scheme with a bath at the ends of its steps.
 Scheme with_ends(const ReplicaSettings& settings) {
@@ -99,17 +102,17 @@ TrajectorySettings segment_of_dynamics(const Chain& chain, double whole_step, st
   return t;
 }
 
-bool extend(DynamicsChain& segments, Chain& chain, std::uint64_t stream,
-            std::uint64_t stream_of_pairs, const SegmentOfDynamics& simulate) {
+bool extend(DynamicsChain& segments, Chain& chain, double step, std::uint64_t stream,
+            std::uint64_t stream_of_pairs, SegmentOfDynamics& simulate) {
   const std::size_t k = segments.segments.size();
   State& state = chain.system().state;
   const State start = state;
-  const auto segment = simulate(1, stream + k);
+  const auto segment = simulate(chain, step, 1, stream + k);
   if (!segment) return false;
   const State end = state;
   if (chain.settings().paired_runs && k % paired_every == 0) {
     state = start;
-    const auto paired = simulate(2, stream_of_pairs + k);
+    const auto paired = simulate(chain, step, 2, stream_of_pairs + k);
     if (!paired) return false;
     segments.paired.push_back({k, *paired});
   }
@@ -131,17 +134,24 @@ void scale_to(State& state, double volume) {
   state.box = Box{factor * state.box.edge};
 }
 
-void scale_to_mean(State& state, const Replica& replica, std::size_t from,
-                   const ReplicaSettings& settings) {
-  if (settings.at.constant_volume()) return;
+void scale_to_mean(Chain& chain, const Replica& replica, std::size_t from) {
+  if (chain.settings().at.constant_volume()) return;
   double V = 0;
   for (std::size_t k = from; k < replica.averages.size(); ++k)
     V += replica.averages[k].sums.sum[volume] / replica.averages[k].sums.weight;
-  scale_to(state, V / static_cast<double>(replica.averages.size() - from));
+  scale_to(chain.system().state, V / static_cast<double>(replica.averages.size() - from));
 }
 
-bool relax_copies(Chain& chain, const Replica& replica, std::uint64_t stream) {
+bool begin_copies(Chain& chain, const Replica& replica, std::size_t from,
+                  const std::optional<State>& last, void (*make)(System&), std::uint64_t stream) {
   constexpr std::size_t steps = 5000;
+  State& state = chain.system().state = replica.state;
+  if (!last) scale_to_mean(chain, replica, from);
+  make(chain.system());
+  if (last) {
+    state = *last;
+    return true;
+  }
   check_separated(chain.system(), minimise(chain.system(), relaxed_start));
   draw_momenta(chain.system(),
                derived_seed(chain.settings().config.system.seed, stream + replica.index));
@@ -149,6 +159,34 @@ bool relax_copies(Chain& chain, const Replica& replica, std::uint64_t stream) {
                                           replica.step * static_cast<double>(steps), stream);
   t.ensemble.thermostat = Langevin{0.01 / replica.step, 0.01 / replica.step};
   return chain.run(t).has_value();
+}
+
+BarostatSettings barostat(const ReplicaSettings& settings, double compressibility, double step) {
+  BarostatSettings b{.type = CellRescaling{relaxation_time(step)},
+                     .pressure = settings.at.pressure};
+  b.compressibility = compressibility;
+  b.every = 25 * step;
+  return b;
+}
+
+double compressibility_of_moves(const Replica& replica, const StatePoint& at) {
+  constexpr double min_relaxations = 8, max_change = 16;
+  const std::size_t end = std::bit_floor(replica.averages.size());
+  const std::size_t later_half = end / 2;
+  const double length = static_cast<double>((end - later_half) * steps_of_averages) * replica.step;
+  if (end < 2 || length < min_relaxations * relaxation_time(replica.step))
+    return replica.compressibility;
+  double weight = 0, V = 0, V2 = 0;
+  for (std::size_t k = later_half; k < end; ++k) {
+    const BlockMeans::Block& sums = replica.averages[k].sums;
+    weight += sums.weight;
+    V += sums.sum[volume];
+    V2 += sums.sum[volume_squared];
+  }
+  V /= weight;
+  const double measured = (V2 / weight - V * V) / (units::boltzmann * at.temperature * V);
+  return std::clamp(measured, replica.compressibility / max_change,
+                    max_change * replica.compressibility);
 }
 
 TrajectorySettings averages_of(const Chain& chain, double compressibility, double step,

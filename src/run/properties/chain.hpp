@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 
 #include "polhode/ensemble/minimise.hpp"
+#include "polhode/model/ensemble_settings.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "run/properties/replica.hpp"
@@ -65,13 +65,17 @@ class Chain {
   std::optional<System> system_;
 };
 
-/// Scales a state to the mean volume of a replica at constant pressure.
+/// Scales the state of a chain to the mean volume of a replica at constant pressure.
 /// @param from  first segment of averages that is in equilibrium
-void scale_to_mean(State& state, const Replica& replica, std::size_t from,
-                   const ReplicaSettings& settings);
-/// Relaxes stacked copies of a system, with different momenta.
+void scale_to_mean(Chain& chain, const Replica& replica, std::size_t from);
+/// Makes stacked copies of the system of a replica. Their state is the last one of their segments.
+/// Before the first segment, copies of the state at the mean volume are relaxed, with different
+/// momenta.
+/// @param last   state at the end of the last segment; empty before the first
+/// @param make   stacks the copies
 /// @return  false if it was stopped
-bool relax_copies(Chain& chain, const Replica& replica, std::uint64_t stream);
+bool begin_copies(Chain& chain, const Replica& replica, std::size_t from,
+                  const std::optional<State>& last, void (*make)(System&), std::uint64_t stream);
 
 /// The trajectory of a segment of dynamics.
 /// @param parts  of each step of the replica
@@ -79,13 +83,26 @@ TrajectorySettings segment_of_dynamics(const Chain& chain, double whole_step, st
                                        std::uint64_t stream);
 /// Simulates a segment from the state of the system, with a number of parts of each step of the
 /// replica and a stream of random numbers; nothing if it was stopped.
-using SegmentOfDynamics =
-    std::function<std::optional<BlockMeans::Block>(std::size_t parts, std::uint64_t stream)>;
+using SegmentOfDynamics = std::optional<BlockMeans::Block>(Chain& chain, double whole_step,
+                                                           std::size_t parts, std::uint64_t stream);
 /// Adds a segment from the state of the system and, if it is due, its pair at half of the step.
 /// @param stream, stream_of_pairs  the streams of the first segment and of its pair
 /// @return  false if it was stopped; the chain of segments is then unchanged
-bool extend(DynamicsChain& segments, Chain& chain, std::uint64_t stream,
-            std::uint64_t stream_of_pairs, const SegmentOfDynamics& simulate);
+bool extend(DynamicsChain& segments, Chain& chain, double step, std::uint64_t stream,
+            std::uint64_t stream_of_pairs, SegmentOfDynamics& simulate);
+
+/// The barostat of segments with a time step.
+/// @param compressibility  compressibility that sets the size of its moves [nm³ mol/kJ]
+BarostatSettings barostat(const ReplicaSettings& settings, double compressibility, double step);
+
+/// The compressibility that sets the size of moves in the next segment of averages [nm³ mol/kJ].
+/// It follows from the volume fluctuations of the later half of the segments, once this half lasts
+/// eight relaxation times of the barostat. With a value far too small, the volume would relax so
+/// slowly that segments are correlated; with a value far too large, moves would overshoot. The
+/// value is therefore at most 16 times larger or smaller than that of the preparation. It changes
+/// only when the number of segments has doubled. It is a function of these segments alone, so a
+/// resumed replica has the same moves.
+double compressibility_of_moves(const Replica& replica, const StatePoint& at);
 
 /// The trajectory of a segment at the temperature, and at the pressure or the volume of the state
 /// point.

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "run/properties/conduction.hpp"
-
+// The thermal conductivity from dynamics with the heat flux.
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "measure/convergence.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/forces/heat_flux.hpp"
 #include "run/properties/chain.hpp"
 #include "run/properties/dynamics.hpp"
+#include "run/properties/estimates.hpp"
 #include "run/properties/low_frequency_spectrum.hpp"
 
 namespace polhode {
@@ -19,8 +18,8 @@ constexpr std::size_t axes = 3;
 
 /// The spectrum of the heat flux times the root of the volume in a segment; nothing if it was
 /// stopped.
-std::optional<BlockMeans::Block> spectrum_of(Chain& chain, double whole_step, std::size_t parts,
-                                             std::uint64_t stream) {
+std::optional<BlockMeans::Block> heat_flux(Chain& chain, double whole_step, std::size_t parts,
+                                           std::uint64_t stream) {
   const System& system = chain.system();
   TrajectorySettings t = segment_of_dynamics(chain, whole_step, parts, stream);
   // The flux contains products of two motions. A step is about a tenth of the shortest period, so
@@ -43,20 +42,17 @@ std::optional<BlockMeans::Block> spectrum_of(Chain& chain, double whole_step, st
 bool add_conduction(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
   DynamicsChain& conduction = replica.conduction;
   Chain chain(settings, replica, conduction.meshes);
-  State& state = chain.system().state = conduction.state.value_or(replica.state);
-  if (!conduction.state) scale_to_mean(state, replica, from, settings);
-  return extend(conduction, chain, conducting, conduction_pairing,
-                [&](std::size_t parts, std::uint64_t stream) {
-                  return spectrum_of(chain, replica.step, parts, stream);
-                });
+  chain.system().state = conduction.state.value_or(replica.state);
+  if (!conduction.state) scale_to_mean(chain, replica, from);
+  return extend(conduction, chain, replica.step, conducting, conduction_pairing, heat_flux);
 }
 
 double conductivity_per_spectrum(double temperature) {
   return 1 / (2 * units::boltzmann * temperature * temperature * W_per_m_K);
 }
 
-void thermal_conductivity(MeasuredProperty& m, const Contributions& contributions,
-                          const PointData& data) {
+void estimate_conduction(MeasuredProperty& m, const Contributions& contributions,
+                         const PointData& data) {
   const PartOfSums all = [](auto sums) { return sums; };
   const std::vector<BlockMeans> runs = dynamics_of(contributions, all);
   if (runs.front().empty()) return;

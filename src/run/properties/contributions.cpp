@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "measure/equilibration.hpp"
+#include "polhode/measure/step_bias.hpp"
 
 namespace polhode {
 namespace {
@@ -56,10 +56,6 @@ bool in_equilibrium(const PointData& data) {
   return std::all_of(data.replicas.begin(), data.replicas.end(), [](const Replica& replica) {
     return is_in_equilibrium(equilibrated(replica), replica.averages.size());
   });
-}
-
-const std::vector<BlockMeans::Block>& segments_of(const Replica& replica, MeasuredIn what) {
-  return chain_of(replica, what)->segments;
 }
 
 Contributions::Contributions(const PointData& data, MeasuredIn kind) : what(kind) {
@@ -126,6 +122,12 @@ std::vector<StepResponse> responses_of(const Contributions& contributions) {
       segments.push_back(&c.replica->averages[k].response);
     return segments;
   });
+}
+
+void subtract_bias(MeasuredProperty& m, const SeriesEstimate& bias) {
+  if (m.value.known != Known::yes || bias.known != Known::yes) return;
+  m.bias = bias;
+  m.value = without_bias(m.value, bias);
 }
 
 Box box_of(const Contributions& contributions) {

@@ -21,6 +21,12 @@ struct PointData {
   std::function<bool()> stop{};  ///< ends long integrals if it returns true
   /// The second virial coefficient [nm³], which the caller keeps; computed each time without one.
   std::function<Estimate()> second_virial{};
+
+  /// The means that the ensemble of the averages fixes.
+  FixedMeans fixed_means() const {
+    return at.constant_volume() ? FixedMeans::kinetic_energy
+                                : FixedMeans::kinetic_energy_and_pressure;
+  }
 };
 
 /// Whether each replica has at least as many segments in equilibrium as before it.
@@ -45,8 +51,6 @@ struct Contributions {
   std::string text() const;
 };
 
-/// The segments of dynamics in which a property is measured.
-const std::vector<BlockMeans::Block>& segments_of(const Replica& replica, MeasuredIn what);
 /// One run for each replica, or a single run if a replica is too short for an error.
 std::vector<BlockMeans> separate_or_joined(std::vector<std::vector<BlockMeans::Block>> runs);
 /// The averages in equilibrium, with a run for each replica.
@@ -57,6 +61,8 @@ using ResponsesOf = std::function<std::vector<const StepResponse*>(const Contrib
 std::vector<StepResponse> responses_of(const Contributions& contributions, const ResponsesOf& of);
 /// The same, of the averages in equilibrium.
 std::vector<StepResponse> responses_of(const Contributions& contributions);
+/// Subtracts a time-step bias from a value, if both are known.
+void subtract_bias(MeasuredProperty& m, const SeriesEstimate& bias);
 /// The box of the dynamics with its mean edges, or at constant pressure without dynamics. The edges
 /// are 0 before any preparation.
 Box box_of(const Contributions& contributions);

@@ -2,9 +2,18 @@
 // Simulations of a molecule that is coupled to all others in stages.
 #pragma once
 
+#include "polhode/run/simulation/system/system.hpp"
 #include "run/properties/replica.hpp"
 
 namespace polhode {
+
+/// All stages from which a path can choose: first the short-range potentials of a molecule grow
+/// from nothing to their full size, then its charges.
+CouplingPath possible_stages(const Molecule& molecule);
+
+/// A system in which the last molecule of the first kind is coupled to all others as in a stage.
+/// Bodies keep their order.
+System coupled(const System& whole, const CouplingStage& stage);
 
 /// Steps of a segment at each stage.
 inline constexpr std::size_t steps_of_coupling = 500, steps_of_coupling_sample = 20;

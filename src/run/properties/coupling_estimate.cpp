@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/properties/coupling_estimate.hpp"
-
+// Free energies from the stages of a coupling.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,10 +9,9 @@
 #include "io/settings/quantity.hpp"
 #include "measure/equilibration.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/measure/step_bias.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
-#include "run/properties/coupling.hpp"
 #include "run/properties/dynamics.hpp"
+#include "run/properties/estimates.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/second_virial.hpp"
 
@@ -40,14 +38,34 @@ BlockMeans::Block joined(const std::vector<StageSegment>& segment) {
   return all;
 }
 
+/// The segments of a coupling in equilibrium: those from which on the free energy of all stages is
+/// stationary.
+std::span<const std::vector<StageSegment>> coupling_in_equilibrium(const Replica& replica) {
+  const std::span<const std::vector<StageSegment>> segments = replica.coupled.segments;
+  if (segments.empty()) return {};
+  const std::size_t stages = segments.front().size();
+  std::vector<BlockMeans::Block> blocks;
+  for (const auto& segment : segments) blocks.push_back(joined(segment));
+  const std::vector<double> mean = BlockMeans(blocks).mean();
+  std::vector<double> series;
+  for (const BlockMeans::Block& block : blocks) {
+    double sum = 0;
+    for (std::size_t k = 0; k < stages; ++k) {
+      const std::size_t first = k * coupling_sums;
+      if (k > 0) sum += block.sum[first + before] / (block.weight * mean[first + before]);
+      if (k + 1 < stages) sum -= block.sum[first + after] / (block.weight * mean[first + after]);
+    }
+    series.push_back(sum);
+  }
+  return segments.subspan(equilibrium_start(series));
+}
+
 /// Segments in equilibrium, with a run for each replica, or as one run if they are too short.
 std::vector<BlockMeans> runs_of(const Contributions& contributions) {
   std::vector<std::vector<BlockMeans::Block>> runs;
   for (const auto& [replica, from] : contributions.all) {
     std::vector<BlockMeans::Block>& run = runs.emplace_back();
-    const auto& segments = replica->coupled.segments;
-    for (std::size_t k = coupled_from(*replica); k < segments.size(); ++k)
-      run.push_back(joined(segments[k]));
+    for (const auto& segment : coupling_in_equilibrium(*replica)) run.push_back(joined(segment));
   }
   return separate_or_joined(std::move(runs));
 }
@@ -56,9 +74,8 @@ std::vector<BlockMeans> runs_of(const Contributions& contributions) {
 std::vector<StepResponse> responses_at(const Contributions& contributions, std::size_t stage) {
   return responses_of(contributions, [stage](const Contribution& c) {
     std::vector<const StepResponse*> of_stage;
-    const auto& segments = c.replica->coupled.segments;
-    for (std::size_t k = coupled_from(*c.replica); k < segments.size(); ++k)
-      of_stage.push_back(&segments[k][stage].response);
+    for (const auto& segment : coupling_in_equilibrium(*c.replica))
+      of_stage.push_back(&segment[stage].response);
     return of_stage;
   });
 }
@@ -125,9 +142,8 @@ void to_vapour(MeasuredProperty& m, const PointData& data, double volume) {
   const double kT = units::boltzmann * data.at.temperature, bar = unit("bar", Dimension::pressure),
                liquid = static_cast<double>(data.topology.size()) / volume;
   const Molecule& molecule = data.topology.parts.front().molecule;
-  const Estimate B = data.second_virial
-                         ? data.second_virial()
-                         : second_virial(molecule, data.mixing, data.at.temperature).value;
+  const Estimate B = data.second_virial ? data.second_virial()
+                                        : second_virial(molecule, data.mixing, data.at.temperature);
   if (!std::isfinite(B.value)) {
     m.value = {std::nan("")};
     m.obstacle = "the second virial coefficient was not completed";
@@ -150,26 +166,6 @@ void to_vapour(MeasuredProperty& m, const PointData& data, double volume) {
 }
 
 }  // namespace
-
-std::size_t coupled_from(const Replica& replica) {
-  const std::vector<std::vector<StageSegment>>& segments = replica.coupled.segments;
-  if (segments.empty()) return 0;
-  const std::size_t stages = segments.front().size();
-  std::vector<BlockMeans::Block> blocks;
-  for (const auto& segment : segments) blocks.push_back(joined(segment));
-  const std::vector<double> mean = BlockMeans(blocks).mean();
-  std::vector<double> series;
-  for (const BlockMeans::Block& block : blocks) {
-    double sum = 0;
-    for (std::size_t k = 0; k < stages; ++k) {
-      const std::size_t first = k * coupling_sums;
-      if (k > 0) sum += block.sum[first + before] / (block.weight * mean[first + before]);
-      if (k + 1 < stages) sum -= block.sum[first + after] / (block.weight * mean[first + after]);
-    }
-    series.push_back(sum);
-  }
-  return equilibrium_start(series);
-}
 
 void estimate_coupling(MeasuredProperty& m, const Contributions& contributions,
                        const PointData& data) {
@@ -195,15 +191,8 @@ void estimate_coupling(MeasuredProperty& m, const Contributions& contributions,
   if (!(smallest >= min_overlap))
     m.obstacle =
         fmt::format("the overlap of two stages, {:.2g}, is below {:g}", smallest, min_overlap);
-  const SeriesEstimate bias =
-      bias_of(contributions, stages,
-              data.at.constant_volume() ? FixedMeans::kinetic_energy
-                                        : FixedMeans::kinetic_energy_and_pressure,
-              degrees_of_freedom(data.topology).all());
-  if (m.value.known == Known::yes && bias.known == Known::yes) {
-    m.bias = scaled(bias, kT);
-    m.value = without_bias(m.value, *m.bias);
-  }
+  const double motions = degrees_of_freedom(data.topology).all();
+  subtract_bias(m, scaled(bias_of(contributions, stages, data.fixed_means(), motions), kT));
   if (std::string_view(m.request.property->name) == "vapour-pressure")
     to_vapour(m, data, means.back());
 }

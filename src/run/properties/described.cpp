@@ -9,27 +9,14 @@
 
 #include "io/settings/quantity.hpp"
 #include "polhode/base/units.hpp"
-#include "run/properties/conduction.hpp"
 #include "run/properties/distances.hpp"
 #include "run/properties/dynamics.hpp"
 #include "run/properties/estimates.hpp"
 #include "run/properties/property.hpp"
-#include "run/properties/slab_estimate.hpp"
 #include "run/properties/target.hpp"
 
 namespace polhode {
 namespace {
-
-/// The mean of one of the quantities.
-SeriesEstimate mean_of(std::span<const BlockMeans> runs, std::size_t quantity) {
-  std::vector<BlockMeans> only;
-  for (const BlockMeans& run : runs) {
-    std::vector<BlockMeans::Block> blocks;
-    for (const auto& [weight, sum] : run.blocks()) blocks.push_back({weight, {sum[quantity]}});
-    only.emplace_back(std::move(blocks));
-  }
-  return pooled_estimate(only, [](auto mean) { return mean[0]; });
-}
 
 std::vector<EquilibrationTrace> traces_of(const PointData& data) {
   std::vector<EquilibrationTrace> traces;
@@ -41,8 +28,7 @@ std::vector<EquilibrationTrace> traces_of(const PointData& data) {
         trace.time.push_back((static_cast<double>(trace.time.size()) + 0.5) * part);
         trace.potential.push_back(segment.potentials[k] /
                                   static_cast<double>(data.topology.size()));
-        trace.density.push_back(data.topology.mass() / segment.volumes[k] /
-                                unit("kg/m3", Dimension::density));
+        trace.density.push_back(in_kg_m3(data.topology.mass() / segment.volumes[k]));
       }
     trace.begin = static_cast<double>(equilibrated(replica) * parts_of_averages) * part;
     traces.push_back(std::move(trace));
@@ -88,7 +74,7 @@ std::vector<MeasuredCurve> spectrum_of_heat_flux(const PointData& data) {
   const double factor = conductivity_per_spectrum(data.at.temperature);
   return {spectrum_of("spectrum of the heat flux: at zero frequency it is the thermal conductivity",
                       "W/m/K", length_of_segment(contributions),
-                      [&](std::size_t b) { return scaled(mean_of(runs, b), factor); })};
+                      [&](std::size_t b) { return scaled(pooled_mean(runs, b), factor); })};
 }
 
 /// The mean-square displacement of each kind of molecule, and the spectrum of the pressure.
@@ -131,7 +117,7 @@ std::vector<MeasuredDistribution> distributions(const PointData& data) {
     const std::vector<double> scale = distances.scales(p);
     for (std::size_t k = 0; k < distances.bins(); ++k) {
       d.r.push_back(distances.middle(k));
-      d.g.push_back(scaled(mean_of(runs, distances.index(p, k)), scale[k]));
+      d.g.push_back(scaled(pooled_mean(runs, distances.index(p, k)), scale[k]));
     }
     d.peak =
         distances.first_peak(p, means, [&](const auto& f) { return pooled_estimate(runs, f); });

@@ -2,9 +2,7 @@
 #include "run/properties/distances.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
-#include <utility>
 
 namespace polhode {
 namespace {

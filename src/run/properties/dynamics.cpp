@@ -45,31 +45,26 @@ PartOfSums CorrelationsOfDynamics::distances() const {
 std::vector<BlockMeans> dynamics_of(const Contributions& contributions, const PartOfSums& part) {
   std::size_t size = std::numeric_limits<std::size_t>::max();
   for (const auto& [replica, from] : contributions.all)
-    for (const BlockMeans::Block& segment : segments_of(*replica, contributions.what))
+    for (const BlockMeans::Block& segment : chain_of(*replica, contributions.what)->segments)
       size = std::min(size, part(segment.sum).size());
-  std::vector<BlockMeans> runs;
-  std::vector<BlockMeans::Block> all;
-  std::size_t shortest = std::numeric_limits<std::size_t>::max();
+  std::vector<std::vector<BlockMeans::Block>> runs;
   for (const auto& [replica, from] : contributions.all) {
-    std::vector<BlockMeans::Block> run;
-    for (const BlockMeans::Block& segment : segments_of(*replica, contributions.what))
+    std::vector<BlockMeans::Block>& run = runs.emplace_back();
+    for (const BlockMeans::Block& segment : chain_of(*replica, contributions.what)->segments)
       run.push_back(selected(segment, part, size));
-    all.insert(all.end(), run.begin(), run.end());
-    shortest = std::min(shortest, run.size());
-    runs.emplace_back(std::move(run));
   }
-  if (!runs.empty() && shortest >= min_samples) return runs;
-  return {BlockMeans(std::move(all))};
+  return separate_or_joined(std::move(runs));
 }
 
 std::vector<StepPair> pairs_of(const Contributions& contributions, const PartOfSums& part,
                                std::size_t size) {
   std::vector<StepPair> pairs;
   for (const auto& [replica, from] : contributions.all) {
-    const std::vector<BlockMeans::Block>& segments = segments_of(*replica, contributions.what);
-    for (const auto& [of, half_step] : chain_of(*replica, contributions.what)->paired)
-      if (of < segments.size())
-        pairs.push_back({selected(segments[of], part, size), selected(half_step, part, size)});
+    const DynamicsChain& chain = *chain_of(*replica, contributions.what);
+    for (const auto& [of, half_step] : chain.paired)
+      if (of < chain.segments.size())
+        pairs.push_back(
+            {selected(chain.segments[of], part, size), selected(half_step, part, size)});
   }
   return pairs;
 }

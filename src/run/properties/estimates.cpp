@@ -5,29 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <string_view>
 
 #include "io/settings/quantity.hpp"
-#include "measure/convergence.hpp"
 #include "measure/displacement.hpp"
 #include "measure/finite_size.hpp"
 #include "measure/reorientation.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/math/fit.hpp"
-#include "polhode/measure/step_bias.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
-#include "run/properties/conduction.hpp"
-#include "run/properties/contributions.hpp"
-#include "run/properties/coupling_estimate.hpp"
 #include "run/properties/distances.hpp"
 #include "run/properties/dynamics.hpp"
 #include "run/properties/low_frequency_spectrum.hpp"
-#include "run/properties/orthoboxy.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/second_virial.hpp"
-#include "run/properties/slab_estimate.hpp"
 #include "run/properties/target.hpp"
 
 namespace polhode {
@@ -39,43 +30,27 @@ constexpr const char* no_equilibrium =
     "a replica has not reached equilibrium; if longer runs do not help, the system is a crystal, a "
     "glass or a coexistence of two phases";
 
-PropertyConditions conditions_of(const PointData& data) {
-  return {.at = data.at,
-          .molecules = data.topology.size(),
-          .mass = data.topology.mass(),
-          .degrees_of_freedom = degrees_of_freedom(data.topology, TotalMomentum::free).all()};
-}
-
-void estimate_average(MeasuredProperty& m, const PointData& data) {
-  const PropertyConditions conditions = conditions_of(data);
+void estimate_average(MeasuredProperty& m, const Contributions& contributions,
+                      const PointData& data) {
+  const PropertyConditions conditions{
+      .at = data.at,
+      .molecules = data.topology.size(),
+      .mass = data.topology.mass(),
+      .degrees_of_freedom = degrees_of_freedom(data.topology, TotalMomentum::free).all()};
   const Property& property = *m.request.property;
   const auto statistic = [&](Means means) { return property.value(means, conditions); };
-  const Contributions contributions(data, MeasuredIn::averages);
-  m.contributions = contributions.text();
-  if (contributions.not_in_equilibrium > 0) m.obstacle = no_equilibrium;
-  const std::vector<BlockMeans> runs = averages_of(contributions);
-  m.value = pooled_estimate(runs, statistic);
-  if (m.value.known != Known::yes) {
-    if (m.obstacle.empty()) m.obstacle = too_short;
-    return;
-  }
-  const std::vector<StepResponse> responses = responses_of(contributions);
-  const SeriesEstimate bias =
-      step_bias(responses, degrees_of_freedom(data.topology).all(),
-                data.at.constant_volume() ? FixedMeans::kinetic_energy
-                                          : FixedMeans::kinetic_energy_and_pressure,
-                statistic);
-  if (bias.known != Known::yes) return;
-  m.bias = bias;
-  m.value = without_bias(m.value, bias);
+  m.value = pooled_estimate(averages_of(contributions), statistic);
+  if (m.value.known != Known::yes) return;
+  subtract_bias(m, step_bias(responses_of(contributions), degrees_of_freedom(data.topology).all(),
+                             data.fixed_means(), statistic));
 }
 
 /// The correlation functions of the dynamics of all replicas.
 class Dynamics {
  public:
-  explicit Dynamics(const PointData& data)
+  Dynamics(const PointData& data, const Contributions& contributions)
       : data_(data),
-        contributions_(data, MeasuredIn::dynamics),
+        contributions_(contributions),
         which_(data.topology),
         runs_(dynamics_of(contributions_, which_.functions())) {
     if (empty()) return;
@@ -90,7 +65,6 @@ class Dynamics {
                       pressure_bins());
   }
   bool empty() const { return runs_.front().empty(); }
-  const Contributions& contributions() const { return contributions_; }
 
   void viscosity(MeasuredProperty& m) const {
     const double mPa_s = unit("mPa s", Dimension::viscosity);
@@ -181,7 +155,7 @@ class Dynamics {
     return BlockMeans(std::move(blocks));
   }
   const PointData& data_;
-  Contributions contributions_;
+  const Contributions& contributions_;
   CorrelationsOfDynamics which_;
   std::vector<BlockMeans> runs_;
   std::optional<ZeroFrequency> spectrum_;
@@ -190,7 +164,7 @@ class Dynamics {
 };
 
 /// The number of neighbours within the first minimum of g(r) of the centres.
-void coordination(MeasuredProperty& m, const PointData& data, const Contributions& contributions) {
+void coordination(MeasuredProperty& m, const Contributions& contributions, const PointData& data) {
   const PartOfSums part = CorrelationsOfDynamics(data.topology).distances();
   const std::vector<BlockMeans> runs = dynamics_of(contributions, part);
   if (runs.front().empty()) return;
@@ -213,19 +187,12 @@ void coordination(MeasuredProperty& m, const PointData& data, const Contribution
   m.step_bound = step_bound(difference->shell->coordination);
 }
 
-/// Notes which replicas contribute, and why a value of dynamics is not known.
-void note_contributions(MeasuredProperty& m, const Contributions& contributions) {
-  m.contributions = contributions.text();
-  if (m.obstacle.empty() && contributions.not_in_equilibrium > 0) m.obstacle = no_equilibrium;
-  if (m.value.known != Known::yes && m.obstacle.empty()) m.obstacle = too_short;
-}
-
-void estimate_dynamics(MeasuredProperty& m, const PointData& data) {
-  const Dynamics dynamics(data);
+void estimate_dynamics(MeasuredProperty& m, const Contributions& contributions,
+                       const PointData& data) {
   const std::string_view name = m.request.property->name;
-  if (name == "coordination-number")
-    coordination(m, data, dynamics.contributions());
-  else if (dynamics.empty())
+  if (name == "coordination-number") return coordination(m, contributions, data);
+  const Dynamics dynamics(data, contributions);
+  if (dynamics.empty())
     m.obstacle = too_short;
   else if (name == "viscosity")
     dynamics.viscosity(m);
@@ -233,38 +200,12 @@ void estimate_dynamics(MeasuredProperty& m, const PointData& data) {
     dynamics.diffusion(m);
   else
     dynamics.relaxation(m);
-  note_contributions(m, dynamics.contributions());
-}
-
-void estimate_elongated(MeasuredProperty& m, const PointData& data) {
-  const Contributions contributions(data, MeasuredIn::elongated);
-  estimate_orthoboxy(m, contributions, data.at.temperature);
-  note_contributions(m, contributions);
-}
-
-void estimate_coupled(MeasuredProperty& m, const PointData& data) {
-  const Contributions contributions(data, MeasuredIn::coupling);
-  estimate_coupling(m, contributions, data);
-  note_contributions(m, contributions);
-}
-
-void estimate_conduction(MeasuredProperty& m, const PointData& data) {
-  const Contributions contributions(data, MeasuredIn::conduction);
-  thermal_conductivity(m, contributions, data);
-  note_contributions(m, contributions);
-}
-
-void estimate_surface(MeasuredProperty& m, const PointData& data) {
-  const Contributions contributions(data, MeasuredIn::slab);
-  estimate_slab(m, contributions, data);
-  note_contributions(m, contributions);
 }
 
 void estimate_pair(MeasuredProperty& m, const PointData& data) {
   for (std::size_t points = 1024; points <= 65536 && !m.reached(); points *= 4) {
     const Estimate B = second_virial(data.topology.parts.front().molecule, data.mixing,
-                                     data.at.temperature, points, Workers::serial(), data.stop)
-                           .value;
+                                     data.at.temperature, points, Workers::serial(), data.stop);
     if (!std::isfinite(B.value)) break;
     m.value = {B.value / cm3_per_mol, B.error / cm3_per_mol, Known::yes, 15};
   }
@@ -301,37 +242,44 @@ std::optional<std::array<double, 2>> MeasuredProperty::interval(double probabili
 
 MeasuredProperty estimate(const RequestedProperty& request, const PointData& data) {
   MeasuredProperty m{.request = request, .value = {std::nan("")}};
-  const Replica any;
-  if (chain_of(any, request.property->measured_in) != nullptr && !have_one_step(data.replicas)) {
+  const MeasuredIn kind = request.property->measured_in;
+  if (chain_of(Replica{}, kind) != nullptr && !have_one_step(data.replicas)) {
     m.obstacle =
         "replicas have different time steps, because their shards had separate pilots; give all "
         "shards the record of one pilot before they start";
     m.longer_helps = false;
     return m;
   }
-  switch (request.property->measured_in) {
+  if (kind == MeasuredIn::pair) {
+    estimate_pair(m, data);
+    return m;
+  }
+  const Contributions contributions(data, kind);
+  switch (kind) {
     case MeasuredIn::averages:
-      estimate_average(m, data);
+      estimate_average(m, contributions, data);
       break;
     case MeasuredIn::dynamics:
-      estimate_dynamics(m, data);
+      estimate_dynamics(m, contributions, data);
       break;
     case MeasuredIn::elongated:
-      estimate_elongated(m, data);
+      estimate_orthoboxy(m, contributions, data);
       break;
     case MeasuredIn::coupling:
-      estimate_coupled(m, data);
+      estimate_coupling(m, contributions, data);
       break;
     case MeasuredIn::slab:
-      estimate_surface(m, data);
+      estimate_slab(m, contributions, data);
       break;
     case MeasuredIn::conduction:
-      estimate_conduction(m, data);
+      estimate_conduction(m, contributions, data);
       break;
     case MeasuredIn::pair:
-      estimate_pair(m, data);
       break;
   }
+  m.contributions = contributions.text();
+  if (m.obstacle.empty() && contributions.not_in_equilibrium > 0) m.obstacle = no_equilibrium;
+  if (m.obstacle.empty() && m.value.known != Known::yes) m.obstacle = too_short;
   return m;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "run/properties/property.hpp"
 
@@ -38,6 +39,35 @@ std::string duration_text(double seconds) {
   for (const auto& [until, unit, name] : shorter)
     if (seconds < until) return fmt::format("{:.0f} {}", seconds / unit, name);
   return fmt::format("{:.2g} years", seconds / year);
+}
+
+std::string plan_text(const ReplicaSettings& settings, const Target& target, std::size_t replicas,
+                      std::size_t molecules, double seconds) {
+  const double step = settings.step;
+  const auto segments = [&](MeasuredIn kind) { return static_cast<double>(target[kind]); };
+  const double dynamics = (segments(MeasuredIn::dynamics) + segments(MeasuredIn::elongated) +
+                           segments(MeasuredIn::conduction)) *
+                          steps_of_dynamics;
+  std::string text = fmt::format(
+      "plan at {}: {} replicas of {} molecules, {} at {:g} fs; first {:.0f} ps of each at "
+      "constant {}",
+      settings.at.text(), replicas, molecules, text_of(settings.sampling, settings.scheme),
+      step * units::fs_per_ps, segments(MeasuredIn::averages) * steps_of_averages * step,
+      settings.at.constant_volume() ? "volume" : "pressure");
+  if (dynamics > 0)
+    text += fmt::format(
+        " and {:.0f} ps for dynamics{}", dynamics * step,
+        settings.paired_runs ? ", of which an eighth is repeated at half of the step" : "");
+  if (target[MeasuredIn::coupling] > 0)
+    text += fmt::format(" and {:.0f} ps at each of {} stages of the coupling of a molecule",
+                        segments(MeasuredIn::coupling) * steps_of_coupling * step,
+                        settings.path.size());
+  if (target[MeasuredIn::slab] > 0)
+    text +=
+        fmt::format(" and {:.0f} ps of a slab of {} molecules",
+                    segments(MeasuredIn::slab) * steps_of_averages * step, slab_copies * molecules);
+  if (seconds > 0) text += fmt::format(", about {}", duration_text(seconds));
+  return text + "; longer where an error is not reached";
 }
 
 std::optional<double> expected_time(const MeasuredProperty& m, double error, const WorkDone& done) {

@@ -29,6 +29,12 @@ inline constexpr double usual_time = 30 * 86400.0;
 /// Without a time limit a longer expected time is an error [s].
 inline constexpr double max_time = 365.25 * 86400.0;
 
+/// The first lengths of the replicas of a state point, and how long they take.
+/// @param settings  with the time step, and the stages of a coupling
+/// @param seconds   expected wall-clock time; 0 if it is not known
+std::string plan_text(const ReplicaSettings& settings, const Target& target, std::size_t replicas,
+                      std::size_t molecules, double seconds);
+
 /// The time until a property has a standard error [s], which falls with the square root of the
 /// length; 0 if it has. Empty if its error is not known, or no time has been measured.
 std::optional<double> expected_time(const MeasuredProperty& m, double error, const WorkDone& done);

@@ -11,12 +11,12 @@
 #include <string_view>
 
 #include "base/printable.hpp"
-#include "io/settings/output_units.hpp"
 #include "io/settings/run_file_template.hpp"
 #include "io/topology/gromacs_mdp.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/topology/topology_file.hpp"
 #include "polhode/run/simulation/system/system.hpp"
+#include "run/properties/property.hpp"
 
 namespace polhode {
 namespace {
@@ -68,13 +68,8 @@ Config config_of_template(const char* kind, const Overlay& files, const std::str
                           std::vector<std::string>& notes) {
   std::string text = run_file_template(kind);
   Config config = parse_config(text, "measure", files);
-  const Topology topology = build_topology(config.system);
-  const bool any_charge =
-      std::any_of(topology.parts.begin(), topology.parts.end(), [](const Topology::Part& part) {
-        return std::any_of(part.molecule.sites.begin(), part.molecule.sites.end(),
-                           [](const Site& site) { return site.charge != 0; });
-      });
-  if (!any_charge) {  // the default of the truncation depends on the electrostatics
+  const bool charged = has_charges(build_topology(config.system));
+  if (!charged) {  // the default of the truncation depends on the electrostatics
     text.insert(text.find("electrostatics"), "# ");
     config = parse_config(text, "measure", files);
   }
@@ -82,7 +77,7 @@ Config config_of_template(const char* kind, const Overlay& files, const std::str
   notes.push_back(fmt::format(
       "note: '{}' does not give the forces; they are those of 'polhode new {}': cutoff {:g} nm{}, "
       "with dispersion correction{}; {} sets others",
-      printable(system), kind, config.forces.cutoff, any_charge ? ", PME" : "",
+      printable(system), kind, config.forces.cutoff, charged ? ", PME" : "",
       config.gives("forces.mixing") ? ", geometric mixing" : "",
       config.gives("forces.mixing") ? "a run file" : "an .mdp file or a run file"));
   return config;

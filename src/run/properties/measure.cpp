@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -15,13 +14,13 @@
 #include "io/files/draft.hpp"
 #include "io/files/with_error.hpp"
 #include "io/files/write_file.hpp"
+#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 #include "run/output_files.hpp"
 #include "run/properties/coupling.hpp"
 #include "run/properties/estimates.hpp"
 #include "run/properties/expected_time.hpp"
-#include "run/properties/measure_plan.hpp"
 #include "run/properties/point_system.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/replica.hpp"
@@ -30,7 +29,6 @@
 #include "run/properties/schedule.hpp"
 #include "run/properties/second_virial.hpp"
 #include "run/properties/target.hpp"
-#include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {
@@ -135,8 +133,7 @@ Estimate PointMeasurement::second_virial_of_liquid() const {
   constexpr std::size_t orientations = 4096;
   const Estimate B =
       second_virial(system_.topology.parts.front().molecule, system_.mixing, at().temperature,
-                    orientations, workers_, [this] { return stopped(); })
-          .value;
+                    orientations, workers_, [this] { return stopped(); });
   if (std::isfinite(B.value)) second_virial_ = B;
   return B;
 }
@@ -277,7 +274,7 @@ void PointMeasurement::execute(const Target& target) {
 void PointMeasurement::extend(const Target& target) {
   done_ = planned_ = 0;
   for (const Replica& r : replicas_) {
-    planned_ += steps_missing(r, target, system_.common.path.size(), settings_.paired_runs);
+    planned_ += steps_missing(r, target, system_.common);
     steps_ -= steps_of(r);
   }
   const Stopwatch watch;
@@ -324,12 +321,12 @@ void PointMeasurement::show(const std::vector<MeasuredProperty>& values, const T
 
 void PointMeasurement::show_plan(const Target& target,
                                  std::optional<double> seconds_per_step) const {
-  const Plan plan{system_.common, target, replicas_.size(), system_.topology.size(),
-                  settings_.paired_runs};
   const std::size_t at_once =
       std::min(replicas_.size(), static_cast<std::size_t>(workers_.threads()));
-  const double seconds = plan.steps() * seconds_per_step.value_or(0) / static_cast<double>(at_once);
-  callbacks_.note(plan.text(seconds));
+  const double steps = static_cast<double>(replicas_.size()) * steps_at(target, system_.common);
+  const double seconds = steps * seconds_per_step.value_or(0) / static_cast<double>(at_once);
+  callbacks_.note(
+      plan_text(system_.common, target, replicas_.size(), system_.topology.size(), seconds));
   if (!allowed().is_limit && seconds > max_time)
     throw Error(fmt::format(
         "the first lengths of {} molecules need about {}; it must be less than a year: give fewer "
@@ -351,8 +348,7 @@ WorkDone PointMeasurement::work_of(const Target& target) const {
   const auto n = static_cast<double>(replicas_.size());
   WorkDone done{.seconds_per_step = steps_ > 0 ? seconds_ / steps_ : 0};
   for (const MeasuredIn kind : kinds_of_run)
-    done.steps[kind] =
-        n * steps_of_kind(kind, target[kind], system_.common.path.size(), settings_.paired_runs);
+    done.steps[kind] = n * steps_of_kind(kind, target[kind], system_.common);
   return done;
 }
 

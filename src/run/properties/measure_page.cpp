@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
+#include <map>
 #include <string_view>
 
 #include "base/version.hpp"
 #include "io/files/embedded.hpp"
 #include "io/files/with_error.hpp"
-#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/run/properties/measure.hpp"
 #include "run/properties/property.hpp"
@@ -69,16 +68,26 @@ std::string table_of(const MeasuredPoint& point) {
          rows + "</table></div>\n";
 }
 
+/// Adds a point with its error to a curve.
+void add(SvgCurve& curve, double x, const SeriesEstimate& y) {
+  curve.x.push_back(x);
+  curve.y.push_back(y.value);
+  curve.error.push_back(y.error);
+}
+
+SvgCurve curve_of(const std::vector<double>& x, const std::vector<SeriesEstimate>& y) {
+  SvgCurve curve;
+  for (std::size_t k = 0; k < x.size(); ++k) add(curve, x[k], y[k]);
+  return curve;
+}
+
 /// A figure of the convergence of a value with the amount of data; empty if fewer than two parts of
 /// the data have an error.
 std::string convergence(const MeasuredProperty& m) {
   SvgCurve curve;
   for (std::size_t k = 0; k < m.stages.size(); ++k) {
-    const SeriesEstimate& s = m.stages[k];
-    if (s.known != Known::yes) continue;
-    curve.x.push_back(100 * static_cast<double>(k + 1) / static_cast<double>(m.stages.size()));
-    curve.y.push_back(s.value);
-    curve.error.push_back(s.error);
+    const double part = static_cast<double>(k + 1) / static_cast<double>(m.stages.size());
+    if (m.stages[k].known == Known::yes) add(curve, 100 * part, m.stages[k]);
   }
   if (curve.x.size() < 2) return "";
   const std::string name = m.request.property->name, unit = m.request.property->unit;
@@ -86,27 +95,18 @@ std::string convergence(const MeasuredProperty& m) {
 }
 
 std::string correlation(const MeasuredCurve& measured) {
-  SvgCurve curve{measured.x, {}, {}};
-  for (const SeriesEstimate& e : measured.value) {
-    curve.y.push_back(e.value);
-    curve.error.push_back(e.error);
-  }
-  return svg({measured.title, measured.axis, measured.unit, {curve}});
+  return svg(
+      {measured.title, measured.axis, measured.unit, {curve_of(measured.x, measured.value)}});
 }
 
 std::string distribution(const MeasuredDistribution& d) {
-  SvgCurve curve{d.r, {}, {}};
-  for (const SeriesEstimate& e : d.g) {
-    curve.y.push_back(e.value);
-    curve.error.push_back(e.error);
-  }
   std::string title = fmt::format("g(r) of {} and {}", d.pair[0], d.pair[1]);
   std::vector<double> marks;
   if (d.peak && d.peak->shell) {
     marks.push_back(d.peak->shell->end.value);
     title += "; the dashed line marks the first minimum";
   }
-  return svg({title, "r (nm)", "g(r)", {curve}, marks});
+  return svg({title, "r (nm)", "g(r)", {curve_of(d.r, d.g)}, marks});
 }
 
 std::string equilibration(const EquilibrationTrace& trace, std::size_t replica) {
@@ -151,18 +151,12 @@ std::string estimate_text(const SeriesEstimate& e) {
 
 /// The densities at one pressure, with a line at their maximum.
 std::string density_figure(const MeasureReport& report, const DensityMaximum& m) {
-  std::vector<const MeasuredPoint*> points;
+  std::map<double, SeriesEstimate> densities;  // by temperature
   for (const MeasuredPoint& point : report.points)
     if (point.at.pressure == m.pressure && point.density.known == Known::yes)
-      points.push_back(&point);
-  std::sort(points.begin(), points.end(),
-            [](const auto* a, const auto* b) { return a->at.temperature < b->at.temperature; });
+      densities[point.at.temperature] = point.density;
   SvgCurve curve;
-  for (const MeasuredPoint* point : points) {
-    curve.x.push_back(point->at.temperature);
-    curve.y.push_back(point->density.value);
-    curve.error.push_back(point->density.error);
-  }
+  for (const auto& [temperature, density] : densities) add(curve, temperature, density);
   std::vector<double> marks;
   const bool known = m.obstacle.empty();
   if (known) marks.push_back(m.temperature.value);
@@ -178,13 +172,12 @@ std::string of_curves(const MeasureReport& report) {
   const auto& [maxima, slopes] = report.curves;
   if (maxima.empty() && slopes.empty()) return "";
   std::string rows, figures, text = "<h2>Curves over state points</h2>\n";
-  const auto bar = [](double pressure) { return pressure / unit("bar", Dimension::pressure); };
   for (const DensityMaximum& m : maxima) {
     figures += density_figure(report, m);
     rows += fmt::format(
         "<tr><td class=\"number\">{:g}</td><td class=\"number\">{}</td>"
         "<td class=\"number\">{}</td><td>{}</td></tr>\n",
-        bar(m.pressure), estimate_text(m.temperature), estimate_text(m.density),
+        in_bar(m.pressure), estimate_text(m.temperature), estimate_text(m.density),
         m.obstacle.empty() ? m.fit.text() : html(m.obstacle));
   }
   if (!maxima.empty())

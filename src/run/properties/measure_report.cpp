@@ -5,7 +5,6 @@
 
 #include "io/files/with_error.hpp"
 #include "io/settings/output_units.hpp"
-#include "io/settings/quantity.hpp"
 #include "polhode/run/properties/measure.hpp"
 #include "run/properties/property.hpp"
 #include "run/quantity_lists.hpp"
@@ -13,14 +12,15 @@
 namespace polhode {
 namespace {
 
-double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
+Quantities of_state(const StatePoint& at) {
+  return {{"temperature", "K", at.temperature, "temperature of the state point"},
+          {"pressure", "bar", at.constant_volume() ? Value() : Value(in_bar(at.pressure)),
+           "pressure of the state point; null at constant volume"},
+          {"density", "kg/m3", at.constant_volume() ? Value(in_kg_m3(at.density)) : Value(),
+           "density of a state point at constant volume; null at constant pressure"}};
+}
 
-Value pressure_of(const StatePoint& at) {
-  return at.constant_volume() ? Value() : Value(in_bar(at.pressure));
-}
-Value density_of(const StatePoint& at) {
-  return at.constant_volume() ? Value(at.density / unit("kg/m3", Dimension::density)) : Value();
-}
+Value text_or_null(const std::string& text) { return text.empty() ? Value() : Value(text); }
 
 /// Remarks on a value: corrections included in the value, and reasons why the value may not meet
 /// the request.
@@ -60,7 +60,7 @@ Quantities of_property(const MeasuredProperty& m) {
       {"requested_error", "", m.requested_error(), "requested standard error"},
       {"reached", "", m.reached(),
        "whether the requested error is reached and the value has converged"},
-      {"step_bias", "", m.bias ? Value(*m.bias) : Value(),
+      {"step_bias", "", m.bias,
        "time-step bias, which is subtracted; null if it is not known, or with hybrid Monte Carlo"},
       {"step_bias_bound", "", m.step_bound ? Value(m.step_bound->bound) : Value(),
        "95 % bound of the time-step bias of dynamics, from paired runs at half of the step; "
@@ -69,9 +69,9 @@ Quantities of_property(const MeasuredProperty& m) {
        "difference of the value between the step and half of it; null without paired runs"},
       {"finite_size_correction", "", m.finite_size,
        "finite-size correction included in the value; null without a correction"},
-      {"not_converged", "", m.obstacle.empty() ? Value() : Value(m.obstacle),
+      {"not_converged", "", text_or_null(m.obstacle),
        "reason why the value has not converged; null if it has"},
-      {"contributions", "", m.contributions.empty() ? Value() : Value(m.contributions),
+      {"contributions", "", text_or_null(m.contributions),
        "number of replicas that contribute, and why the others do not; null if all contribute"},
       {"definition", "", p.definition, "definition of the property"},
       {"", "", remarks(m), "", "remarks"}};
@@ -120,31 +120,27 @@ Quantities of_distribution(const MeasuredDistribution& d) {
 Quantities of_point(const MeasuredPoint& point) {
   std::vector<Quantities> properties;
   for (const MeasuredProperty& m : point.properties) properties.push_back(of_property(m));
-  Quantities list{{"temperature", "K", point.at.temperature, "temperature of the state point"},
-                  {"pressure", "bar", pressure_of(point.at),
-                   "pressure of the state point; null at constant volume"},
-                  {"density", "kg/m3", density_of(point.at),
-                   "density of a state point at constant volume; null at constant pressure"},
-                  {"molecules", "", static_cast<std::int64_t>(point.molecules),
-                   "number of molecules of each replica"},
-                  {"replicas", "", static_cast<std::int64_t>(point.replicas),
-                   "number of independent simulations"},
-                  {"step", "fs", point.step_max * units::fs_per_ps, "time step"},
-                  {"scheme", "", point.scheme, "scheme of all runs, with the sampling of averages"},
-                  {"equilibration", "ps", point.equilibration_max,
-                   "longest time that a replica discarded as equilibration"},
-                  {"averages_length", "ps", point.length_of_averages,
-                   "total time simulated at constant pressure or volume in equilibrium, by all "
-                   "replicas"},
-                  {"dynamics_length", "ps", point.length_of_dynamics,
-                   "total time simulated for dynamics, by all replicas"},
-                  {"coupling_length", "ps", point.length_of_coupling,
-                   "total time simulated at the stages of a coupling, by all replicas"},
-                  {"slab_length", "ps", point.length_of_slab,
-                   "total time simulated for the slabs, by all replicas"},
-                  {"edge", "nm", point.edge, "box edge"},
-                  {"properties", "", std::move(properties),
-                   "properties measured at this state point", point.at.text()}};
+  Quantities list = of_state(point.at);
+  append(list, {{"molecules", "", static_cast<std::int64_t>(point.molecules),
+                 "number of molecules of each replica"},
+                {"replicas", "", static_cast<std::int64_t>(point.replicas),
+                 "number of independent simulations"},
+                {"step", "fs", point.step_max * units::fs_per_ps, "time step"},
+                {"scheme", "", point.scheme, "scheme of all runs, with the sampling of averages"},
+                {"equilibration", "ps", point.equilibration_max,
+                 "longest time that a replica discarded as equilibration"},
+                {"averages_length", "ps", point.length_of_averages,
+                 "total time simulated at constant pressure or volume in equilibrium, by all "
+                 "replicas"},
+                {"dynamics_length", "ps", point.length_of_dynamics,
+                 "total time simulated for dynamics, by all replicas"},
+                {"coupling_length", "ps", point.length_of_coupling,
+                 "total time simulated at the stages of a coupling, by all replicas"},
+                {"slab_length", "ps", point.length_of_slab,
+                 "total time simulated for the slabs, by all replicas"},
+                {"edge", "nm", point.edge, "box edge"},
+                {"properties", "", std::move(properties), "properties measured at this state point",
+                 point.at.text()}});
   std::vector<Quantities> distributions;
   if (point.wants_distributions())
     for (const MeasuredDistribution& d : point.distributions)
@@ -165,13 +161,10 @@ Quantities of_point(const MeasuredPoint& point) {
 }
 
 Quantities of_missing(const MissingPoint& point) {
-  return {{"temperature", "K", point.at.temperature, "temperature of the state point"},
-          {"pressure", "bar", pressure_of(point.at),
-           "pressure of the state point; null at constant volume"},
-          {"density", "kg/m3", density_of(point.at),
-           "density of a state point at constant volume; null at constant pressure"},
-          {"", "", point.at.text(), "", "state point"},
-          {"reason", "", point.reason, "why there are no results", "reason"}};
+  Quantities list = of_state(point.at);
+  append(list, {{"", "", point.at.text(), "", "state point"},
+                {"reason", "", point.reason, "why there are no results", "reason"}});
+  return list;
 }
 
 Quantities of_fit(const StateFit& fit) {
@@ -189,7 +182,7 @@ Quantities of_maximum(const DensityMaximum& m) {
        "temperature"},
       {"density", "kg/m3", m.density, "density at the maximum", "density"}};
   append(list, of_fit(m.fit));
-  list.push_back({"not_known", "", m.obstacle.empty() ? Value() : Value(m.obstacle),
+  list.push_back({"not_known", "", text_or_null(m.obstacle),
                   "reason why there is no maximum; null if there is one"});
   list.push_back({"", "", m.obstacle.empty() ? m.fit.text() : m.obstacle, "", "remarks"});
   return list;

@@ -12,7 +12,6 @@
 #include "io/files/split_words.hpp"
 #include "io/files/text_file.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/units.hpp"
 #include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/with_bath.hpp"
@@ -20,7 +19,6 @@
 #include "polhode/run/simulation/system/system.hpp"
 #include "run/properties/input_files.hpp"
 #include "run/properties/property.hpp"
-#include "run/properties/state_point.hpp"
 
 namespace polhode {
 namespace {
@@ -36,28 +34,18 @@ struct Component {
   std::uint64_t count = 0;
 };
 
-bool is_number(std::string_view word) {
-  return !word.empty() &&
-         std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
 /// Parses the components of a system, such as "spce 488" in "spce 488, na-spce 12".
 std::vector<Component> components_of(const std::string& system) {
   std::vector<Component> list;
-  std::size_t at = 0;
-  while (at <= system.size()) {
-    const std::size_t comma = std::min(system.find(',', at), system.size());
-    std::string part = system.substr(at, comma - at);
-    at = comma + 1;
-    const auto first = part.find_first_not_of(' '), last = part.find_last_not_of(' ');
-    if (first == part.npos)
+  for (const std::string_view part : parts_of(system, ',')) {
+    if (part.empty())
       throw Error(fmt::format("'{}' has an empty part; write \"spce 488, na-spce 12\"", system));
-    part = part.substr(first, last - first + 1);
     const auto space = part.rfind(' ');
-    Component component{part, 0};
-    if (space != part.npos && is_number(std::string_view(part).substr(space + 1))) {
-      component.count = given_whole_number({part.substr(space + 1), system}, 1, max_molecules);
-      component.model = part.substr(0, part.find_last_not_of(' ', space) + 1);
+    Component component{std::string(part), 0};
+    if (space != part.npos && part.find_first_not_of("0123456789", space + 1) == part.npos) {
+      const std::string number(part.substr(space + 1));
+      component.count = given_whole_number({number, system}, 1, max_molecules);
+      component.model = trimmed(part.substr(0, space));
     }
     list.push_back(component);
   }
@@ -84,15 +72,13 @@ Config config_of(const std::string& system, const Given& molecules, const Given&
   const bool is_mixture = components.size() > 1;
   if (solute) components.insert(components.begin(), {solute.text, 1});
   SystemSettings molecules_alone;
-  bool any_charge = false;
+  bool charged = false;
   for (Component& c : components) {
     if (c.count == 0 && is_mixture)
       throw Error(
           fmt::format("'{}' has no number of molecules; write \"{} 100\"", c.model, c.model));
     molecules_alone.molecules.push_back({c.model, {}, c.count == 0 ? default_count : c.count});
-    const Molecule molecule = molecule_of(molecules_alone.molecules.back());
-    any_charge |= std::any_of(molecule.sites.begin(), molecule.sites.end(),
-                              [](const Site& site) { return site.charge != 0; });
+    charged |= has_charges(molecule_of(molecules_alone.molecules.back()));
   }
   const Topology topology = build_topology(molecules_alone);
   const double edge = std::cbrt(topology.mass() / estimated_density(topology));
@@ -105,7 +91,7 @@ Config config_of(const std::string& system, const Given& molecules, const Given&
       parse_config(fmt::format("[system]\nmolecules = [{{ model = \"argon\", count = 1 }}]\n"
                                "density = \"1 g/cm3\"\n[forces]\ncutoff = \"{:g} nm\"\n"
                                "dispersion_correction = true\nprecision = \"mixed\"\n{}",
-                               cutoff, any_charge ? "electrostatics = \"pme\"\n" : ""),
+                               cutoff, charged ? "electrostatics = \"pme\"\n" : ""),
                    "measure", overlay);
   config.system.molecules = molecules_alone.molecules;
   config.system.density.reset();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "polhode/run/properties/measure.hpp"
@@ -27,6 +28,11 @@ struct MeasureRequest {
   /// @throws Error  if an option or word is invalid; the message names it
   MeasureSettings settings() const;
 };
+
+/// Parses state points, such as "298.15 K, 1 bar" or "298.15 K, 997 kg/m3". Either value can be a
+/// range, as in "250 K to 320 K, 7 points". The default pressure is 1 bar.
+/// @throws Error  if a part cannot be read; the message names it
+std::vector<StatePoint> state_points(std::string_view text);
 
 /// Help text on the words of a request, with the names of all properties.
 std::string properties_help();

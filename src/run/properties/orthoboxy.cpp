@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "run/properties/orthoboxy.hpp"
-
+// Diffusion and viscosity from dynamics in the long box of OrthoBoXY.
 #include <string_view>
 
 #include "io/settings/quantity.hpp"
 #include "measure/finite_size.hpp"
 #include "polhode/base/units.hpp"
+#include "run/properties/dynamics.hpp"
+#include "run/properties/estimates.hpp"
 #include "run/properties/property.hpp"
 
 namespace polhode {
@@ -33,13 +34,13 @@ Vec3<double> edges_of(const Contributions& contributions) {
 }  // namespace
 
 void estimate_orthoboxy(MeasuredProperty& m, const Contributions& contributions,
-                        double temperature) {
+                        const PointData& data) {
   const std::vector<BlockMeans> runs = dynamics_of(contributions, all_of);
   if (runs.front().empty()) return;
   const double interval = lag_interval(*contributions.all.front().replica);
   const bool viscosity = std::string_view(m.request.property->name) == "viscosity-orthoboxy";
   const Vec3<double> taken = image_mobility(edges_of(contributions));
-  const double kT = units::boltzmann * temperature;
+  const double kT = units::boltzmann * data.at.temperature;
   const double unit_of = viscosity ? unit("mPa s", Dimension::viscosity) : nm2_per_ns;
   const auto value = [&](Means all, const FitWindow& fit) {
     const Vec3<double> D = diffusion_of(all, interval, fit);

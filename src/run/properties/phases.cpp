@@ -6,7 +6,6 @@
 #include <cmath>
 #include <complex>
 
-#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 
@@ -17,8 +16,6 @@ namespace {
 constexpr double evaporated = 0.3;
 /// Largest density that can be a liquid, relative to the same density.
 constexpr double compressed = 2;
-
-double in_kg_m3(double density) { return density / unit("kg/m3", Dimension::density); }
 
 }  // namespace
 

@@ -2,12 +2,11 @@
 // The properties that can be measured: each is a row with its definition.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "io/settings/quantity.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/model/topology.hpp"
 #include "polhode/run/properties/measure.hpp"
@@ -19,6 +18,9 @@ inline constexpr double cm3_per_mol =
     1e21 / units::avogadro;  ///< 1 cm³/mol as a volume per molecule [nm³]
 inline constexpr double W_per_m_K = units::avogadro * 1e-24;  ///< [kJ/mol/(nm ps K)]
 inline constexpr double nm2_per_ns = 1e-3;                    ///< 1e-9 m²/s [nm²/ps]
+
+inline double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
+inline double in_kg_m3(double density) { return density / unit("kg/m3", Dimension::density); }
 
 /// Quantities of the whole system that are averaged at constant pressure.
 enum AverageOf : std::size_t {
@@ -70,11 +72,8 @@ struct Property {
   const char* name;  ///< name, such as "heat-capacity"
   const char* unit;  ///< unit, such as "J/mol/K"
   MeasuredIn measured_in;
-  const char* definition;    ///< definition in a sentence
-  const char* sources;       ///< keys of docs/references.bib
-  bool of_dipoles = false;   ///< whether molecules must have a dipole moment, and electrostatics
-                             ///< must be PME
-  bool of_rotation = false;  ///< whether molecules must rotate
+  const char* definition;  ///< definition in a sentence
+  const char* sources;     ///< keys of docs/references.bib
   /// Computes the value in `unit` from the means of averages; null for properties of other runs.
   double (*value)(std::span<const double> means, const PropertyConditions& conditions) = nullptr;
   DefinedAt at = DefinedAt::any;
@@ -88,6 +87,10 @@ std::span<const Property> properties();
 /// Finds a property by its name.
 /// @throws Error  if there is none of this name; the message suggests a name
 const Property& property(std::string_view name);
+
+/// Whether a site has a charge.
+bool has_charges(const Molecule& molecule);
+bool has_charges(const Topology& topology);
 
 /// The reason why a system does not have a property; empty if it has the property.
 std::string why_not(const Property& property, const Topology& topology,

@@ -11,11 +11,9 @@
 #include <utility>
 
 #include "io/settings/ensemble_names.hpp"
-#include "io/settings/quantity.hpp"
+#include "measure/dielectric.hpp"
 #include "measure/displacement.hpp"
 #include "measure/reorientation.hpp"
-#include "model/dipole.hpp"
-#include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/math/random.hpp"
@@ -29,8 +27,6 @@
 #include "run/properties/elongate.hpp"
 #include "run/properties/low_frequency_spectrum.hpp"
 #include "run/properties/phases.hpp"
-#include "run/properties/volume_moves.hpp"
-#include "run/quantity_lists.hpp"
 #include "run/simulation/system/relaxation.hpp"
 
 namespace polhode {
@@ -182,16 +178,6 @@ bool choose_step(Chain& chain, Replica& replica) {
   return true;
 }
 
-Vec3<double> total_dipole(const State& state, const System& system) {
-  Vec3<double> M{};
-  std::size_t i = 0;
-  for (const auto& [molecule, count] : system.topology.parts) {
-    const Vec3<double> dipole = dipole_moment(molecule);
-    for (const std::size_t end = i + count; i < end; ++i) M += to_lab(state.orientation[i], dipole);
-  }
-  return M;
-}
-
 /// All correlation functions of a segment of dynamics, one after the other; nothing if it was
 /// stopped.
 /// @param parts  of each step of the replica, with the same samples
@@ -335,7 +321,7 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings) {
     if (steps == 0) return;  // the last sample of the previous segment
     const double U = now.potential(), V = now.volume;
     const std::array<double, averages_count_at_constant_volume> values{
-        U, V, U * U, V * V, U * V, norm2(total_dipole(state, system)), now.pressure};
+        U, V, U * U, V * V, U * V, norm2(total_dipole(state, system.topology)), now.pressure};
     const std::span x(values.data(), count);
     waves.add(state);
     segment.sums.weight += 1;
@@ -364,28 +350,17 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings) {
 bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
   Chain chain(settings, replica, replica.meshes);
   DynamicsChain& dynamics = replica.dynamics;
-  State& state = chain.system().state = dynamics.state.value_or(replica.state);
-  if (!dynamics.state) scale_to_mean(state, replica, from, settings);
-  return extend(dynamics, chain, moving, pairing, [&](std::size_t parts, std::uint64_t stream) {
-    return correlations(chain, replica.step, parts, stream);
-  });
+  chain.system().state = dynamics.state.value_or(replica.state);
+  if (!dynamics.state) scale_to_mean(chain, replica, from);
+  return extend(dynamics, chain, replica.step, moving, pairing, correlations);
 }
 
 bool add_elongated(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
-  Chain chain(settings, replica, replica.elongated.meshes);
-  System& system = chain.system();
   DynamicsChain& elongated = replica.elongated;
-  system.state = replica.state;
-  if (!elongated.state) scale_to_mean(system.state, replica, from, settings);
-  elongate(system);
-  if (elongated.state)
-    system.state = *elongated.state;
-  else if (!relax_copies(chain, replica, relaxing_elongated))
+  Chain chain(settings, replica, elongated.meshes);
+  if (!begin_copies(chain, replica, from, elongated.state, elongate, relaxing_elongated))
     return false;
-  return extend(elongated, chain, elongating, elongated_pairing,
-                [&](std::size_t parts, std::uint64_t stream) {
-                  return displacements(chain, replica.step, parts, stream);
-                });
+  return extend(elongated, chain, replica.step, elongating, elongated_pairing, displacements);
 }
 
 }  // namespace polhode

@@ -16,7 +16,6 @@
 #include "polhode/measure/step_response.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
-#include "run/properties/coupling_path.hpp"
 #include "run/properties/property.hpp"
 
 namespace polhode {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "run/properties/contributions.hpp"
 #include "run/properties/coupling.hpp"
 #include "run/properties/point_system.hpp"
 #include "run/properties/replica_file.hpp"

@@ -99,28 +99,18 @@ class PairOfMolecules {
   PairTables table_;
 };
 
-/// The integral for B(T), and its derivative with respect to ln T.
-struct Integral {
-  double value = 0, slope = 0;
-};
-
 /// The integrand at a distance: the Mayer function, averaged over orientations.
-Integral at_distance(const PairOfMolecules& pair, double r, double kT,
-                     const std::vector<Vec3<double>>& directions,
-                     const std::vector<std::vector<Vec3<double>>>& orientations) {
-  Integral sum;
-  for (std::size_t k = 0; k < directions.size(); ++k) {
-    const double x = pair.energy(r * directions[k], orientations[k]) / kT;
-    const double weight = std::exp(-x);
-    sum.value += weight - 1;
-    if (weight > 0) sum.slope += x * weight;
-  }
-  const auto n = static_cast<double>(directions.size());
-  return {sum.value / n, sum.slope / n};
+double at_distance(const PairOfMolecules& pair, double r, double kT,
+                   const std::vector<Vec3<double>>& directions,
+                   const std::vector<std::vector<Vec3<double>>>& orientations) {
+  double sum = 0;
+  for (std::size_t k = 0; k < directions.size(); ++k)
+    sum += std::exp(-(pair.energy(r * directions[k], orientations[k]) / kT)) - 1;
+  return sum / static_cast<double>(directions.size());
 }
 
-Integral with_shift(const PairOfMolecules& pair, double kT, std::size_t points, std::uint64_t shift,
-                    const std::function<bool()>& stop) {
+double with_shift(const PairOfMolecules& pair, double kT, std::size_t points, std::uint64_t shift,
+                  const std::function<bool()>& stop) {
   const EvenPoints even(shift);
   std::vector<Vec3<double>> directions;
   std::vector<std::vector<Vec3<double>>> orientations;
@@ -128,7 +118,7 @@ Integral with_shift(const PairOfMolecules& pair, double kT, std::size_t points, 
     directions.push_back(even.direction(k));
     orientations.push_back(pair.turned(even.orientation(k)));
   }
-  Integral sum;
+  double sum = 0;
   for (const Panel& panel : panels) {
     const double h = (panel.to - panel.from) / static_cast<double>(panel.intervals);
     for (std::size_t k = 0; k <= panel.intervals; ++k) {
@@ -136,10 +126,8 @@ Integral with_shift(const PairOfMolecules& pair, double kT, std::size_t points, 
       const double simpson = k == 0 || k == panel.intervals ? 1 : k % 2 == 1 ? 4 : 2;
       const double weight = -2 * units::pi * simpson * h / 3 * r * r;
       if (weight == 0) continue;
-      if (stop && stop()) return {std::nan(""), std::nan("")};
-      const Integral f = at_distance(pair, r, kT, directions, orientations);
-      sum.value += weight * f.value;
-      sum.slope += weight * f.slope;
+      if (stop && stop()) return std::nan("");
+      sum += weight * at_distance(pair, r, kT, directions, orientations);
     }
   }
   return sum;
@@ -147,28 +135,24 @@ Integral with_shift(const PairOfMolecules& pair, double kT, std::size_t points, 
 
 /// The contribution of distances beyond the farthest panel: −½ ∫ of ⟨u²⟩/2(kT)² for two dipoles and
 /// of −⟨u⟩/kT for dispersion.
-Integral tail(const Molecule& molecule, const PairOfMolecules& pair, double kT) {
+double tail(const Molecule& molecule, const PairOfMolecules& pair, double kT) {
   const double mu2 = units::coulomb * molecule.dipole() * molecule.dipole() / kT;  // [nm³]
   const double dipoles = -2 * units::pi * mu2 * mu2 / (9 * std::pow(farthest, 3));
   const double dispersion = pair.beyond(farthest) / (2 * kT);
-  return {dipoles + dispersion, -2 * dipoles - dispersion};
+  return dipoles + dispersion;
 }
 
 }  // namespace
 
-SecondVirial second_virial(const Molecule& molecule, const Mixing& mixing, double temperature,
-                           std::size_t points, Workers& workers,
-                           const std::function<bool()>& stop) {
+Estimate second_virial(const Molecule& molecule, const Mixing& mixing, double temperature,
+                       std::size_t points, Workers& workers, const std::function<bool()>& stop) {
   const double kT = units::boltzmann * temperature;
   const PairOfMolecules pair(molecule, mixing);
-  const Integral far = tail(molecule, pair, kT);
-  std::vector<double> values(shifts), enthalpies(shifts);
-  workers.each(shifts, [&](std::size_t k) {
-    const Integral near = with_shift(pair, kT, points, k + 1, stop);
-    values[k] = near.value + far.value;
-    enthalpies[k] = near.value + far.value - near.slope - far.slope;
-  });
-  return {mean(values), mean(enthalpies)};
+  const double far = tail(molecule, pair, kT);
+  std::vector<double> values(shifts);
+  workers.each(shifts,
+               [&](std::size_t k) { values[k] = with_shift(pair, kT, points, k + 1, stop) + far; });
+  return mean(values);
 }
 
 }  // namespace polhode

@@ -11,22 +11,15 @@
 
 namespace polhode {
 
-/// The second virial coefficient of a pair of molecules. Errors are standard errors of the
-/// integration.
-struct SecondVirial {
-  Estimate value;     ///< B(T) = −½ ∫ (⟨exp(−u/kT)⟩ − 1) 4π r² dr [nm³]
-  Estimate enthalpy;  ///< B − T dB/dT, the derivative of the enthalpy of the gas with respect to
-                      ///< pressure [nm³]
-};
-
-/// Computes the second virial coefficient B(T) without any cutoff [allen2017, section 2.2]. Up to 4
-/// nm between the centres, orientations are averaged by quasi-Monte Carlo with random shifts. At
+/// Computes the second virial coefficient B(T) = −½ ∫ (⟨exp(−u/kT)⟩ − 1) 4π r² dr [nm³] without any
+/// cutoff [allen2017, section 2.2], with the standard error of the integration. Up to 4 nm between
+/// the centres, orientations are averaged by quasi-Monte Carlo with random shifts. At
 /// longer distances, the leading terms of dipoles and of dispersion are integrated.
 /// @param temperature  temperature [K]
 /// @param points       number of orientations for each of 16 random shifts
-/// @param stop         ends the computation if it returns true; the values are then not finite
-SecondVirial second_virial(const Molecule& molecule, const Mixing& mixing, double temperature,
-                           std::size_t points = 4096, Workers& workers = Workers::serial(),
-                           const std::function<bool()>& stop = {});
+/// @param stop         ends the computation if it returns true; the value is then not finite
+Estimate second_virial(const Molecule& molecule, const Mixing& mixing, double temperature,
+                       std::size_t points = 4096, Workers& workers = Workers::serial(),
+                       const std::function<bool()>& stop = {});
 
 }  // namespace polhode

@@ -120,14 +120,8 @@ void make_slab(System& system) {
 bool add_slab(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
   SlabChain& slab = replica.slab;
   Chain chain(settings, replica, slab.meshes);
+  if (!begin_copies(chain, replica, from, slab.state, make_slab, relaxing_slab)) return false;
   System& system = chain.system();
-  system.state = replica.state;
-  if (!slab.state) scale_to_mean(system.state, replica, from, settings);
-  make_slab(system);
-  if (slab.state)
-    system.state = *slab.state;
-  else if (!relax_copies(chain, replica, relaxing_slab))
-    return false;
   TrajectorySettings t = sampling_of(chain, replica.compressibility, replica.step,
                                      steps_of_averages, slab_averaging + slab.segments.size());
   t.ensemble.barostat.reset();

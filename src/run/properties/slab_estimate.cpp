@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "run/properties/slab_estimate.hpp"
-
+// The surface tension and the coexistence of liquid and vapour, from the slabs of the replicas.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string_view>
 
-#include "io/files/with_error.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/measure/step_bias.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "run/properties/dynamics.hpp"
+#include "run/properties/estimates.hpp"
 #include "run/properties/slab.hpp"
 
 namespace polhode {
@@ -21,14 +17,21 @@ namespace {
 constexpr double mN_per_m = units::avogadro * 1e-24;  // 1 mN/m [kJ/mol/nm²]
 const double bar = unit("bar", Dimension::pressure), kg_per_m3 = unit("kg/m3", Dimension::density);
 
+/// The segments of a slab in equilibrium, which its potential energy shows.
+std::span<const SlabSegment> slab_in_equilibrium(const Replica& replica) {
+  const std::span<const SlabSegment> segments = replica.slab.segments;
+  std::vector<double> all;
+  for (const SlabSegment& segment : segments)
+    all.insert(all.end(), segment.potentials.begin(), segment.potentials.end());
+  return all.empty() ? segments : segments.subspan(equilibrium_of(all, parts_of_averages));
+}
+
 /// Segments in equilibrium, with a run for each replica, or as one run if they are too short.
-std::vector<BlockMeans> runs_of(const Contributions& contributions) {
+std::vector<BlockMeans> runs_of_slab(const Contributions& contributions) {
   std::vector<std::vector<BlockMeans::Block>> runs;
   for (const auto& [replica, from] : contributions.all) {
     std::vector<BlockMeans::Block>& run = runs.emplace_back();
-    const std::vector<SlabSegment>& segments = replica->slab.segments;
-    for (std::size_t k = slab_from(*replica); k < segments.size(); ++k)
-      run.push_back(segments[k].sums);
+    for (const SlabSegment& segment : slab_in_equilibrium(*replica)) run.push_back(segment.sums);
   }
   return separate_or_joined(std::move(runs));
 }
@@ -38,11 +41,10 @@ std::vector<BlockMeans> pressure_runs_of(const Contributions& contributions) {
   std::vector<std::vector<BlockMeans::Block>> runs;
   for (const auto& [replica, from] : contributions.all) {
     std::vector<BlockMeans::Block> run;
-    const std::vector<SlabSegment>& segments = replica->slab.segments;
-    for (std::size_t k = slab_from(*replica); k < segments.size(); ++k) {
-      const auto& [weight, tangential] = segments[k].tangential;
+    for (const SlabSegment& segment : slab_in_equilibrium(*replica)) {
+      const auto& [weight, tangential] = segment.tangential;
       if (weight == 0) continue;
-      const BlockMeans::Block& sums = segments[k].sums;
+      const BlockMeans::Block& sums = segment.sums;
       BlockMeans::Block block{weight, {weight * sums.sum[normal_pressure] / sums.weight}};
       block.sum.insert(block.sum.end(), tangential.begin(), tangential.end());
       run.push_back(std::move(block));
@@ -55,9 +57,8 @@ std::vector<BlockMeans> pressure_runs_of(const Contributions& contributions) {
 std::vector<StepResponse> responses_of_slab(const Contributions& contributions) {
   return responses_of(contributions, [](const Contribution& c) {
     std::vector<const StepResponse*> responses;
-    const std::vector<SlabSegment>& segments = c.replica->slab.segments;
-    for (std::size_t k = slab_from(*c.replica); k < segments.size(); ++k)
-      responses.push_back(&segments[k].response);
+    for (const SlabSegment& segment : slab_in_equilibrium(*c.replica))
+      responses.push_back(&segment.response);
     return responses;
   });
 }
@@ -101,16 +102,9 @@ std::string remark_of(std::span<const BlockMeans> runs, const Profile& profile) 
 
 }  // namespace
 
-std::size_t slab_from(const Replica& replica) {
-  std::vector<double> all;
-  for (const SlabSegment& segment : replica.slab.segments)
-    all.insert(all.end(), segment.potentials.begin(), segment.potentials.end());
-  return all.empty() ? 0 : equilibrium_of(all, parts_of_averages);
-}
-
 void estimate_slab(MeasuredProperty& m, const Contributions& contributions, const PointData& data) {
   if (contributions.all.empty()) return;
-  const std::vector<BlockMeans> runs = runs_of(contributions);
+  const std::vector<BlockMeans> runs = runs_of_slab(contributions);
   if (runs.front().empty()) return;
   const std::string_view name = m.request.property->name;
   const Profile profile(*contributions.all.front().replica->slab.state);
@@ -138,19 +132,16 @@ void estimate_slab(MeasuredProperty& m, const Contributions& contributions, cons
           "; the tension of so narrow a slab may be wrong by 10 %: give {} molecules or more",
           wide);
   }
-  if (m.value.known != Known::yes) return;
-  const SeriesEstimate bias =
-      step_bias(responses_of_slab(contributions), degrees_of_freedom_of_slab(data.topology),
-                FixedMeans::kinetic_energy, value);
-  if (bias.known != Known::yes) return;
-  m.bias = bias;
-  m.value = without_bias(m.value, bias);
+  if (m.value.known == Known::yes)
+    subtract_bias(
+        m, step_bias(responses_of_slab(contributions), degrees_of_freedom_of_slab(data.topology),
+                     FixedMeans::kinetic_energy, value));
 }
 
 std::vector<MeasuredCurve> slab_profiles(const PointData& data) {
   const Contributions contributions(data, MeasuredIn::slab);
   if (contributions.all.empty()) return {};
-  const std::vector<BlockMeans> runs = runs_of(contributions);
+  const std::vector<BlockMeans> runs = runs_of_slab(contributions);
   if (runs.front().empty()) return {};
   const Profile profile(*contributions.all.front().replica->slab.state);
   const auto curve = [&](const char* title, const char* unit, double place,

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "run/properties/state_point.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,8 @@
 #include "io/files/split_words.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
+#include "run/properties/measure_request.hpp"
+#include "run/properties/property.hpp"
 
 namespace polhode {
 namespace {
@@ -21,16 +21,6 @@ constexpr double max_temperature = 1e5;  // maximum temperature [K], far beyond 
                                          // rigid molecule
 constexpr const char* example =
     "\"298.15 K, 1 bar\", \"298.15 K, 997 kg/m3\" or \"250 K to 320 K, 7 points\"";
-
-std::vector<std::string_view> parts_of(std::string_view text) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const auto comma = text.find(',');
-    parts.push_back(trimmed(text.substr(0, comma)));
-    if (comma == text.npos) return parts;
-    text.remove_prefix(comma + 1);
-  }
-}
 
 /// The number before "points"; empty if the part is something else.
 std::optional<int> number_of_points(std::string_view part) {
@@ -78,8 +68,6 @@ Dimension dimension_of(std::string_view part) {
   }
 }
 
-double in_kg_m3(double density) { return density / unit("kg/m3", Dimension::density); }
-
 double at(const Range& range, int point, int points) {
   return points == 1 ? range.first
                      : range.first + (range.last - range.first) * point / (points - 1);
@@ -114,18 +102,18 @@ void check(const std::optional<Range>& temperature, const std::optional<Range>& 
 
 std::string StatePoint::text() const {
   if (constant_volume()) return fmt::format("{:g} K, {:g} kg/m3", temperature, in_kg_m3(density));
-  return fmt::format("{:g} K, {:g} bar", temperature, pressure / unit("bar", Dimension::pressure));
+  return fmt::format("{:g} K, {:g} bar", temperature, in_bar(pressure));
 }
 
 std::string StatePoint::file_text() const {
   if (constant_volume()) return fmt::format("{:g}K-{:g}kgm3", temperature, in_kg_m3(density));
-  return fmt::format("{:g}K-{:g}bar", temperature, pressure / unit("bar", Dimension::pressure));
+  return fmt::format("{:g}K-{:g}bar", temperature, in_bar(pressure));
 }
 
 std::vector<StatePoint> state_points(std::string_view text) {
   std::optional<Range> temperature, pressure, density;
   std::optional<int> points;
-  for (const std::string_view part : parts_of(text)) {
+  for (const std::string_view part : parts_of(text, ',')) {
     if (part.empty()) throw Error(fmt::format("'{}' has an empty part; write {}", text, example));
     if (const auto count = number_of_points(part)) {
       points = count;
@@ -134,10 +122,9 @@ std::vector<StatePoint> state_points(std::string_view text) {
     if (part.find_first_not_of("0123456789.eE+- ") == part.npos)
       throw Error(fmt::format("'{}' in '{}' has no unit; write {}", part, text, example));
     const Dimension dimension = dimension_of(part);
-    std::optional<Range>& pressure_or_density =
-        dimension == Dimension::density ? density : pressure;
-    std::optional<Range>& range =
-        dimension == Dimension::temperature ? temperature : pressure_or_density;
+    std::optional<Range>& range = dimension == Dimension::temperature ? temperature
+                                  : dimension == Dimension::density   ? density
+                                                                      : pressure;
     if (range)
       throw Error(fmt::format("'{}' has two entries of one kind; write {}", text, example));
     range = range_of(part, dimension);

@@ -2,7 +2,6 @@
 // A small line figure as SVG, for pages that need no other file.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -78,10 +78,10 @@ inline double steps_of(MeasuredIn kind, std::size_t segments, std::size_t paired
 }
 
 /// Steps of segments of a kind of run that are still to be made, with their pairs.
-inline double steps_of_kind(MeasuredIn kind, std::size_t segments, std::size_t stages,
-                            bool paired_runs) {
-  const std::size_t paired = paired_runs ? (segments + paired_every - 1) / paired_every : 0;
-  return steps_of(kind, segments, paired, stages);
+inline double steps_of_kind(MeasuredIn kind, std::size_t segments,
+                            const ReplicaSettings& settings) {
+  const std::size_t pairs = settings.paired_runs ? (segments + paired_every - 1) / paired_every : 0;
+  return steps_of(kind, segments, pairs, settings.path.size());
 }
 
 /// Steps of a replica.
@@ -96,20 +96,18 @@ inline double steps_of(const Replica& replica) {
 }
 
 /// Steps of a replica that has reached a target.
-/// @param stages  number of stages of a coupling
-inline double steps_at(const Target& target, std::size_t stages, bool paired_runs) {
+inline double steps_at(const Target& target, const ReplicaSettings& settings) {
   double sum = steps_of_preparation;
-  for (const MeasuredIn kind : kinds_of_run)
-    sum += steps_of_kind(kind, target[kind], stages, paired_runs);
+  for (const MeasuredIn kind : kinds_of_run) sum += steps_of_kind(kind, target[kind], settings);
   return sum;
 }
 /// Steps that a replica lacks until it reaches a target.
-inline double steps_missing(const Replica& replica, const Target& target, std::size_t stages,
-                            bool paired_runs) {
+inline double steps_missing(const Replica& replica, const Target& target,
+                            const ReplicaSettings& settings) {
   Target end;
   for (const MeasuredIn kind : kinds_of_run)
     end[kind] = std::max(target[kind], length_of(replica, kind));
-  return std::max(0.0, steps_at(end, stages, paired_runs) - steps_of(replica));
+  return std::max(0.0, steps_at(end, settings) - steps_of(replica));
 }
 
 }  // namespace polhode

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The thermal conductivity from made-up spectra of the heat flux, and segments with the heat flux.
-#include "run/properties/conduction.hpp"
-
 #include <doctest/doctest.h>
 
 #include <vector>

@@ -11,13 +11,11 @@
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/math/random.hpp"
 #include "run/properties/coupling.hpp"
-#include "run/properties/coupling_path.hpp"
 #include "run/properties/estimates.hpp"
 #include "run/properties/measure_request.hpp"
 #include "run/properties/point_system.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/replica_file.hpp"
-#include "run/properties/state_point.hpp"
 
 using namespace polhode;
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Diffusion and viscosity from made-up displacements in the long box of OrthoBoXY.
-#include "run/properties/orthoboxy.hpp"
-
 #include <doctest/doctest.h>
 
 #include <vector>

@@ -9,7 +9,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/math/random.hpp"
-#include "run/properties/state_point.hpp"
+#include "run/properties/measure_request.hpp"
 
 using namespace polhode;
 

@@ -12,7 +12,6 @@
 #include "run/properties/estimates.hpp"
 #include "run/properties/measure_request.hpp"
 #include "run/properties/property.hpp"
-#include "run/properties/state_point.hpp"
 
 using namespace polhode;
 

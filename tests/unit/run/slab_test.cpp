@@ -16,8 +16,6 @@
 #include "run/properties/point_system.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/replica_file.hpp"
-#include "run/properties/slab_estimate.hpp"
-#include "run/properties/state_point.hpp"
 #include "unit/errors.hpp"
 
 using namespace polhode;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The size of barostat moves of a replica.
-#include "run/properties/volume_moves.hpp"
+#include "run/properties/chain.hpp"
 
 #include <doctest/doctest.h>
 
