@@ -62,6 +62,7 @@ class Parser {
   }
 
   void set_count() {
+    if (atoms_ > 0) refuse("the number of atoms is given twice; give it once, before all sections");
     const double count = number(0);
     if (!(count >= 1 && count <= static_cast<double>(max_sites)) || count != std::floor(count))
       refuse("the number of atoms is " + words_[0] + "; it must be a whole number from 1 to " +

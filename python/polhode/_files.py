@@ -96,6 +96,9 @@ def _array(values, n, name):
 def _writable(frame):
     """The library's frame with the names of this frame."""
     kinds, index = {}, np.empty(len(frame), dtype=np.int64)
+    for name in ("residues", "names", "elements", "molecules"):
+        if (given := len(getattr(frame, name))) != len(frame):
+            raise Error(f"{name} has {given} entries, but the frame has {len(frame)} atoms; give one entry for each atom")
     for i, kind in enumerate(zip(frame.residues, frame.names, frame.elements, strict=True)):
         index[i] = kinds.setdefault(tuple(map(str, kind)), len(kinds))
     columns = [list(c) for c in zip(*kinds, strict=True)] or [[], [], []]

@@ -51,5 +51,7 @@ def _plot_study(report, ax):
 def plot_report(report, ax=None):
     """The figure of a report."""
     if report.job == "study" and "points" in report.data:
+        if not any("R" in point for point in report.data["points"]):
+            raise Error("plot() draws R, which a study with the ensemble nvt does not have; such a study writes its figure as PREFIX.svg")
         return _plot_study(report, ax)
     raise Error(f"a report of {report.job} has no figure; study and Simulation.run() have one")

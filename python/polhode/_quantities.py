@@ -39,6 +39,7 @@ def _from_openmm(value):
         (u.kilojoule_per_mole, "kJ/mol"), (u.gram / u.centimeter**3, "g/cm3"), (u.bar, "bar"),
         (u.dalton, "u"), (u.elementary_charge, "e"), (u.picosecond**-1, "1/ps"),
         (u.kilojoule_per_mole / u.nanometer, "kJ/mol/nm"), (u.nanometer**-1, "1/nm"),
+        (u.bar**-1, "1/bar"), (u.kilojoule_per_mole / u.nanosecond, "kJ/mol/ns"),
     )
     for unit, ours in units:
         if value.unit.is_compatible(unit):

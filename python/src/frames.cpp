@@ -6,8 +6,10 @@
 #include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
 
+#include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "arrays.hpp"
 #include "bind.hpp"
@@ -79,8 +81,13 @@ struct FrameToWrite {
       if (kind < 0 || static_cast<std::size_t>(kind) >= frame.kinds.size())
         throw Error("atom " + std::to_string(i) + " is of kind " + std::to_string(kind) +
                     ", which does not exist");
+      const std::int64_t molecule = molecules.data()[i];
+      if (!std::in_range<int>(molecule))
+        throw Error("atom " + std::to_string(i) + " is of molecule " + std::to_string(molecule) +
+                    "; the number must be from " + std::to_string(std::numeric_limits<int>::min()) +
+                    " to " + std::to_string(std::numeric_limits<int>::max()));
       frame.atoms[i].kind = static_cast<std::uint32_t>(kind);
-      frame.atoms[i].residue = static_cast<int>(molecules.data()[i]);
+      frame.atoms[i].residue = static_cast<int>(molecule);
     }
   }
   void set(const Rows& r, const std::optional<Rows>& v, const std::array<double, 3>& box,

@@ -115,6 +115,12 @@ class Particles(RunTest):
             expected = times(end[number][0], TURNED_BACK)
             self.assertAlmostEqual(abs(sum(x * y for x, y in zip(a, expected))), 1, delta=1e-12)
 
+    def test_a_molecule_file_with_two_numbers_of_atoms(self):
+        script = self.particles()
+        molecule = (self.folder / "run-1.molecule").read_text()
+        self.write("run-1.molecule", molecule.replace("Types", "5 atoms\n\nTypes", 1))
+        self.refused(script, ["the number of atoms is given twice"])
+
     def test_orientations_that_are_set(self):
         turned = "set atom 7 d2_orientation[1] 0.5\nset atom 7 d2_orientation[2] 0.5\nset atom 7 d2_orientation[3] 0.5\nset atom 7 d2_orientation[4] 0.5\n"
         script = self.particles().replace("run 20", "run 0")

@@ -289,6 +289,8 @@ class Files(InFolder):
                      lambda: polhode.write("a.nothing", polhode.Frame(np.zeros((2, 3)))),
                      lambda: polhode.write("a.gro", polhode.Frame(np.full((2, 3), np.nan))),
                      lambda: polhode.write("a.gro", polhode.Frame(np.zeros((2, 4)))),
+                     lambda: polhode.write("a.gro", polhode.Frame(np.zeros((3, 3)), names=["A"])),
+                     lambda: polhode.write("a.gro", polhode.Frame(np.zeros((1, 3)), molecules=[2**40])),
                      lambda: polhode.write("a.gro", [])):
             with self.assertRaises(polhode.Error):
                 call()
