@@ -28,7 +28,8 @@ struct TypePair {
 };
 
 /// Translates the parameters of pairs of atom types to pairs of sites.
-/// @throws Error  if a pair of types cannot be translated to sites, or is given twice with different
+/// @throws Error  if a pair of types cannot be translated to sites, or is given twice with
+/// different
 ///   parameters
 std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
                                     std::span<const TypePair> pairs);
