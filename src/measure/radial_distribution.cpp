@@ -66,8 +66,8 @@ std::vector<double> smoothed(std::span<const double> g) {
 // be equally high.
 std::ptrdiff_t first_summit(std::span<const double> g) {
   constexpr double near = 0.75, fallen = 0.5;
-  const double largest = *std::max_element(g.begin(), g.end());
-  auto top = std::find_if(g.begin(), g.end(), [&](double x) { return x >= near * largest; });
+  const double largest = *std::ranges::max_element(g);
+  auto top = std::ranges::find_if(g, [&](double x) { return x >= near * largest; });
   for (auto k = top; k != g.end() && *k >= fallen * *top; ++k)
     if (*k > *top) top = k;
   return top - g.begin();
@@ -166,9 +166,9 @@ std::vector<std::string> molecules_with(const Topology& topology, const std::str
   std::vector<std::string> found;
   for (const auto& part : topology.parts) {
     const Molecule& molecule = part.molecule;
-    if (std::any_of(molecule.sites.begin(), molecule.sites.end(),
-                    [&](const Site& site) { return names(selection, molecule, site); }) &&
-        std::find(found.begin(), found.end(), molecule.name) == found.end())
+    if (std::ranges::any_of(molecule.sites,
+                            [&](const Site& site) { return names(selection, molecule, site); }) &&
+        std::ranges::find(found, molecule.name) == found.end())
       found.push_back(molecule.name);
   }
   return found;
@@ -179,9 +179,8 @@ double count_pairs(const Topology& topology, const SitePair& pair) {
   for (const Topology::Part& part : topology.parts) {
     const Molecule& molecule = part.molecule;
     const auto selected = [&molecule](const std::string& word) {
-      return static_cast<double>(
-          std::count_if(molecule.sites.begin(), molecule.sites.end(),
-                        [&](const Site& site) { return names(word, molecule, site); }));
+      return static_cast<double>(std::ranges::count_if(
+          molecule.sites, [&](const Site& site) { return names(word, molecule, site); }));
     };
     const double a = selected(pair[0]), b = selected(pair[1]), n = static_cast<double>(part.count);
     first += n * a, second += n * b, within += n * a * b;
@@ -195,8 +194,7 @@ std::vector<SitePair> site_pairs(const Topology& topology) {
     for (const Site& site : molecule.sites) {
       std::string word = without_digits(site.name);
       if (molecules_with(topology, word).size() > 1) word = molecule.name + ":" + word;
-      if (site.mass > 0 && std::find(words.begin(), words.end(), word) == words.end())
-        words.push_back(word);
+      if (site.mass > 0 && std::ranges::find(words, word) == words.end()) words.push_back(word);
     }
   std::vector<SitePair> pairs;
   for (std::size_t a = 0; a < words.size(); ++a)
@@ -223,13 +221,13 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
       std::vector<bool> kind;
       for (const std::string& word : words) kind.push_back(names(word, molecule, site));
       if (std::find(kind.begin(), kind.end(), true) == kind.end()) continue;
-      const auto known = std::find(kinds.begin(), kinds.end(), kind);
+      const auto known = std::ranges::find(kinds, kind);
       sites.emplace_back(site.r, static_cast<std::size_t>(known - kinds.begin()));
       if (known == kinds.end()) kinds.push_back(kind);
     }
   }
   for (std::size_t w = 0; w < words.size(); ++w)
-    if (std::none_of(kinds.begin(), kinds.end(), [&](auto& kind) { return kind[w]; }))
+    if (std::ranges::none_of(kinds, [&](const auto& kind) { return kind[w]; }))
       throw Error(fmt::format("no site is named '{}'{} (the sites are: {})", words[w],
                               did_you_mean(words[w], all_names), join_names(all_names)));
 
@@ -362,8 +360,7 @@ std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(
     std::size_t pair, std::span<const double> overall, const Estimate& estimate) const {
   const std::vector<double> smooth = smoothed(g(pair, overall));
   // The result is NaN in all bins if no two molecules have such sites.
-  if (smooth.size() < 2 || !(*std::max_element(smooth.begin(), smooth.end()) > 0))
-    return std::nullopt;
+  if (smooth.size() < 2 || !(*std::ranges::max_element(smooth) > 0)) return std::nullopt;
   const std::ptrdiff_t summit = first_summit(smooth);
   if (summit + 1 == static_cast<std::ptrdiff_t>(bins_)) return std::nullopt;
   // The same bins are used for the mean of all blocks and for the means that omit a block. With

@@ -73,8 +73,8 @@ BlockMeans Reorientation::legendre(std::size_t part, std::size_t axis, int rank,
 std::optional<RelaxationTimes> relaxation_times(const BlockMeans& correlation, double interval) {
   const std::vector<double> C = correlation.mean();
   const auto below = [&](double level) {
-    return static_cast<std::size_t>(
-        std::find_if(C.begin(), C.end(), [&](double c) { return c < level; }) - C.begin());
+    return static_cast<std::size_t>(std::ranges::find_if(C, [&](double c) { return c < level; }) -
+                                    C.begin());
   };
   const std::size_t first = below(std::exp(-1.0)), last = below(std::exp(-3.0));
   if (last >= C.size() || last < first + 2) return std::nullopt;

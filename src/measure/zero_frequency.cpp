@@ -89,7 +89,7 @@ SpectrumFit fit(std::size_t degree, std::span<const double> mean, const ModeBins
 }
 
 bool is_positive(std::span<const double> mean) {
-  return std::all_of(mean.begin(), mean.end(), [](double x) { return x > 0; });
+  return std::ranges::all_of(mean, [](double x) { return x > 0; });
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ ZeroFrequency::ZeroFrequency(std::span<const double> mean, double series, const 
       contributions_.push_back({degree, inner, 0});
     }
   }
-  const double best = *std::min_element(criteria.begin(), criteria.end());
+  const double best = *std::ranges::min_element(criteria);
   double sum = 0;
   for (std::size_t k = 0; k < criteria.size(); ++k)
     sum += contributions_[k].probability = std::exp((best - criteria[k]) / 2);

@@ -211,7 +211,7 @@ const std::vector<std::string>& observable_names() {
 
 std::string observable(const std::string& name) {
   const std::vector<std::string>& names = observable_names();
-  if (std::find(names.begin(), names.end(), name) == names.end())
+  if (std::ranges::find(names, name) == names.end())
     throw Error(fmt::format("there is no observable '{}'{} (there are: {})", name,
                             did_you_mean(name, names), join_names(names)));
   return name;

@@ -172,7 +172,7 @@ AnalysisInput analysis_input(const Request& request, const std::string& trajecto
   AnalysisInput input{.trajectory = trajectory, .names = request.names.text};
   if (request.output) input.prefix = request.output.text;
   if (request.plot) input.plot = request.plot.text;
-  if (std::find(plot_formats.begin(), plot_formats.end(), input.plot) == plot_formats.end())
+  if (std::ranges::find(plot_formats, input.plot) == plot_formats.end())
     refuse(request.plot, must_be_one_of(plot_formats, input.plot));
   input.topology = run != nullptr ? build_topology(run->system) : molecules_of(request.molecules);
   input.origin = run != nullptr ? run->text : request.molecules.text;

@@ -25,8 +25,8 @@ std::string why_no_dipole(const FirstFrames& f) {
           "'{}' has a charge of {:g} e, but the dipole of a periodic box with mobile ions is not "
           "defined",
           part.molecule.name, charge);
-  const bool any = std::any_of(parts.begin(), parts.end(),
-                               [](const auto& part) { return has_dipole(part.molecule); });
+  const bool any =
+      std::ranges::any_of(parts, [](const auto& part) { return has_dipole(part.molecule); });
   return any ? "" : "no molecule has a dipole";
 }
 

@@ -53,7 +53,7 @@ std::size_t equilibrated(const Replica& replica) {
 }
 
 bool in_equilibrium(const PointData& data) {
-  return std::all_of(data.replicas.begin(), data.replicas.end(), [](const Replica& replica) {
+  return std::ranges::all_of(data.replicas, [](const Replica& replica) {
     return is_in_equilibrium(equilibrated(replica), replica.averages.size());
   });
 }

@@ -129,7 +129,7 @@ std::vector<MeasuredDistribution> distributions(const PointData& data) {
 }  // namespace
 
 bool MeasuredPoint::wants_distributions() const {
-  return std::any_of(properties.begin(), properties.end(), [](const MeasuredProperty& m) {
+  return std::ranges::any_of(properties, [](const MeasuredProperty& m) {
     return std::string_view(m.request.property->name) == "coordination-number";
   });
 }

@@ -22,8 +22,7 @@ std::vector<SitePair> pairs_of(const Topology& topology) {
   const Topology all = with_centres(topology);
   std::vector<std::string> kinds;
   for (const auto& [molecule, count] : topology.parts)
-    if (std::find(kinds.begin(), kinds.end(), molecule.name) == kinds.end())
-      kinds.push_back(molecule.name);
+    if (std::ranges::find(kinds, molecule.name) == kinds.end()) kinds.push_back(molecule.name);
   std::vector<SitePair> pairs;
   const auto add = [&](const SitePair& pair) {
     if (pairs.size() < max_pairs && count_pairs(all, pair) > 0) pairs.push_back(pair);
@@ -31,8 +30,8 @@ std::vector<SitePair> pairs_of(const Topology& topology) {
   for (std::size_t a = 0; a < kinds.size(); ++a)
     for (std::size_t b = a; b < kinds.size(); ++b)
       add({kinds[a] + ":" + centre, kinds[b] + ":" + centre});
-  const bool atoms = std::all_of(topology.parts.begin(), topology.parts.end(),
-                                 [](const auto& part) { return part.molecule.top == Top::atom; });
+  const bool atoms = std::ranges::all_of(
+      topology.parts, [](const auto& part) { return part.molecule.top == Top::atom; });
   if (!atoms)  // the sites of atoms are their centres
     for (const SitePair& pair : site_pairs(topology)) add(pair);
   return pairs;

@@ -49,8 +49,8 @@ bool concerns_forces(std::string_view parameter) {
       name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   constexpr std::array beginnings = {"vdw",     "rvdw",  "coulomb", "rcoulomb", "dispcorr",
                                      "epsilon", "ewald", "lj",      "define",   "include"};
-  return std::any_of(beginnings.begin(), beginnings.end(),
-                     [&](const char* beginning) { return name.starts_with(beginning); });
+  return std::ranges::any_of(beginnings,
+                             [&](const char* beginning) { return name.starts_with(beginning); });
 }
 
 Config config_of_mdp(const std::string& mdp, const MdpFiles& files,

@@ -213,8 +213,7 @@ bool has_charges(const Topology& topology) {
 std::span<const Property> properties() { return all; }
 
 const Property& property(std::string_view name) {
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Property& p) { return name == p.name; });
+  const auto found = std::ranges::find_if(all, [&](const Property& p) { return name == p.name; });
   if (found != all.end()) return *found;
   std::vector<std::string> names;
   for (const Property& p : all) names.emplace_back(p.name);

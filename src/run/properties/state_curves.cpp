@@ -31,8 +31,8 @@ struct CurvePoint {
 class Polynomial {
  public:
   explicit Polynomial(const std::vector<CurvePoint>& points) {
-    const auto [low, high] = std::minmax_element(
-        points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+    const auto [low, high] =
+        std::ranges::minmax_element(points, [](const auto& a, const auto& b) { return a.x < b.x; });
     middle_ = (low->x + high->x) / 2;
     half_ = (high->x - low->x) / 2;
     fit_.points = points.size();
@@ -104,21 +104,21 @@ std::vector<std::vector<CurvePoint>> curves_of(const std::vector<MeasuredPoint>&
     if (y.known != Known::yes || !(y.error > 0)) continue;
     std::vector<CurvePoint>& curve = by_constant[point.at.*constant];
     const double x = point.at.*variable;
-    if (std::none_of(curve.begin(), curve.end(), [&](const auto& other) { return other.x == x; }))
+    if (std::ranges::none_of(curve, [&](const auto& other) { return other.x == x; }))
       curve.push_back({x, y, &point});
   }
   std::vector<std::vector<CurvePoint>> curves;
   for (auto& [value, curve] : by_constant) {
-    std::sort(curve.begin(), curve.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+    std::ranges::sort(curve, [](const auto& a, const auto& b) { return a.x < b.x; });
     if (curve.size() >= min_points) curves.push_back(std::move(curve));
   }
   return curves;
 }
 
 const MeasuredProperty* requested(const MeasuredPoint& point, std::string_view name) {
-  const auto found =
-      std::find_if(point.properties.begin(), point.properties.end(),
-                   [&](const MeasuredProperty& m) { return name == m.request.property->name; });
+  const auto found = std::ranges::find_if(point.properties, [&](const MeasuredProperty& m) {
+    return name == m.request.property->name;
+  });
   return found == point.properties.end() ? nullptr : &*found;
 }
 
