@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // polhode advise [FILE]: finds the cheapest scheme and step that meet an accuracy.
-#include <fmt/core.h>
 
 #include <memory>
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // polhode bench: how fast this computer simulates water, and what limits the speed.
-#include <fmt/format.h>
 
 #include <fstream>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "../reports/reports.hpp"
 #include "../terminal/console.hpp"

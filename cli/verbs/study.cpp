@@ -6,7 +6,6 @@
 #include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
 #include "../verbs.hpp"
-#include "run/canonical/canonical_report.hpp"
 #include "run/study/study_request.hpp"
 
 namespace polhode::cli {

@@ -2,7 +2,6 @@
 // polhode tune-scheme [FILE]: finds the best parameters of a scheme for a given system and step.
 // The parameters are η of the hoa2 family, η and ξ of the gier4 family, or the free parameters of a
 // user-defined scheme.
-#include <fmt/core.h>
 
 #include <memory>
 

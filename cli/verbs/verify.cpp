@@ -5,7 +5,6 @@
 
 #include "../reports/reports.hpp"
 #include "../verbs.hpp"
-#include "polhode/base/error.hpp"
 #include "run/listing/verification.hpp"
 #include "run/requests.hpp"
 

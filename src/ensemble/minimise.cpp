@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/ensemble/minimise.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -14,7 +14,6 @@
 #include "base/stopwatch.hpp"
 #include "candidate_time.hpp"
 #include "first_step.hpp"
-#include "io/settings/output_units.hpp"
 #include "io/settings/scheme_labels.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"

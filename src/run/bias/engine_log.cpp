@@ -7,7 +7,6 @@
 #include <cctype>
 #include <cmath>
 #include <sstream>
-#include <utility>
 
 #include "io/files/split_words.hpp"
 #include "io/files/text_file.hpp"

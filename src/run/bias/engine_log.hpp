@@ -2,9 +2,7 @@
 // Reads the energies that a molecular dynamics program printed over time.
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace polhode {

@@ -8,7 +8,6 @@
 #include "io/settings/scheme_labels.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
-#include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/canonical/canonical_study.hpp"
 

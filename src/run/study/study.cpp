@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "io/settings/output_units.hpp"
 #include "io/settings/scheme_labels.hpp"

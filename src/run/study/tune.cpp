@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <functional>
 #include <mutex>
 
 #include "base/instruction_set.hpp"

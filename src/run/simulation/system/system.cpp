@@ -11,7 +11,6 @@
 #include "model/initial_state.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
-#include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 #include "run/simulation/report/warning_rules.hpp"

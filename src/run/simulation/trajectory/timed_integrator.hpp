@@ -7,7 +7,6 @@
 
 #include "forces/timed_forces.hpp"
 #include "integrate/postprocessor.hpp"
-#include "polhode/integrate/flows.hpp"
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "run/simulation/system/near_forces.hpp"
