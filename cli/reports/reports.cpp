@@ -7,7 +7,6 @@
 
 #include "../terminal/terminal.hpp"
 #include "run/quantity_lists.hpp"
-#include "run/simulation/report/verdicts.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "../verbs.hpp"
 #include "base/instruction_set.hpp"
 #include "base/threads.hpp"
-#include "run/benchmark/benchmark_report.hpp"
+#include "run/benchmark/benchmark.hpp"
 #include "run/requests.hpp"
 
 namespace polhode::cli {

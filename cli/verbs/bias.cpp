@@ -15,10 +15,9 @@ Action bias_verb(Command& command) {
     bool json = false;
   };
   auto o = std::make_shared<BiasOptions>();
-  command
-      .add_option("FILE", o->file,
-                  "log of LAMMPS, .xvg file of 'gmx energy', or CSV file of OpenMM or polhode")
-      .required();
+  command.add_option("FILE", o->file,
+                     "log of LAMMPS, .xvg file of 'gmx energy', or CSV file of OpenMM or polhode",
+                     required);
   command.add_request(o->request);
   command.add_flag("--json", o->json, "print JSON");
   return [o] {

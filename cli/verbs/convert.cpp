@@ -35,12 +35,11 @@ int convert_frames(const ConvertOptions& o) {
 
 Action convert_verb(Command& command) {
   auto o = std::make_shared<ConvertOptions>();
-  command
-      .add_option("IN", o->from,
-                  fmt::format("file to read: .{}, or a LAMMPS .data or .dump file",
-                              fmt::join(writable_formats(), " .")))
-      .required();
-  command.add_option("OUT", o->to, "file to write; .data and .dump can only be read").required();
+  command.add_option("IN", o->from,
+                     fmt::format("file to read: .{}, or a LAMMPS .data or .dump file",
+                                 fmt::join(writable_formats(), " .")),
+                     required);
+  command.add_option("OUT", o->to, "file to write; .data and .dump can only be read", required);
   command.add_request(o->request);
   o->declare_force(command);
   return [o] { return convert_frames(*o); };

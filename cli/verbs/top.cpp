@@ -13,8 +13,8 @@
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
+#include "run/requests.hpp"
 #include "run/top/top_figure.hpp"
-#include "run/top/top_request.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -16,7 +16,7 @@ Action verify_verb(Command& command) {
     bool json = false;
   };
   auto o = std::make_shared<VerifyOptions>();
-  command.add_option("SCHEME", o->scheme, "a scheme's name, or its stages as text").required();
+  command.add_option("SCHEME", o->scheme, "a scheme's name, or its stages as text", required);
   command.add_request(o->request);
   command.add_flag("--json", o->json, "print JSON");
   return [o] {
