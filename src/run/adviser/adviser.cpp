@@ -13,7 +13,6 @@
 
 #include "base/stopwatch.hpp"
 #include "candidate_time.hpp"
-#include "first_step.hpp"
 #include "io/settings/scheme_labels.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
@@ -24,8 +23,8 @@
 #include "run/adviser/resumable_run.hpp"
 #include "run/adviser/step_search.hpp"
 #include "run/progress_pace.hpp"
-#include "run/simulation/system/einstein_frequency.hpp"
 #include "run/simulation/system/relaxation.hpp"
+#include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {
 namespace {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "run/adviser/step_search.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "io/settings/output_units.hpp"
+#include "polhode/base/error.hpp"
 
 namespace polhode {
 namespace {
@@ -106,6 +111,26 @@ std::optional<double> next_of_ladder(const StepSearch& search, const Range& rang
 }
 
 }  // namespace
+
+void check_forces(double frequency, const std::string& source) {
+  // The Einstein frequency exceeds 0.1 per ps in any liquid and in most gases. If the frequency is
+  // far lower, the forces are only round-off errors.
+  constexpr double min_frequency = 1e-6;
+  if (!(frequency > min_frequency))
+    throw Error(
+        "the forces in the initial configuration are nearly zero, as on a perfect lattice, so the "
+        "first step cannot be estimated; equilibrate first, for example with equilibrate = \"5 "
+        "ps\" in [run]",
+        source);
+}
+
+void check_length(double length, double first, std::string_view scheme) {
+  if (length < 10 * first)
+    throw Error(
+        fmt::format("runs of {:g} fs are too short for advice; a run must have at least ten steps "
+                    "of {:.3g} fs, the first time step tried with the scheme {}: use longer runs",
+                    units::fs_per_ps * length, units::fs_per_ps * first, scheme));
+}
 
 double three_digits(double step) {
   const double unit = std::pow(10, std::floor(std::log10(step)) - 2);

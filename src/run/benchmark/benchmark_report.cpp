@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "run/benchmark/benchmark_report.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "base/version.hpp"
 #include "forces/laws/setting_names.hpp"
 #include "io/settings/output_units.hpp"
+#include "run/benchmark/benchmark.hpp"
 #include "run/quantity_lists.hpp"
 
 namespace polhode {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "run/canonical/canonical_record.hpp"
-
 #include "run/simulation/files/identity.hpp"
 #include "run/study/record_columns.hpp"
 

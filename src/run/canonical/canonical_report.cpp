@@ -12,9 +12,9 @@
 #include "io/settings/ensemble_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
-#include "run/canonical/canonical_record.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/system_notes.hpp"
+#include "run/study/run_record.hpp"
 
 namespace polhode {
 namespace {

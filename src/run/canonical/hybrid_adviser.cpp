@@ -21,7 +21,7 @@
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
 #include "run/quantity_lists.hpp"
-#include "run/simulation/system/einstein_frequency.hpp"
+#include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {
 namespace {

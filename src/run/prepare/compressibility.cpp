@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "io/settings/ensemble_names.hpp"
-#include "run/simulation/report/ensemble_warnings.hpp"
+#include "run/simulation/report/warning_rules.hpp"
 
 namespace polhode {
 namespace {

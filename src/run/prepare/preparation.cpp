@@ -12,7 +12,6 @@
 #include "base/output_error.hpp"
 #include "base/stopwatch.hpp"
 #include "base/version.hpp"
-#include "equilibrium_warnings.hpp"
 #include "io/coordinates/gro.hpp"
 #include "io/files/write_file.hpp"
 #include "io/settings/output_units.hpp"
@@ -98,6 +97,34 @@ void set_energy(System& system, double mean_total, Workers& workers) {
     state.p.set(i, factor * state.p[i]);
     state.ell.set(i, factor * state.ell[i]);
   }
+}
+
+/// A warning if the volume still changes by more than 0.5 %.
+std::optional<Warning> density_warning(const Drift& slope, double length, double volume) {
+  constexpr double min_change = 0.005, significance_level = 0.001;
+  const double change = slope.rate.value * length / volume;
+  const bool known = slope.known == Known::yes;
+  if ((known && slope.p_value > significance_level) || !(std::abs(change) >= min_change))
+    return std::nullopt;
+  return Warning{"density", change, min_change,
+                 fmt::format("the volume is still {}: by {:.2g} % in the last {:g} ps{}",
+                             change > 0 ? "growing" : "shrinking", 100 * std::abs(change), length,
+                             known ? "" : ", a time too short for an error estimate"),
+                 "prepare longer: npt = \"500 ps\" in [prepare], or give a density"};
+}
+
+/// A warning if the mean pressure shows that the density will still change by more than 0.5 %.
+std::optional<Warning> pressure_warning(const SeriesEstimate& pressure, const BarostatSettings& b) {
+  constexpr double min_change = 0.005;
+  const double bar = unit("bar", Dimension::pressure);
+  const double bound = std::max(three_sigma(pressure), min_change / b.compressibility);
+  if (pressure.known != Known::yes || std::abs(pressure.value - b.pressure) <= bound)
+    return std::nullopt;
+  return Warning{"barostat", pressure.value / bar, bound / bar,
+                 fmt::format("the mean pressure is {:.3g} bar instead of {:g} bar: the volume has "
+                             "not reached equilibrium",
+                             pressure.value / bar, b.pressure / bar),
+                 "prepare longer: npt = \"500 ps\" in [prepare], or give a density"};
 }
 
 class Preparation {

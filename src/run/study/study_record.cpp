@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "run/study/study_record.hpp"
-
 #include <algorithm>
 #include <array>
 #include <string_view>

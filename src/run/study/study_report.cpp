@@ -13,7 +13,7 @@
 #include "polhode/run/simulation/trajectory/trajectory_settings.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/near_forces.hpp"
-#include "run/study/study_record.hpp"
+#include "run/study/run_record.hpp"
 #include "study_job.hpp"
 #include "temperature_differences.hpp"
 

@@ -16,7 +16,7 @@
 #include "polhode/run/simulation/system/single_point.hpp"
 #include "polhode/run/study/tune.hpp"
 #include "run/adviser/advice_report.hpp"
-#include "run/benchmark/benchmark_report.hpp"
+#include "run/benchmark/benchmark.hpp"
 #include "run/bias/log_bias.hpp"
 #include "run/canonical/canonical_report.hpp"
 #include "run/canonical/hybrid_adviser.hpp"

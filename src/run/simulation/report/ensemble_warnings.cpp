@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "run/simulation/report/ensemble_warnings.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>

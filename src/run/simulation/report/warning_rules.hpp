@@ -71,6 +71,17 @@ struct TargetTemperature {
 std::vector<Warning> warnings_of_results(const RunSummary& summary,
                                          const std::optional<TargetTemperature>& target);
 
+/// Warnings about the ensemble of a run. Causes of warnings are a drifting volume, too few accepted
+/// barostat moves, too few or too many accepted trajectories of hybrid Monte Carlo, and a mean of
+/// exp(−ΔH/kT) that is not 1 (docs/manual/ensembles.md, Warnings).
+std::vector<Warning> ensemble_warnings(const RunSummary& summary);
+
+/// The relaxation time of the volume [ps]. For cell rescaling, the relaxation time equals the time
+/// constant if the system has the compressibility of the barostat settings. A more compressible
+/// system relaxes more slowly.
+/// @param compressibility  compressibility of the system [nm³ mol/kJ]; 0 if it is not known
+double volume_relaxation(const BarostatSettings& barostat, double compressibility);
+
 /// Whether the contribution of the energy drift to R exceeds half of R, and also exceeds 0.1 %.
 bool drift_matters(const RunSummary& summary);
 

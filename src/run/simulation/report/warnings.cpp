@@ -12,7 +12,6 @@
 #include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
-#include "run/simulation/report/ensemble_warnings.hpp"
 #include "run/simulation/report/truncation_walk.hpp"
 #include "run/simulation/report/warning_rules.hpp"
 #include "run/simulation/system/stable_step.hpp"

@@ -3,6 +3,7 @@
 // can begin.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -36,6 +37,13 @@ inline constexpr double max_initial_force = 2e4, max_initial_torque = 500;
 /// Whether molecules of a state overlap: forces or torques exceed the bounds for initial
 /// configurations, or are not finite.
 bool molecules_overlap(const System& system, const State& state);
+
+/// Advice about a lattice with overlapping molecules, such as ", or a density of 0.79 g/cm3, at
+/// which this lattice fits". Lattices with the same seed are tried in larger boxes of the same
+/// shape, with densities that decrease by 10 % each. The text is empty if molecules overlap at all
+/// densities down to 5 % of the original density.
+std::string fitting_density(const Topology& topology, const Box& box, std::uint64_t seed,
+                            const std::function<bool(const State&)>& overlaps);
 
 /// Rejects a lattice with overlapping molecules if the dynamics would start from this lattice
 /// without minimisation. Other initial configurations are not checked.
