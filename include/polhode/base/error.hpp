@@ -26,6 +26,16 @@ class Error : public std::runtime_error {
   std::string where_;
 };
 
+/// Calls read(), and adds a place to an Error that it throws.
+template <class Read>
+decltype(auto) at_place(const std::string& where, const Read& read) {
+  try {
+    return read();
+  } catch (const Error& e) {
+    throw e.at(where);
+  }
+}
+
 /// A run that cannot continue although its input was valid, for example because the trajectory blew
 /// up. Exit code 1.
 class RunError : public std::runtime_error {

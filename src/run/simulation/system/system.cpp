@@ -39,11 +39,7 @@ void take_topology_file(const Config& config, const Frame& start, System& system
   std::vector<PairOverride>& pairs = read.mixing.pairs;
   pairs.insert(pairs.end(), config.forces.mixing.pairs.begin(), config.forces.mixing.pairs.end());
   system.forces.mixing = std::move(read.mixing);
-  try {
-    check(system.forces.mixing, system.topology);
-  } catch (const Error& e) {
-    throw e.at(config.source);
-  }
+  at_place(config.source, [&] { check(system.forces.mixing, system.topology); });
 }
 
 // The mixing rule with which the models were parametrized, or else the default.
@@ -81,19 +77,17 @@ void check_size(const Topology& topology) {
 
 State lattice_start(const Config& config, const Topology& topology) {
   const SystemSettings& s = config.system;
-  Box box;
   if (!s.density && !s.box)
     throw Error(
         "there is no density, box or initial configuration; write for example density = \"1 "
         "g/cm3\"",
         config.source + ", system");
-  try {
+  const Box box = at_place(config.source, [&] {
     check_size(topology);
-    box = s.box ? Box{*s.box} : cubic_box(topology, s.density.value());
-    check_edges(box);
-  } catch (const Error& e) {
-    throw e.at(config.source);
-  }
+    const Box edges = s.box ? Box{*s.box} : cubic_box(topology, s.density.value());
+    check_edges(edges);
+    return edges;
+  });
   return lattice(topology, box, s.seed);
 }
 
@@ -198,10 +192,6 @@ void check_apart(const Config& config, const System& system) try {
   throw Error(e.what() + density_advice(config, system), config.source);
 }
 
-void scale(Vec3Column& v, double factor) {
-  for (std::size_t i = 0; i < v.size(); ++i) v.set(i, factor * v[i]);
-}
-
 }  // namespace
 
 Topology build_topology(const SystemSettings& settings) {
@@ -245,22 +235,14 @@ System build_system(const Config& config) {
     system.new_velocities = config.system.new_velocities.value_or(!has_velocities);
   }
   system.bodies = Bodies(system.topology);
-  try {
-    if (!config.system.checkpoint.empty()) take_checkpoint(system, config.system.checkpoint);
-  } catch (const Error& e) {
-    throw e.at(config.source + ", system.checkpoint");
-  }
-  try {
-    check_edges(system.state.box);
-  } catch (const Error& e) {
-    throw e.at(config.source);
-  }
+  if (!config.system.checkpoint.empty())
+    at_place(config.source + ", system.checkpoint",
+             [&] { take_checkpoint(system, config.system.checkpoint); });
+  at_place(config.source, [&] { check_edges(system.state.box); });
   check_apart(config, system);
-  try {
-    system.forces = ForceField(system.topology, system.forces, system.state.box).settings();
-  } catch (const Error& e) {
-    throw e.at(config.place("forces.cutoff"));
-  }
+  system.forces = at_place(config.place("forces.cutoff"), [&] {
+    return ForceField(system.topology, system.forces, system.state.box).settings();
+  });
   take_velocities(system, config.system);
   return system;
 }
