@@ -20,7 +20,7 @@
 #include "io/settings/settings.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 #include "run/job_settings.hpp"
-#include "run/listing/settings.hpp"
+#include "run/listing/lists.hpp"
 
 namespace polhode::python {
 
