@@ -64,6 +64,11 @@ void print_results(const std::string& title, const std::vector<Quantities>& reco
     print_results({{"", "", records, "", title}}, {});
 }
 
+int interrupted(std::string_view how) {
+  log("interrupted{}\n", how);
+  return 130;
+}
+
 int print_run(const RunResult& result, const Simulation& simulation, const ResultForm& form) {
   note_end(result, checkpoint_of(simulation));
   if (result.report) print_report(*result.report, form);

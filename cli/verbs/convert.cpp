@@ -7,8 +7,8 @@
 #include <string>
 
 #include "../options/job_options.hpp"
+#include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
-#include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "run/requests.hpp"
 
@@ -22,10 +22,7 @@ struct ConvertOptions : RequestOptions<ConversionRequest> {
 int convert_frames(const ConvertOptions& o) {
   const Conversion conversion = o.request.conversion(o.from, o.to);
   const ConversionResult result = convert(conversion, o.output(), console());
-  if (result.interrupted) {
-    log("interrupted; no file was written\n");
-    return 130;
-  }
+  if (result.interrupted) return interrupted("; no file was written");
   fmt::print("{} {} written to {}\n", result.frames, result.frames == 1 ? "frame" : "frames",
              conversion.to);
   return 0;

@@ -8,7 +8,6 @@
 #include "../options/job_options.hpp"
 #include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
-#include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "run/requests.hpp"
 
@@ -22,10 +21,7 @@ int tune_scheme(const TuneSchemeOptions& o) {
   const TuneSettings settings = o.request.settings(config);
   Workers workers = o.workers();
   const TuneResult result = tune(config, settings, console(), workers);
-  if (result.interrupted) {
-    log("interrupted before a result was found\n");
-    return 130;
-  }
+  if (result.interrupted) return interrupted(" before a result was found");
   print_results(quantities(result), o);
   return 0;
 }
