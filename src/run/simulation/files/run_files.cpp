@@ -128,8 +128,7 @@ void RunFiles::checkpoint(RunState at) {
   }
   checkpoint_.at = std::move(at);
   if (energies_) checkpoint_.outputs = marks();
-  write_checkpoint(names_.checkpoints, checkpoint_,
-                   {provenance_.version, provenance_.instruction_set});
+  write_checkpoint(names_.checkpoints, checkpoint_);
   last_checkpoint_step_ = checkpoint_.at.steps;
   checkpoint_.at = {};
   since_checkpoint_ = Stopwatch();
