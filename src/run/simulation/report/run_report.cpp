@@ -187,7 +187,7 @@ Quantities of_shadow(const RunSummary& s) {
                 {"rms", "kJ/mol", rms.value, "rms fluctuation of the shadow energy"},
                 {"rms_error", "kJ/mol", known_if(known, rms.error),
                  "standard error of the rms fluctuation of the shadow energy"},
-                {"time_gain", "", shadow.time_gain ? Value(*shadow.time_gain) : Value(),
+                {"time_gain", "", shadow.time_gain,
                  "factor by which the shadow energy shortens the time until an energy drift is "
                  "significant"}});
   if (!known)
