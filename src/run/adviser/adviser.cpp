@@ -19,7 +19,6 @@
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
 #include "run/adviser/bias_conversion.hpp"
-#include "run/adviser/effort.hpp"
 #include "run/adviser/resumable_run.hpp"
 #include "run/adviser/step_search.hpp"
 #include "run/progress_pace.hpp"
