@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "run/bias/engine_log.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "io/files/text_file.hpp"
 #include "io/formats/lines.hpp"
 #include "polhode/base/error.hpp"
+#include "run/bias/log_bias.hpp"
 
 namespace polhode {
 namespace {
