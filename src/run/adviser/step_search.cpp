@@ -152,8 +152,7 @@ double shortening(const Criterion& criterion, const std::vector<Outcome>& runs,
     // The scatter of an incomplete set of runs is poorly known. If the first run exceeds the
     // required bound by x %, the prediction bound of eight runs exceeds the required bound by about
     // 2x %.
-    const auto ratios = each(runs, [](const Outcome& run) { return run.ratio; });
-    excess = std::pow(*std::max_element(ratios.begin(), ratios.end()) / criterion.bound, 2);
+    excess = std::pow(std::ranges::max(each(runs, &Outcome::ratio)) / criterion.bound, 2);
   }
   return std::clamp(std::pow(excess, -1 / exponent), 0.6, 0.97);
 }
@@ -195,8 +194,7 @@ FoundStep found_step(const StepSearch& search, const std::vector<AdviserPoint>& 
   std::vector<StepPoint> around;
   for (const AdviserPoint& point : range.usable)
     if (point.step > nearby * at && point.step < 1.1 * at)
-      around.push_back(
-          {point.step, each(point.runs, [](const Outcome& run) { return run.ratio; })});
+      around.push_back({point.step, each(point.runs, &Outcome::ratio)});
   if (around.size() < 2) return {};
   FoundStep found{0, StepModel(search.order, around)};
   const double largest_usable = around.back().step;
