@@ -11,7 +11,7 @@
 
 #include "bind.hpp"
 #include "job_options.hpp"
-#include "run/study/study_request.hpp"
+#include "run/requests.hpp"
 
 namespace polhode::python {
 namespace {

@@ -11,7 +11,6 @@
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/top/top.hpp"
 #include "run/listing/verification.hpp"
-#include "run/study/study_request.hpp"
 
 namespace polhode {
 namespace {
@@ -21,16 +20,6 @@ constexpr std::uint64_t max_count = 100'000'000;
 /// A time as text for help, such as "2 ps" or "20 fs".
 std::string time_text(double time) {
   return time < 1 ? fmt::format("{:g} fs", time * units::fs_per_ps) : fmt::format("{:g} ps", time);
-}
-
-/// Calls f; if f throws an error, adds the option as the place of the error.
-template <class F>
-auto at(const Given& given, const F& read) {
-  try {
-    return read();
-  } catch (const Error& e) {
-    throw e.at(given.name);
-  }
 }
 
 Vec3<double> three_numbers(const Given& given) {
@@ -182,7 +171,7 @@ TuneSettings TuneRequest::settings(const Config& config) const {
   TuneSettings s;
   if (scheme) {
     s.scheme = with_own_schemes(scheme.text, config.schemes);
-    at(scheme, [&] { return nested_scheme_of(s.scheme); });
+    at_place(scheme.name, [&] { nested_scheme_of(s.scheme); });
   }
   take_positive(s.step, step, Dimension::time);
   if (runs) s.runs = static_cast<int>(given_whole_number(runs, 2, 1000));
@@ -226,10 +215,7 @@ int VerificationRequest::expected_order() const {
 
 double VerificationRequest::gradient_lambda(const NestedScheme& scheme) const {
   if (!lambda) return 1e-4;
-  at(lambda, [&] {
-    check_lambda(scheme);
-    return true;
-  });
+  at_place(lambda.name, [&] { check_lambda(scheme); });
   return given_number(lambda, 1e-8, 1);
 }
 

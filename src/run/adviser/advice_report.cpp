@@ -8,7 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "../study/temperature_differences.hpp"
 #include "io/figures/plot.hpp"
 #include "io/files/with_error.hpp"
 #include "io/files/write_file.hpp"
@@ -18,6 +17,7 @@
 #include "run/output_files.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/system_notes.hpp"
+#include "run/study/equipartition.hpp"
 
 namespace polhode {
 namespace {

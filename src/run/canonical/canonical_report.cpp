@@ -14,7 +14,6 @@
 #include "polhode/base/error.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/system_notes.hpp"
-#include "run/study/run_record.hpp"
 
 namespace polhode {
 namespace {
@@ -39,23 +38,25 @@ SeriesEstimate known(const std::optional<Estimate>& e) {
   return nested(e.value_or(Estimate{std::nan(""), std::nan("")}));
 }
 
+/// The unit of a quantity as text; empty if the quantity is dimensionless.
+std::string unit_text(const CanonicalQuantity& q) {
+  return std::string_view(q.unit) == "1" ? "" : q.unit;
+}
+
 /// The k-th quantity of a point: the mean, the bias, and whether the bias is below the bounds.
 Quantity of_quantity(const CanonicalPoint& p, std::size_t k) {
   const CanonicalQuantity& q = canonical_quantities[k];
   const std::string column = q.name;
-  const std::string unit = std::string_view(q.unit) == "1" ? "" : fmt::format("[{}]", q.unit);
+  const std::string unit = unit_text(q).empty() ? "" : fmt::format("[{}]", q.unit);
   const auto verdict = [&](BiasCriterion criterion) -> Value {
     const auto accuracy = p.accuracy(k, criterion);
     return accuracy ? Value(in_words(*accuracy)) : Value();
   };
-  const auto value = [&](const std::optional<Estimate>& e) {  // null in JSON
-    return e ? Value(nested(*e)) : Value();
-  };
   return {
       q.name, "",
       Quantities{
-          {"mean", "", value(p.mean[k]), "mean over the runs"},
-          {"bias", "", value(p.bias[k]), "bias of the mean over the runs"},
+          {"mean", "", nested(p.mean[k]), "mean over the runs"},
+          {"bias", "", nested(p.bias[k]), "bias of the mean over the runs"},
           {"", unit, known(p.mean[k]), "", "", "", column},
           {"", unit, known(p.bias[k]), "", q.label, mark_on(p, k), column + "_bias"},
           {"accuracy", "", verdict(BiasCriterion::strict), "verdict for the strict bound"},
@@ -103,9 +104,9 @@ Quantity of_findings(const char* key, const CanonicalReport& report,
                      const CanonicalFindings& findings) {
   std::string bounds;
   for (const CanonicalQuantity& q : canonical_quantities)
-    bounds += fmt::format("{} {} {:g}{}{}", bounds.empty() ? "" : ",", q.label,
-                          q.bound(findings.criterion), std::string_view(q.unit) == "1" ? "" : " ",
-                          std::string_view(q.unit) == "1" ? "" : q.unit);
+    bounds +=
+        fmt::format("{} {} {:g}{}{}", bounds.empty() ? "" : ",", q.label,
+                    q.bound(findings.criterion), unit_text(q).empty() ? "" : " ", unit_text(q));
   return {key, "", canonical_sentences(findings, report.points),
           fmt::format("conclusions about the biases, judged by the {} bounds",
                       in_words(findings.criterion)),
@@ -126,9 +127,9 @@ CanonicalFigure figure(const CanonicalReport& report, const std::string& csv) {
   CanonicalFigure figure{csv, {}, {}};
   for (const std::size_t k : drawn) {
     const CanonicalQuantity& q = canonical_quantities[k];
-    const bool unitless = std::string_view(q.unit) == "1";
     figure.panels.push_back(
-        panel(fmt::format("bias of {}{}", q.label, unitless ? "" : fmt::format("  ({})", q.unit)),
+        panel(fmt::format("bias of {}{}", q.label,
+                          unit_text(q).empty() ? "" : fmt::format("  ({})", q.unit)),
               fmt::format("{}_bias", q.name), q.unit));
     figure.panels.back().strict = q.strict, figure.panels.back().loose = q.loose;
   }
@@ -153,7 +154,6 @@ CanonicalFigure figure(const CanonicalReport& report, const std::string& csv) {
 /// A study of canonical averages.
 struct CanonicalStudy {
   using Run = CanonicalRun;
-  using Record = CanonicalRecord;
   using Report = CanonicalReport;
 
   static constexpr const char* title = "canonical study";
@@ -190,8 +190,7 @@ struct CanonicalStudy {
   }
 };
 
-}  // namespace
-
+/// A sentence on the forces, runs and heat bath of a canonical study.
 std::string canonical_conditions(const Config& config) {
   EnsembleSettings bath;
   bath.temperature = config.system.temperature;
@@ -207,6 +206,8 @@ std::string canonical_conditions(const Config& config) {
       config.study.runs, config.study.length, relaxation(config.study.length), description(bath),
       hybrid.steps, config.system.temperature);
 }
+
+}  // namespace
 
 Quantities quantities(const CanonicalReport& report) {
   Quantities bounds;
@@ -227,18 +228,11 @@ Quantities quantities(const CanonicalReport& report) {
           row_of_files(report.files)};
 }
 
-CanonicalReport run_canonical_study(const Config& config, const std::string& prefix,
-                                    const OutputOptions& options, const Callbacks& callbacks,
-                                    Workers& workers) {
+CanonicalReport run_canonical_study(const Config& config, const std::string& record,
+                                    const std::string& prefix, const OutputOptions& options,
+                                    const Callbacks& callbacks, Workers& workers) {
   const CanonicalStudy study{config};
-  return StudyJob(study, prefix, options, callbacks).run(workers);
-}
-
-CanonicalReport report_canonical_record(const Config& config, const std::string& record,
-                                        const std::string& prefix, const OutputOptions& options,
-                                        const Callbacks& callbacks) {
-  const CanonicalStudy study{config};
-  return StudyJob(study, prefix, options, callbacks).from(record);
+  return StudyJob(study, prefix, options, callbacks).perform(record, workers);
 }
 
 }  // namespace polhode

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The columns of a record of runs. Each column is defined once, for both writing and reading.
+// Records of runs as text. The first line identifies the study. Each further line is a record, with
+// fields separated by semicolons. Each column is defined once, for both writing and reading.
 #pragma once
 
 #include <fmt/core.h>
@@ -10,16 +11,50 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "base/output_error.hpp"
 #include "io/files/write_file.hpp"
-#include "record_lines.hpp"
+#include "io/formats/lines.hpp"
 #include "run/study/run_record.hpp"
 
 namespace polhode {
+
+/// The fields of one line of a record.
+class RecordFields {
+ public:
+  /// @throws Error  with the line, unless the line has `count` fields; errors of the members also
+  ///   give the line
+  RecordFields(std::string_view line, std::size_t count, const Lines& lines);
+
+  std::string_view operator[](std::size_t k) const { return field_[k]; }
+  double number(std::size_t k, const char* what) const;  ///< field k as a finite number
+  double amount(std::size_t k,
+                const char* what) const;             ///< field k as a number that is not negative
+  int index(std::size_t k, const char* what) const;  ///< field k as an integer of 0 or more
+  bool yes(std::size_t k, const char* what) const;   ///< field k as a flag, 1 or 0
+
+  [[noreturn]] void refuse(const std::string& what) const;
+
+ private:
+  std::vector<std::string_view> field_;
+  const Lines& lines_;
+};
+
+/// The first line of the record of a study.
+std::string identity_line(const Provenance& provenance);
+
+/// Visits the lines of a record. An incomplete last line, left by an interruption, is ignored.
+/// @param provenance  provenance of the study to which the record must belong; null for any study
+/// @param columns     function that returns the number of fields of a line, from the line with the
+///   names of the columns
+void read_record(
+    std::istream& in, const std::string& path, const Provenance* provenance,
+    const std::function<std::size_t(std::string_view head, const Lines& lines)>& columns,
+    const std::function<void(const RecordFields& fields, std::size_t count)>& visit);
 
 /// A column of a record, after the columns of scheme, step, initial configuration and stability.
 template <class Run>
@@ -100,8 +135,7 @@ std::vector<Run> RunRecord<Run>::read(std::istream& in, const std::string& path,
   std::set<std::tuple<std::string, double, int>> met;  // runs already read, by scheme, step and
                                                        // initial configuration
   read_record(
-      in, path, provenance ? of_this_study(path, *provenance) : of_any_study(path),
-      field_count<Run>, [&](const RecordFields& line, std::size_t count) {
+      in, path, provenance, field_count<Run>, [&](const RecordFields& line, std::size_t count) {
         Run run = record_run<Run>(line, count);
         if (!met.emplace(run.scheme, run.step, run.start).second)
           line.refuse(

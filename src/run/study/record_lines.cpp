@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "record_lines.hpp"
-
 #include <fmt/core.h>
 
 #include <cmath>
@@ -9,13 +7,27 @@
 #include <sstream>
 #include <utility>
 
-#include "io/files/write_file.hpp"
+#include "record_columns.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr const char* record_mark = "# study ";
 constexpr const char* remedy = "; delete the line to repeat its run, or start over";
+
+/// Rejects an invalid first line of a record.
+/// @param provenance  provenance of the study to which the record must belong; null for any study
+void check_head(std::string_view head, const Provenance* provenance, const Lines& lines) {
+  if (provenance && head != identity_line(*provenance))
+    lines.refuse(
+        fmt::format("'{}' contains the runs of another study, or of a version of polhode with "
+                    "other initial configurations; give another output, start over, or only make "
+                    "the tables from this record",
+                    lines.file()));
+  if (!head.starts_with(record_mark))
+    lines.refuse(fmt::format("'{}' begins with '{}', but a study record must begin with '{}'",
+                             lines.file(), head, record_mark));
+}
 
 }  // namespace
 
@@ -62,27 +74,8 @@ std::string identity_line(const Provenance& provenance) {
   return record_mark + text_hash(provenance.config);
 }
 
-CheckHead of_this_study(const std::string& path, const Provenance& provenance) {
-  return [path, own = identity_line(provenance)](std::string_view head, const Lines& lines) {
-    if (head != own)
-      lines.refuse(
-          fmt::format("'{}' contains the runs of another study, or of a version of polhode with "
-                      "other initial configurations; give another output, start over, or only make "
-                      "the tables from this record",
-                      path));
-  };
-}
-
-CheckHead of_any_study(const std::string& path) {
-  return [path](std::string_view head, const Lines& lines) {
-    if (!head.starts_with(record_mark))
-      lines.refuse(fmt::format("'{}' begins with '{}', but a study record must begin with '{}'",
-                               path, head, record_mark));
-  };
-}
-
 void read_record(
-    std::istream& in, const std::string& path, const CheckHead& check_head,
+    std::istream& in, const std::string& path, const Provenance* provenance,
     const std::function<std::size_t(std::string_view head, const Lines& lines)>& columns,
     const std::function<void(const RecordFields& fields, std::size_t count)>& visit) {
   std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -90,7 +83,7 @@ void read_record(
   std::istringstream whole(std::move(text));
   Lines lines(whole, path);
   auto line = lines.next();
-  check_head(line.value_or(""), lines);
+  check_head(line.value_or(""), provenance, lines);
   std::size_t count = 0;
   while ((line = lines.next())) {
     if (line->starts_with('#')) continue;
