@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "io/settings/output_units.hpp"
 #include "io/settings/scheme_labels.hpp"
@@ -10,6 +9,7 @@
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/canonical/canonical_study.hpp"
+#include "run/study/study_tasks.hpp"
 
 namespace polhode {
 namespace {
@@ -45,10 +45,6 @@ bool of_energy_study(const std::vector<NamedScheme>& schemes) {
          schemes == std::vector<NamedScheme>{"velocity-verlet", "hoa2", "gier4-fd"};
 }
 
-bool same(const CanonicalMethod& one, const CanonicalMethod& other) {
-  return one.name == other.name && std::abs(one.step - other.step) < 1e-12;
-}
-
 }  // namespace
 
 std::vector<NamedScheme> canonical_schemes() {
@@ -64,8 +60,9 @@ std::vector<CanonicalMethod> canonical_methods(const StudySettings& settings) {
     for (const double h :
          settings.steps.empty() ? default_steps(method, settings.coarse) : settings.steps) {
       method.step = h;
-      if (std::any_of(methods.begin(), methods.end(),
-                      [&](const CanonicalMethod& other) { return same(method, other); }))
+      if (std::any_of(methods.begin(), methods.end(), [&](const CanonicalMethod& other) {
+            return other.name == method.name && same_step(other.step, h);
+          }))
         throw Error(
             fmt::format("the study contains {} with a step of {:g} fs twice; give each scheme and "
                         "each step once",

@@ -86,15 +86,8 @@ const char* in_words(BiasCriterion criterion) {
 }
 
 const char* in_words(Accuracy accuracy) {
-  switch (accuracy) {
-    case Accuracy::below:
-      return "below the bound";
-    case Accuracy::above:
-      return "above the bound";
-    case Accuracy::undecided:
-      break;
-  }
-  return "undecided";
+  constexpr const char* words[] = {"below the bound", "above the bound", "undecided"};
+  return words[static_cast<std::size_t>(accuracy)];
 }
 
 std::vector<CanonicalPoint> canonical_points(const std::vector<CanonicalMethod>& methods,
