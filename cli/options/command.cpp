@@ -4,30 +4,24 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <vector>
 
 #include "run/job_settings.hpp"
 
 namespace polhode::cli {
 
-const CommandOption& CommandOption::required() const {
-  option_->required();
-  return *this;
-}
-
-CommandOption Command::add_flag(const std::string& name, bool& value, const std::string& meaning) {
-  return CommandOption(*app_->add_flag(name, value, meaning));
+void Command::add_flag(const std::string& name, bool& value, const std::string& meaning) {
+  app_->add_flag(name, value, meaning);
 }
 
 template <class Value>
-CommandOption Command::add_option(const std::string& name, Value& value,
-                                  const std::string& meaning) {
-  return CommandOption(*app_->add_option(name, value, meaning));
+void Command::add_option(const std::string& name, Value& value, const std::string& meaning,
+                         bool must_be_given) {
+  app_->add_option(name, value, meaning)->required(must_be_given);
 }
-template CommandOption Command::add_option(const std::string&, std::string&, const std::string&);
-template CommandOption Command::add_option(const std::string&, std::vector<std::string>&,
-                                           const std::string&);
+template void Command::add_option(const std::string&, std::string&, const std::string&, bool);
+template void Command::add_option(const std::string&, std::vector<std::string>&, const std::string&,
+                                  bool);
 
 namespace {
 

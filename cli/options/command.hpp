@@ -13,21 +13,12 @@
 
 namespace CLI {
 class App;
-class Option;
 }  // namespace CLI
 
 namespace polhode::cli {
 
-/// A declared option, to which conditions on its value can be added.
-class CommandOption {
- public:
-  explicit CommandOption(CLI::Option& option) : option_(&option) {}
-
-  const CommandOption& required() const;
-
- private:
-  CLI::Option* option_;
-};
+/// Marks an option or an argument that must be given.
+inline constexpr bool required = true;
 
 /// A verb on the command line. A Command refers to a command object of the parser, which must
 /// outlive the Command.
@@ -44,14 +35,15 @@ class Command {
   /// The settings given on the command line, after it is parsed.
   const Overlay& overlay() const { return *overlay_; }
 
-  CommandOption add_flag(const std::string& name, bool& value, const std::string& meaning);
+  void add_flag(const std::string& name, bool& value, const std::string& meaning);
   /// Declares an option or an argument.
   /// @tparam Value  std::string, or a std::vector of them; command.cpp lists both
   /// @param name    name such as "--step", or "FILE" for an argument without a name
   /// @param value   receives the value when the command line is parsed; before that, it is the
   ///   default
   template <class Value>
-  CommandOption add_option(const std::string& name, Value& value, const std::string& meaning);
+  void add_option(const std::string& name, Value& value, const std::string& meaning,
+                  bool must_be_given = false);
   /// Declares the settings that the verb takes, such as "--hybrid-steps" for hybrid_steps.
   void add_settings();
   /// Declares the options of a job, such as "--max-force" for max_force.

@@ -18,12 +18,12 @@ void JobOptions::declare(Command& command, const std::string& of_threads) {
   command.add_flag("--json", json, "print the results as JSON");
 }
 
-CommandOption JobOptions::declare_file(Command& command) {
+void JobOptions::declare_file(Command& command, bool must_be_given) {
   command_ = command;
-  return command.add_option(
-      "FILE", file,
-      "run file (TOML), whose settings the options override; default: 512 TIP4P "
-      "waters");
+  command.add_option("FILE", file,
+                     "run file (TOML), whose settings the options override; default: 512 TIP4P "
+                     "waters",
+                     must_be_given);
 }
 
 void JobOptions::declare_threads(Command& command, const std::string& of_threads) {

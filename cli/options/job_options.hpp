@@ -28,7 +28,7 @@ struct JobOptions : ResultForm {
   /// Declares FILE, --threads and --json.
   /// @param of_threads  what the threads compute, such as "simultaneous runs"
   void declare(Command& command, const std::string& of_threads);
-  CommandOption declare_file(Command& command);
+  void declare_file(Command& command, bool must_be_given = false);
   void declare_threads(Command& command, const std::string& of_threads);
   void declare_force(Command& command);
   void declare_resume(Command& command);

@@ -7,7 +7,6 @@
 
 #include "../terminal/terminal.hpp"
 #include "run/quantity_lists.hpp"
-#include "run/simulation/report/verdicts.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -63,6 +62,11 @@ void print_results(const std::string& title, const std::vector<Quantities>& reco
     fmt::print("{}\n", json_text(records));
   else
     print_results({{"", "", records, "", title}}, {});
+}
+
+int interrupted(std::string_view how) {
+  log("interrupted{}\n", how);
+  return 130;
 }
 
 int print_run(const RunResult& result, const Simulation& simulation, const ResultForm& form) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "../options/job_options.hpp"
@@ -16,6 +17,11 @@ namespace polhode::cli {
 void print_results(const Quantities& results, const ResultForm& form);
 /// Prints a list of records as JSON or as a table with a title.
 void print_results(const std::string& title, const std::vector<Quantities>& records, bool json);
+
+/// Prints to standard error that a job was interrupted.
+/// @param how  rest of the message, such as " before a result was found"
+/// @return     exit code
+int interrupted(std::string_view how);
 
 /// Prints the results of a run. An interrupted run is reported on standard error.
 /// @return  exit code
@@ -32,9 +38,9 @@ template <class Report>
 int finish_study(const Report& report, const std::string& record, const ResultForm& form) {
   if (form.json || !report.points.empty()) print_results(quantities(report), form);
   if (!report.interrupted) return 0;
-  log("interrupted{}; the same command resumes from {}\n",
-      report.points.empty() ? " before the first run ended" : "", record);
-  return 130;
+  return interrupted(fmt::format("{}; the same command resumes from {}",
+                                 report.points.empty() ? " before the first run ended" : "",
+                                 record));
 }
 
 }  // namespace polhode::cli

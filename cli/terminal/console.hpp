@@ -6,9 +6,9 @@
 
 namespace polhode::cli {
 
-/// Makes callbacks that show messages and progress with the expected end time on standard error,
-/// see ProgressLine. Ctrl-C, SIGTERM, SIGHUP and SIGXCPU end the job early (interrupt.hpp). The
-/// progress line disappears when the last copy of the callbacks is destroyed.
+/// Makes callbacks that show messages and progress with the expected end time on standard error.
+/// Ctrl-C, SIGTERM, SIGHUP and SIGXCPU end the job early, so that the job can write its results.
+/// The progress line disappears when the last copy of the callbacks is destroyed.
 Callbacks console();
 
 }  // namespace polhode::cli

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace polhode::cli {
 

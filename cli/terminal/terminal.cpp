@@ -43,8 +43,8 @@ std::size_t fitting(std::string_view line, std::size_t width) {
   return std::min(end, line.size());
 }
 
-}  // namespace
-
+/// Wraps a text between words, so that lines have at most `width` columns. Continuation lines are
+/// indented to the column of the text after the line's label, such as an option's description.
 std::string wrapped(std::string_view text, std::size_t width) {
   std::string result;
   while (!text.empty()) {
@@ -65,6 +65,8 @@ std::string wrapped(std::string_view text, std::size_t width) {
   }
   return result;
 }
+
+}  // namespace
 
 std::string fit_to_terminal(std::string_view text, int stream) {
   std::size_t width = 0;

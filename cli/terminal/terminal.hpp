@@ -2,15 +2,10 @@
 // The width of a terminal, and texts that fit into it.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace polhode::cli {
-
-/// Wraps a text between words, so that lines have at most `width` columns. Continuation lines are
-/// indented to the column of the text after the line's label, such as an option's description.
-std::string wrapped(std::string_view text, std::size_t width);
 
 /// Wraps a text at the environment variable COLUMNS, or at the width of the terminal to which a
 /// stream is connected. The text is unchanged if the stream is a pipe or a file.

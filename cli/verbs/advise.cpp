@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // polhode advise [FILE]: finds the cheapest scheme and step that meet an accuracy.
-#include <fmt/core.h>
 
 #include <memory>
 
 #include "../options/job_options.hpp"
 #include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
-#include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "polhode/base/error.hpp"
 #include "run/adviser/advice_report.hpp"
@@ -24,10 +22,7 @@ int advise_canonical(const AdviseOptions& o, const Config& config, bool schemes_
   const HybridAdviserSettings settings = o.request.hybrid_settings(config, schemes_given);
   Workers workers = o.workers();
   const HybridAdvice advice = advise_hybrid(config, settings, console(), workers);
-  if (advice.stopped) {
-    log("interrupted before the search ended\n");
-    return 130;
-  }
+  if (advice.stopped) return interrupted(" before the search ended");
   print_results(quantities(advice), o);
   if (advice.finalists.empty()) throw RunError(answer(advice));
   return 0;
@@ -40,10 +35,7 @@ int advise(const AdviseOptions& o, bool schemes_given) {
   const AdviserSettings settings = o.request.settings(config);
   const AdviceReport report =
       run_adviser(config, settings, o.request.prefix(), o.output(), console(), workers);
-  if (report.advice.stopped) {
-    log("interrupted before the search ended; no file was written\n");
-    return 130;
-  }
+  if (report.advice.stopped) return interrupted(" before the search ended; no file was written");
   print_results(quantities(report), o);
   if (!report.advice.best) throw RunError(unreachable(report.advice, settings.criterion));
   return 0;

@@ -33,10 +33,9 @@ int analyze(const AnalyzeOptions& o) {
 
 Action analyze_verb(Command& command) {
   auto o = std::make_shared<AnalyzeOptions>();
-  command
-      .add_option("TRAJECTORY", o->trajectory,
-                  "trajectory or coordinate file; the format follows from its extension")
-      .required();
+  command.add_option("TRAJECTORY", o->trajectory,
+                     "trajectory or coordinate file; the format follows from its extension",
+                     required);
   command.add_request(o->request);
   o->declare_threads(command, "threads");
   o->declare_force(command);

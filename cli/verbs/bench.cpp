@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 // polhode bench: how fast this computer simulates water, and what limits the speed.
-#include <fmt/format.h>
 
 #include <fstream>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
-#include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "base/instruction_set.hpp"
 #include "base/threads.hpp"
-#include "run/benchmark/benchmark_report.hpp"
+#include "run/benchmark/benchmark.hpp"
 #include "run/requests.hpp"
 
 namespace polhode::cli {
@@ -39,10 +36,7 @@ int bench(const BenchOptions& o) {
       o.request.settings(o.quick, requested_threads(o.threads, "--threads"));
   const Computer computer{processor(), name(current_instruction_set()), settings.threads};
   const Benchmark result = run_benchmark(settings, console());
-  if (result.interrupted) {
-    log("interrupted before everything was measured\n");
-    return 130;
-  }
+  if (result.interrupted) return interrupted(" before everything was measured");
   print_results(quantities(result, computer), o);
   return 0;
 }

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "../options/job_options.hpp"
+#include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
-#include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "run/requests.hpp"
 
@@ -22,10 +22,7 @@ struct ConvertOptions : RequestOptions<ConversionRequest> {
 int convert_frames(const ConvertOptions& o) {
   const Conversion conversion = o.request.conversion(o.from, o.to);
   const ConversionResult result = convert(conversion, o.output(), console());
-  if (result.interrupted) {
-    log("interrupted; no file was written\n");
-    return 130;
-  }
+  if (result.interrupted) return interrupted("; no file was written");
   fmt::print("{} {} written to {}\n", result.frames, result.frames == 1 ? "frame" : "frames",
              conversion.to);
   return 0;
@@ -35,12 +32,11 @@ int convert_frames(const ConvertOptions& o) {
 
 Action convert_verb(Command& command) {
   auto o = std::make_shared<ConvertOptions>();
-  command
-      .add_option("IN", o->from,
-                  fmt::format("file to read: .{}, or a LAMMPS .data or .dump file",
-                              fmt::join(writable_formats(), " .")))
-      .required();
-  command.add_option("OUT", o->to, "file to write; .data and .dump can only be read").required();
+  command.add_option("IN", o->from,
+                     fmt::format("file to read: .{}, or a LAMMPS .data or .dump file",
+                                 fmt::join(writable_formats(), " .")),
+                     required);
+  command.add_option("OUT", o->to, "file to write; .data and .dump can only be read", required);
   command.add_request(o->request);
   o->declare_force(command);
   return [o] { return convert_frames(*o); };

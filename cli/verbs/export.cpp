@@ -34,8 +34,8 @@ int export_run(const ExportOptions& o) {
 
 Action export_verb(Command& command) {
   auto o = std::make_shared<ExportOptions>();
-  command.add_option("PROGRAM", o->program, "lammps").required();
-  o->declare_file(command).required();
+  command.add_option("PROGRAM", o->program, "lammps", required);
+  o->declare_file(command, required);
   command.add_option(
       "--pair-style", o->pair_style,
       "table: the pair potentials as tables; polhode: pair_style polhode of the plugin; "

@@ -29,12 +29,11 @@ int measure(const MeasureOptions& o, const std::string& command, bool only_evalu
 
 Action declare(Command& command, bool only_evaluate) {
   auto o = std::make_shared<MeasureOptions>();
-  command
-      .add_option("SYSTEM", o->request.system,
-                  "run file, molecule file, name of a model, a mixture: \"spce 488, na-spce 12, "
-                  "cl-spce 12\", or files of GROMACS or LAMMPS: topol.top conf.gro run.mdp, "
-                  "system.data")
-      .required();
+  command.add_option("SYSTEM", o->request.system,
+                     "run file, molecule file, name of a model, a mixture: \"spce 488, na-spce 12, "
+                     "cl-spce 12\", or files of GROMACS or LAMMPS: topol.top conf.gro run.mdp, "
+                     "system.data",
+                     required);
   command.add_option("PROPERTIES", o->request.properties, properties_help());
   o->declare_threads(command, "simultaneous replicas");
   command.add_flag("--json", o->json, "print JSON instead of text");

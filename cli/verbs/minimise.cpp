@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // polhode minimise [FILE]: finds the nearest energy minimum and writes a coordinate file.
-#include <fmt/core.h>
 
 #include <memory>
-#include <string>
 
 #include "../options/job_options.hpp"
 #include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
-#include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "polhode/run/prepare/minimisation.hpp"
 #include "run/requests.hpp"

@@ -6,14 +6,13 @@
 
 #include "../reports/reports.hpp"
 #include "../verbs.hpp"
-#include "run/listing/molecules.hpp"
+#include "run/listing/lists.hpp"
 
 namespace polhode::cli {
 
 Action molecules_verb(Command& command) {
-  struct MoleculesOptions {
+  struct MoleculesOptions : ResultForm {
     std::string name;
-    bool json = false;
   };
   auto o = std::make_shared<MoleculesOptions>();
   command.add_option(
@@ -26,7 +25,7 @@ Action molecules_verb(Command& command) {
     if (o->name.empty() || (o->json && molecules.size() > 1))
       print_results("molecules", records(molecules), o->json);
     else
-      for (const Molecule& molecule : molecules) print_results(quantities(molecule), {o->json});
+      for (const Molecule& molecule : molecules) print_results(quantities(molecule), *o);
     return 0;
   };
 }

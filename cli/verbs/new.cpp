@@ -34,8 +34,8 @@ int write_run_file(NewOptions& o) {
 
 Action new_verb(Command& command) {
   auto o = std::make_shared<NewOptions>();
-  command.add_option("KIND", o->kind, fmt::format("system: {}", fmt::join(run_file_kinds, ", ")))
-      .required();
+  command.add_option("KIND", o->kind, fmt::format("system: {}", fmt::join(run_file_kinds, ", ")),
+                     required);
   command.add_option("FILE", o->file, "file to write; default: KIND.toml");
   command.add_request(o->request);
   command.add_flag("--nvt", o->nvt, "short for --ensemble nvt");

@@ -6,14 +6,13 @@
 #include "../reports/reports.hpp"
 #include "../verbs.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "run/listing/schemes.hpp"
+#include "run/listing/lists.hpp"
 
 namespace polhode::cli {
 
 Action schemes_verb(Command& command) {
-  struct SchemesOptions {
+  struct SchemesOptions : ResultForm {
     std::string name;
-    bool json = false;
   };
   auto o = std::make_shared<SchemesOptions>();
   command.add_option("NAME", o->name, "name of a scheme, or its stages as text; default: all");
@@ -22,7 +21,7 @@ Action schemes_verb(Command& command) {
     if (o->name.empty())
       print_results("schemes", all_schemes(), o->json);
     else
-      print_results(quantities(scheme_of(o->name)), {o->json});
+      print_results(quantities(scheme_of(o->name)), *o);
     return 0;
   };
 }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "../verbs.hpp"
-#include "run/listing/settings.hpp"
+#include "run/listing/lists.hpp"
 
 namespace polhode::cli {
 

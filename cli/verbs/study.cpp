@@ -6,8 +6,7 @@
 #include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
 #include "../verbs.hpp"
-#include "run/canonical/canonical_report.hpp"
-#include "run/study/study_request.hpp"
+#include "run/requests.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -13,8 +13,8 @@
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
+#include "run/requests.hpp"
 #include "run/top/top_figure.hpp"
-#include "run/top/top_request.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -28,10 +28,8 @@ int print_trajectory(const TopOptions& o) {
   const Callbacks callbacks = console();
   const TopTrajectory trajectory = integrate_top(J, L, step, length, callbacks.stop);
   print_results(quantities(trajectory), {});
-  if (trajectory.interrupted) {
-    log("interrupted; the table ends at the last sample before the interrupt\n");
-    return 130;
-  }
+  if (trajectory.interrupted)
+    return interrupted("; the table ends at the last sample before the interrupt");
   if (!figure) return 0;
   draw_top(*figure, J, L, callbacks);
   log("wrote {}\n", fmt::join(figure->files(), ", "));

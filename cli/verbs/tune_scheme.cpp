@@ -2,14 +2,12 @@
 // polhode tune-scheme [FILE]: finds the best parameters of a scheme for a given system and step.
 // The parameters are η of the hoa2 family, η and ξ of the gier4 family, or the free parameters of a
 // user-defined scheme.
-#include <fmt/core.h>
 
 #include <memory>
 
 #include "../options/job_options.hpp"
 #include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
-#include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "run/requests.hpp"
 
@@ -23,10 +21,7 @@ int tune_scheme(const TuneSchemeOptions& o) {
   const TuneSettings settings = o.request.settings(config);
   Workers workers = o.workers();
   const TuneResult result = tune(config, settings, console(), workers);
-  if (result.interrupted) {
-    log("interrupted before a result was found\n");
-    return 130;
-  }
+  if (result.interrupted) return interrupted(" before a result was found");
   print_results(quantities(result), o);
   return 0;
 }

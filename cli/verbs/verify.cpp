@@ -5,26 +5,24 @@
 
 #include "../reports/reports.hpp"
 #include "../verbs.hpp"
-#include "polhode/base/error.hpp"
 #include "run/listing/verification.hpp"
 #include "run/requests.hpp"
 
 namespace polhode::cli {
 Action verify_verb(Command& command) {
-  struct VerifyOptions {
+  struct VerifyOptions : ResultForm {
     std::string scheme;
     VerificationRequest request;
-    bool json = false;
   };
   auto o = std::make_shared<VerifyOptions>();
-  command.add_option("SCHEME", o->scheme, "a scheme's name, or its stages as text").required();
+  command.add_option("SCHEME", o->scheme, "a scheme's name, or its stages as text", required);
   command.add_request(o->request);
   command.add_flag("--json", o->json, "print JSON");
   return [o] {
     const NamedScheme scheme = o->scheme;
     const Verification v =
         verify(scheme, o->request.expected_order(), o->request.gradient_lambda(scheme));
-    print_results(quantities(v), {o->json});
+    print_results(quantities(v), *o);
     return v.declared == 0 || v.holds() ? 0 : 1;
   };
 }

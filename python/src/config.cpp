@@ -23,7 +23,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 #include "run/job_settings.hpp"
-#include "run/listing/settings.hpp"
+#include "run/listing/lists.hpp"
 
 namespace polhode::python {
 

@@ -16,12 +16,11 @@
 #include "polhode/run/simulation/system/single_point.hpp"
 #include "run/adviser/advice_report.hpp"
 #include "run/analysis/analysis_request.hpp"
-#include "run/benchmark/benchmark_report.hpp"
+#include "run/benchmark/benchmark.hpp"
 #include "run/conversion/lammps_export.hpp"
 #include "run/new_run_file.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/requests.hpp"
-#include "run/study/study_request.hpp"
 
 namespace polhode::python {
 namespace {

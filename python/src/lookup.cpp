@@ -16,8 +16,7 @@
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/measure/correlated_series.hpp"
 #include "run/bias/log_bias.hpp"
-#include "run/listing/molecules.hpp"
-#include "run/listing/schemes.hpp"
+#include "run/listing/lists.hpp"
 #include "run/listing/verification.hpp"
 #include "run/requests.hpp"
 

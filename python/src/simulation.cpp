@@ -15,7 +15,7 @@
 #include "io/settings/output_units.hpp"
 #include "job.hpp"
 #include "polhode/run/simulation/files/energy_file.hpp"
-#include "run/listing/molecules.hpp"
+#include "run/listing/lists.hpp"
 #include "run/quantity_lists.hpp"
 
 namespace polhode::python {

@@ -9,8 +9,8 @@
 #include "bind.hpp"
 #include "job_options.hpp"
 #include "polhode/run/top/top.hpp"
+#include "run/requests.hpp"
 #include "run/top/top_figure.hpp"
-#include "run/top/top_request.hpp"
 
 namespace polhode::python {
 namespace {

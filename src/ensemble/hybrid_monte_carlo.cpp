@@ -11,14 +11,6 @@
 #include "polhode/measure/energy.hpp"
 
 namespace polhode {
-namespace {
-
-void reverse(Vec3Column& v) {
-  for (std::size_t i = 0; i < v.size(); ++i) v.set(i, -1.0 * v[i]);
-}
-
-}  // namespace
-
 void HybridMonteCarloMemory::add(double change, bool accept) {
   const double weight = std::exp(-change);
   const double bounded = change < 0 ? -std::expm1(change) : std::expm1(-change) * std::exp(-change);
@@ -71,8 +63,8 @@ bool HybridMonteCarlo::end(State& state, Load& load, std::uint64_t step) {
   const double time = state.time;
   state = begin_;
   state.time = time;
-  reverse(state.p);
-  reverse(state.ell);
+  scale(state.p, -1);
+  scale(state.ell, -1);
   load = load_;
   memory_.work -= change;
   return false;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/ensemble/minimise.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -56,10 +54,8 @@ Steepness steepness(const Load& load) {
 }
 
 void scale_momenta(State& state, double factor) {
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    state.p.set(i, factor * state.p[i]);
-    state.ell.set(i, factor * state.ell[i]);
-  }
+  scale(state.p, factor);
+  scale(state.ell, factor);
 }
 
 /// The factor that reduces a momentum so that a body moves by at most `max_move` instead of

@@ -9,11 +9,6 @@
 namespace polhode {
 namespace {
 
-void scale(Vec3Column& v, double factor) {
-  for (Component* column : {&v.x, &v.y, &v.z})
-    for (std::size_t i = 0; i < v.size(); ++i) (*column)[i] *= factor;
-}
-
 /// Kinetic energies of translation and rotation [kJ/mol]. These energies include the motion of the
 /// centre of mass if it is free.
 struct Motions {
@@ -27,7 +22,7 @@ Motions motions(const State& state, const ThermostatBodies& of) {
 }
 
 /// Scales the momenta and returns the heat.
-double scale(State& state, const Motions& e, double a, double b) {
+double scaled_heat(State& state, const Motions& e, double a, double b) {
   scale(state.p, a);
   scale(state.ell, b);
   return (a * a - 1) * e.translation + (b * b - 1) * e.rotation;
@@ -56,7 +51,7 @@ double act(const Rescaling& type, const ThermostatBodies& of, State& state, doub
   const Motions e = motions(state, of);
   const double a = factor(e.kinetic, of.degrees_of_freedom.all(), t / type.time_constant, of,
                           stream_of(RandomUse::thermostat, at));
-  return scale(state, e, a, a);
+  return scaled_heat(state, e, a, a);
 }
 
 double act(const SeparateRescaling& type, const ThermostatBodies& of, State& state, double t,
@@ -66,7 +61,7 @@ double act(const SeparateRescaling& type, const ThermostatBodies& of, State& sta
   const double a = factor(e.translation, n, time, of, stream_of(RandomUse::thermostat, at));
   const double b = factor(e.rotation, of.degrees_of_freedom.all() - n, time, of,
                           stream_of(RandomUse::thermostat_rotation, at));
-  return scale(state, e, a, b);
+  return scaled_heat(state, e, a, b);
 }
 
 }  // namespace

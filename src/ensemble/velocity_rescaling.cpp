@@ -16,8 +16,8 @@ double gamma_variate(double a, Random& random) {
   }
 }
 
-}  // namespace
-
+/// A random sum of the squares of n independent normal deviates, where n ≥ 0 need not be an
+/// integer.
 double sum_of_squares(double n, Random& random) {
   if (n <= 0) return 0;
   if (n >= 2) return 2 * gamma_variate(n / 2, random);
@@ -25,6 +25,8 @@ double sum_of_squares(double n, Random& random) {
   const double a = n / 2;
   return 2 * gamma_variate(a + 1, random) * std::pow(random.uniform(), 1 / a);
 }
+
+}  // namespace
 
 double rescaling_factor(double kinetic, double n, double kT, double ratio, Random random) {
   if (n <= 0 || kinetic <= 0 || ratio == 0) return 1;

@@ -13,8 +13,4 @@ namespace polhode {
 /// @param ratio    time divided by the time constant, t/τ
 double rescaling_factor(double kinetic, double n, double kT, double ratio, Random random);
 
-/// A random sum of the squares of n independent normal deviates, where n ≥ 0 need not be an
-/// integer.
-double sum_of_squares(double n, Random& random);
-
 }  // namespace polhode

@@ -7,14 +7,23 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "base/counting_sort.hpp"
-#include "model/cell_width.hpp"
 #include "model/wrap.hpp"
 
 namespace polhode {
+
+/// The width of cells [nm]: `width`, increased until the box has at most `max_cells` whole cells,
+/// and at least one along each edge. The cells of a large, sparsely filled box are therefore large.
+inline double cell_width(const Box& box, double width, double max_cells) {
+  const auto along = [&](double edge) { return std::max(1.0, std::floor(edge / width)); };
+  while (along(box.edge.x) * along(box.edge.y) * along(box.edge.z) > std::max(max_cells, 1.0))
+    width *= 1.25;
+  return width;
+}
 
 /// Items sorted by cells that are at least as wide as a range. Items closer than the range are in
 /// the same cell or in neighbouring cells.

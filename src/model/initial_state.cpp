@@ -97,11 +97,9 @@ void draw_momenta(State& state, const Topology& topology, double temperature, st
         norm2(state.p[i]) * bodies.inverse_m[i] + dot(L, scaled(bodies.inverse_J[i], L));
   }
   if (twice_energy == 0) return;
-  const double scale = std::sqrt(degrees_of_freedom(topology).all() * kT / twice_energy);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    state.p.set(i, scale * state.p[i]);
-    state.ell.set(i, scale * state.ell[i]);
-  }
+  const double factor = std::sqrt(degrees_of_freedom(topology).all() * kT / twice_energy);
+  scale(state.p, factor);
+  scale(state.ell, factor);
 }
 
 }  // namespace polhode

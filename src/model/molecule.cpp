@@ -105,19 +105,8 @@ void check_lever(Site& site, Top top, const std::string& molecule) {
 }  // namespace
 
 const char* name(Top top) {
-  switch (top) {
-    case Top::atom:
-      return "atom";
-    case Top::linear:
-      return "linear";
-    case Top::spherical:
-      return "spherical";
-    case Top::symmetric:
-      return "symmetric";
-    case Top::asymmetric:
-      return "asymmetric";
-  }
-  return "";
+  constexpr const char* names[] = {"atom", "linear", "spherical", "symmetric", "asymmetric"};
+  return names[static_cast<std::size_t>(top)];
 }
 
 double Molecule::charge() const {

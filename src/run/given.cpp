@@ -8,7 +8,6 @@
 
 #include "base/from_chars.hpp"
 #include "io/settings/required_bias.hpp"
-#include "polhode/io/settings/requirement.hpp"
 
 namespace polhode {
 namespace {

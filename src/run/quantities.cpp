@@ -337,6 +337,10 @@ SeriesEstimate nested(const Estimate& e) {
   return {e.value, e.error, Known::yes};
 }
 
+std::optional<SeriesEstimate> nested(const std::optional<Estimate>& e) {
+  return e ? std::optional(nested(*e)) : std::nullopt;
+}
+
 void append(Quantities& list, Quantities more) {
   std::move(more.begin(), more.end(), std::back_inserter(list));
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ Quantities without_labels(Quantities list);
 /// An estimate from independent runs, which is an object with value and error in JSON; not known if
 /// the value is not finite.
 SeriesEstimate nested(const Estimate& estimate);
+std::optional<SeriesEstimate> nested(const std::optional<Estimate>& estimate);
 
 /// Adds quantities to a list.
 void append(Quantities& list, Quantities more);

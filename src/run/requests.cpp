@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/requests.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <limits>
 
@@ -9,8 +9,8 @@
 #include "io/settings/output_units.hpp"
 #include "io/settings/required_bias.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/run/top/top.hpp"
 #include "run/listing/verification.hpp"
-#include "run/study/study_request.hpp"
 
 namespace polhode {
 namespace {
@@ -22,14 +22,9 @@ std::string time_text(double time) {
   return time < 1 ? fmt::format("{:g} fs", time * units::fs_per_ps) : fmt::format("{:g} ps", time);
 }
 
-/// Calls f; if f throws an error, adds the option as the place of the error.
-template <class F>
-auto at(const Given& given, const F& read) {
-  try {
-    return read();
-  } catch (const Error& e) {
-    throw e.at(given.name);
-  }
+Vec3<double> three_numbers(const Given& given) {
+  const std::vector<double> x = given_numbers(given, 3, "\"1, 2, 3\"");
+  return {x[0], x[1], x[2]};
 }
 
 }  // namespace
@@ -176,7 +171,7 @@ TuneSettings TuneRequest::settings(const Config& config) const {
   TuneSettings s;
   if (scheme) {
     s.scheme = with_own_schemes(scheme.text, config.schemes);
-    at(scheme, [&] { return nested_scheme_of(s.scheme); });
+    at_place(scheme.name, [&] { nested_scheme_of(s.scheme); });
   }
   take_positive(s.step, step, Dimension::time);
   if (runs) s.runs = static_cast<int>(given_whole_number(runs, 2, 1000));
@@ -220,11 +215,43 @@ int VerificationRequest::expected_order() const {
 
 double VerificationRequest::gradient_lambda(const NestedScheme& scheme) const {
   if (!lambda) return 1e-4;
-  at(lambda, [&] {
-    check_lambda(scheme);
-    return true;
-  });
+  at_place(lambda.name, [&] { check_lambda(scheme); });
   return given_number(lambda, 1e-8, 1);
+}
+
+std::vector<RequestOption<TopRequest>> TopRequest::options() {
+  using R = TopRequest;
+  return {
+      {"J", &R::J, "principal moments of inertia in any consistent units: \"1, 2, 3\""},
+      {"L", &R::L, "body-frame angular momentum: \"0.1, 0.2, 1\""},
+      {"step", &R::step, "time step; default: a rotation by 0.2 rad per step"},
+      {"length", &R::length, "length of the trajectory; default: 200 steps"},
+      {"output", &R::output,
+       "prefix of a figure of the polhode on the inertia ellipsoid: PREFIX.svg, .png, .dat, .gp"},
+      {"table", &R::table,
+       "CSV file with the columns I1,I2,I3,L1,L2,L3,t and one top per row; prints the rotation of "
+       "each top"},
+      {"method", &R::method,
+       fmt::format("method for the table: {}; default: {}",
+                   fmt::join(enum_names<RotorMethod>, ", "), enum_names<RotorMethod>[0])}};
+}
+
+FreeTop TopRequest::top() const {
+  FreeTop top;
+  if (J) top.J = three_numbers(J);
+  if (L) top.L = three_numbers(L);
+  if (!J || !L)
+    throw Error(fmt::format("a top needs three principal moments and three components of angular "
+                            "momentum: write for example {} 1,2,3 {} 0.1,0.2,1, or give a {}",
+                            J.name, L.name, table.name),
+                J.name + ", " + L.name);
+  if (step) top.step = given_numbers(step, 1, "0.1").front();
+  if (length) top.length = given_numbers(length, 1, "20").front();
+  return top;
+}
+
+std::string TopRequest::rotated_table() const {
+  return rotate_table(table.text, method ? given_name<RotorMethod>(method) : RotorMethod::series);
 }
 
 }  // namespace polhode

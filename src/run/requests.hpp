@@ -10,9 +10,11 @@
 #include "polhode/run/adviser/adviser.hpp"
 #include "polhode/run/study/tune.hpp"
 #include "run/benchmark/benchmark.hpp"
+#include "run/canonical/canonical_report.hpp"
 #include "run/canonical/hybrid_adviser.hpp"
 #include "run/conversion/conversion.hpp"
 #include "run/given.hpp"
+#include "run/study/study_report.hpp"
 
 namespace polhode {
 
@@ -50,6 +52,30 @@ struct AdviceRequest {
   HybridAdviserSettings hybrid_settings(const Config& config, bool schemes_given) const;
 };
 
+struct StudyRequest {
+  Given from_record, output;
+  bool quick = false;
+
+  static std::vector<RequestOption<StudyRequest>> options();
+  std::string prefix() const { return output ? output.text : "study"; }
+};
+
+/// Performs the study of the settings, or makes the tables and the figure of a record. An
+/// interrupted study resumes from its record.
+/// @param use  function that receives the report of either kind of study; its result is returned
+template <class Use>
+auto perform_study(Config config, const StudyRequest& request, OutputOptions output,
+                   const Callbacks& callbacks, Workers& workers, const Use& use) {
+  config.study.coarse = request.quick;
+  if (output.existing == ExistingFiles::refuse && !request.from_record)
+    output.existing = ExistingFiles::resume;
+  const auto perform = [&](auto run) {
+    return use(run(config, request.from_record.text, request.prefix(), output, callbacks, workers));
+  };
+  if (config.study.ensemble == StudyEnsemble::nvt) return perform(run_canonical_study);
+  return perform(run_study);
+}
+
 struct TuneRequest {
   Given scheme, step, runs, length, decorrelate, sample;
 
@@ -73,6 +99,24 @@ struct VerificationRequest {
   /// The displacement factor λ of gradient kicks.
   /// @param scheme  scheme with this factor in its gradients
   double gradient_lambda(const NestedScheme& scheme) const;
+};
+
+/// A free top and the times of its trajectory, in any consistent units.
+struct FreeTop {
+  Vec3<double> J, L;  ///< principal moments, and angular momentum in the body frame
+  double step = 0, length = 0;
+};
+
+struct TopRequest {
+  Given J, L, step, length, output, table, method;
+
+  static std::vector<RequestOption<TopRequest>> options();
+  /// The top that the request describes.
+  /// @throws Error  unless the request has three moments and three components of L; the message
+  ///   names the option
+  FreeTop top() const;
+  /// The rotations of a table of tops, see rotate_table().
+  std::string rotated_table() const;
 };
 
 }  // namespace polhode

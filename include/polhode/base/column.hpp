@@ -145,6 +145,12 @@ struct Vec3Column : Components<3> {
   void add(std::size_t i, const Vec3<double>& v) { set(i, (*this)[i] + v); }
 };
 
+/// Multiplies the vectors of all bodies by a factor.
+inline void scale(Vec3Column& vectors, double factor) {
+  for (Component* const column : {&vectors.x, &vectors.y, &vectors.z})
+    for (std::size_t i = 0; i < column->size(); ++i) (*column)[i] *= factor;
+}
+
 /// Four columns that hold one unit quaternion for each body; the padding is the identity.
 struct QuaternionColumn : Components<4> {
   Component w, x, y, z;

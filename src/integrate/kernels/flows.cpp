@@ -20,21 +20,28 @@ namespace {
 /// each body.
 constexpr double max_by_series = 16;
 
-Quaternion<Real> closed_rotations(const Vec3Column& J, const Vec3<Real>& L, double t,
-                                  std::size_t first) {
+/// The rotations of the bodies of a pack, each computed for a single body.
+/// @param rotation  function that returns the rotation for a lane, and for the vector in this lane
+Quaternion<Real> lane_by_lane(const Vec3<Real>& v, const auto& rotation) {
   alignas(pack_bytes) double lane[7][Real::width];
-  L.x.store(lane[0]);
-  L.y.store(lane[1]);
-  L.z.store(lane[2]);
+  v.x.store(lane[0]);
+  v.y.store(lane[1]);
+  v.z.store(lane[2]);
   for (std::size_t k = 0; k < Real::width; ++k) {
-    const Quaternion<double> r =
-        closed_rotation(J[first + k], {lane[0][k], lane[1][k], lane[2][k]}, t).rotation;
+    const Quaternion<double> r = rotation(k, {lane[0][k], lane[1][k], lane[2][k]});
     lane[3][k] = r.w;
     lane[4][k] = r.x;
     lane[5][k] = r.y;
     lane[6][k] = r.z;
   }
   return {Real::load(lane[3]), Real::load(lane[4]), Real::load(lane[5]), Real::load(lane[6])};
+}
+
+Quaternion<Real> closed_rotations(const Vec3Column& J, const Vec3<Real>& L, double t,
+                                  std::size_t first) {
+  return lane_by_lane(L, [&](std::size_t k, const Vec3<double>& l) {
+    return closed_rotation(J[first + k], l, t).rotation;
+  });
 }
 
 /// Largest half angle for which the series below is accurate to the last digit: x^14/15! and
@@ -45,20 +52,8 @@ constexpr double max_half_angle = 0.25;
 /// are computed body by body.
 Quaternion<Real> rodrigues_pack(const Vec3<Real>& v) {
   const Real y = Real(0.25) * norm2(v);  // half angle squared
-  if (any(y > Real(max_half_angle * max_half_angle))) {
-    alignas(pack_bytes) double lane[7][Real::width];
-    v.x.store(lane[0]);
-    v.y.store(lane[1]);
-    v.z.store(lane[2]);
-    for (std::size_t k = 0; k < Real::width; ++k) {
-      const Quaternion<double> r = rodrigues({lane[0][k], lane[1][k], lane[2][k]});
-      lane[3][k] = r.w;
-      lane[4][k] = r.x;
-      lane[5][k] = r.y;
-      lane[6][k] = r.z;
-    }
-    return {Real::load(lane[3]), Real::load(lane[4]), Real::load(lane[5]), Real::load(lane[6])};
-  }
+  if (any(y > Real(max_half_angle * max_half_angle)))
+    return lane_by_lane(v, [](std::size_t, const Vec3<double>& u) { return rodrigues(u); });
   const SineCosine<Real> f = taylor_sine_cosine<6, 6>(y);
   const Real s = Real(0.5) * f.sine;
   return {f.cosine, s * v.x, s * v.y, s * v.z};

@@ -8,17 +8,16 @@
 #include <cmath>
 #include <utility>
 
-#include "../study/temperature_differences.hpp"
 #include "io/figures/plot.hpp"
 #include "io/files/with_error.hpp"
 #include "io/files/write_file.hpp"
 #include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "run/adviser/advice_curves.hpp"
 #include "run/output_files.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/system_notes.hpp"
+#include "run/study/equipartition.hpp"
 
 namespace polhode {
 namespace {
@@ -337,6 +336,110 @@ Quantities quantities(const AdviceReport& r) {
   append(list, limits(equipartition(curves(advice))));
   if (!advice.stopped) list.push_back(row_of_files(r.files.all()));
   return list;
+}
+
+EfficiencyPoint efficiency_point(const Candidate& candidate, const AdviserPoint& point) {
+  const StudyPoint studied{candidate.name, {candidate.scheme}, point.step};
+  std::vector<StudyRun> runs;
+  for (const Outcome& run : point.runs)
+    runs.push_back({.scheme = studied.record_name(),
+                    .step = point.step,
+                    .start = static_cast<int>(runs.size()),
+                    .stable = run.failure.empty(),
+                    .ratio = run.ratio,
+                    .drift = run.drift,
+                    .temperature = run.temperatures.all,
+                    .rounding = run.rounding,
+                    .parts = run.temperatures,
+                    .configurational = run.configurational});
+  return efficiency_points({studied}, runs, point.length).front();
+}
+
+std::vector<Curve> curves(const Advice& advice) {
+  std::vector<Curve> all;
+  for (std::size_t c = 0; c < advice.candidates.size(); ++c) {
+    const Candidate& candidate = advice.candidates[c];
+    std::vector<AdviserPoint> points = candidate.points;
+    for (const auto* sets : {&advice.refused, &advice.surpassed})
+      for (const auto& [of, point] : *sets)
+        if (of == c) points.push_back(point);
+    if (advice.best == c) points.push_back(advice.confirmation);
+    std::stable_sort(points.begin(), points.end(),
+                     [](const auto& a, const auto& b) { return a.step < b.step; });
+    Curve curve{candidate.name, {}, 0};
+    bool usable = true;
+    for (const AdviserPoint& point : points) {
+      usable = usable && point.usable;
+      if (usable) ++curve.usable;
+      curve.points.push_back(efficiency_point(candidate, point));
+    }
+    all.push_back(curve);
+  }
+  return all;
+}
+
+std::string bound_text(Quality quality, double bound) {
+  switch (quality) {
+    case Quality::drift:
+      return fmt::format("{:.3g} kJ/mol/ns", bound / unit("kJ/mol/ns", Dimension::power));
+    case Quality::temperature_difference:
+      return fmt::format("{:.3g} K", bound);
+    case Quality::energy_bias:
+      return fmt::format("{:.3g} kJ/mol", bound);
+    case Quality::pressure_bias:
+      return fmt::format("{:.3g} bar", bound / unit("bar", Dimension::pressure));
+    case Quality::ratio:
+    case Quality::temperature_bias:
+      break;
+  }
+  return fmt::format("{:.3g} %", 100 * bound);
+}
+
+std::string description(const Criterion& criterion) {
+  const std::string_view name = name_of(criterion.quality);
+  const bool vowel = name[0] == 'e' || name[0] == 'R';
+  return fmt::format("{} {} of at most {}", vowel ? "an" : "a", name,
+                     bound_text(criterion.quality, criterion.bound));
+}
+
+std::string unreachable(const Advice& advice, const Criterion& criterion) {
+  const Candidate* best = nullptr;
+  const AdviserPoint* reached = nullptr;
+  const auto consider = [&](const Candidate& candidate, const AdviserPoint& point) {
+    if (!point.usable || (reached && reached->bound <= point.bound)) return;
+    best = &candidate;
+    reached = &point;
+  };
+  for (const Candidate& candidate : advice.candidates)
+    for (const AdviserPoint& point : candidate.points) consider(candidate, point);
+  for (const auto& [c, point] : advice.refused) consider(advice.candidates[c], point);
+  std::string text =
+      fmt::format("no scheme was found that meets {} for this system", description(criterion));
+  if (!reached)
+    return text +
+           "; at every step tried, a run blew up or had an energy drift: equilibrate longer, or "
+           "check the initial configuration";
+  text += fmt::format("; the smallest bound reached is {}, with {} at {:.3g} fs",
+                      bound_text(criterion.quality, reached->bound), best->name,
+                      reached->step * units::fs_per_ps);
+  if (reached->max_rounding() > 0.5 * reached->ratio().value)
+    text += fmt::format(
+        ". At this step the round-off limit of mixed precision is R = {:.2g} %; precision = "
+        "\"double\" removes this limit",
+        100 * reached->max_rounding());
+  if (criterion.quality != Quality::ratio)
+    text +=
+        ". The bound includes the standard error of the mean; a longer search or longer runs "
+        "reduce this error";
+  return text;
+}
+
+std::string answer(const Advice& advice) {
+  const AdviserPoint& p = advice.confirmation;
+  const Estimate R = p.ratio();
+  return fmt::format("{} at {:.3g} fs, R = {:.3g} ± {:.2g} % in {} independent runs of {:.3g} ps",
+                     advice.candidates[*advice.best].name, p.step * units::fs_per_ps, 100 * R.value,
+                     100 * R.error, p.runs.size(), p.length);
 }
 
 }  // namespace polhode

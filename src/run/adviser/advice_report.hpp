@@ -8,6 +8,7 @@
 #include "polhode/run/adviser/adviser.hpp"
 #include "polhode/run/outputs.hpp"
 #include "polhode/run/quantities.hpp"
+#include "run/study/guideline.hpp"
 
 namespace polhode {
 
@@ -39,6 +40,13 @@ AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,
 /// The results of the adviser as a list, from which text, JSON, the table of points and the manual
 /// are made.
 Quantities quantities(const AdviceReport& report);
+
+/// The test runs of a candidate at one step, as a point of a figure.
+EfficiencyPoint efficiency_point(const Candidate& candidate, const AdviserPoint& point);
+
+/// The curves of all candidates, with points ordered by step. The curves contain the exploratory
+/// and the confirming runs that the adviser considered usable.
+std::vector<Curve> curves(const Advice& advice);
 
 /// A bound as text, in the unit in which users enter it: "0.5 %" or "0.1 kJ/mol/ns".
 std::string bound_text(Quality quality, double bound);

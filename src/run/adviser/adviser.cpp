@@ -13,20 +13,17 @@
 
 #include "base/stopwatch.hpp"
 #include "candidate_time.hpp"
-#include "first_step.hpp"
-#include "io/settings/output_units.hpp"
 #include "io/settings/scheme_labels.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
 #include "run/adviser/bias_conversion.hpp"
-#include "run/adviser/effort.hpp"
 #include "run/adviser/resumable_run.hpp"
 #include "run/adviser/step_search.hpp"
 #include "run/progress_pace.hpp"
-#include "run/simulation/system/einstein_frequency.hpp"
 #include "run/simulation/system/relaxation.hpp"
+#include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {
 namespace {

@@ -98,7 +98,7 @@ bool blew_up(const std::vector<Outcome>& runs) {
 }
 
 bool drifts(const std::vector<Outcome>& runs, double significance_level) {
-  const auto rates = each(runs, [](const Outcome& run) { return run.drift; });
+  const auto rates = each(runs, &Outcome::drift);
   return drift_of_series(rates).p_value < significance_level;
 }
 
@@ -117,12 +117,9 @@ bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, doub
 
 double upper_bound(Quality quality, const std::vector<Outcome>& runs) {
   if (blew_up(runs)) return std::numeric_limits<double>::infinity();
-  const auto values = [&](double Outcome::*member) {
-    return each(runs, [member](const Outcome& run) { return run.*member; });
-  };
   const auto size = [&](double Outcome::*member, double Outcome::*common = nullptr) {
-    return common ? bound_with_common_error(values(member), values(common))
-                  : size_bound(values(member), guarantee_probability);
+    return common ? bound_with_common_error(each(runs, member), each(runs, common))
+                  : size_bound(each(runs, member), guarantee_probability);
   };
   switch (quality) {
     case Quality::ratio:
@@ -161,21 +158,16 @@ double upper_bound(const Criterion& criterion, const std::vector<Outcome>& runs)
   return std::max(bound, criterion.bound * upper_bound(Quality::ratio, runs) / max_ratio);
 }
 
-Estimate AdviserPoint::ratio() const {
-  return mean(each(runs, [](const Outcome& run) { return run.ratio; }));
-}
+Estimate AdviserPoint::ratio() const { return mean(each(runs, &Outcome::ratio)); }
 
-Estimate AdviserPoint::drift() const {
-  return mean(each(runs, [](const Outcome& run) { return run.drift; }));
-}
+Estimate AdviserPoint::drift() const { return mean(each(runs, &Outcome::drift)); }
 
 Estimate AdviserPoint::bias(std::size_t kind) const {
   return mean(each(runs, [kind](const Outcome& run) { return run.bias[kind]; }));
 }
 
 double AdviserPoint::max_rounding() const {
-  const auto values = each(runs, [](const Outcome& run) { return run.rounding; });
-  return *std::max_element(values.begin(), values.end());
+  return std::ranges::max(each(runs, &Outcome::rounding));
 }
 
 }  // namespace polhode

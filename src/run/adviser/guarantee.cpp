@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/output_error.hpp"
+#include "io/files/with_error.hpp"
 #include "io/files/write_file.hpp"
+#include "io/settings/quantity.hpp"
 #include "io/settings/scheme_labels.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/files/table_file.hpp"
@@ -116,6 +118,29 @@ std::optional<GuaranteeCheck> check_guarantee(const Guarantee& guarantee,
         return check(summary.step_bias->volume, -summary.ensemble.barostat->volume.value);
   }
   return std::nullopt;
+}
+
+std::string guarantee_text(const GuaranteeCheck& k) {
+  const auto text = [&](const char* name, double unit, const char* unit_text) {
+    return fmt::format("{} {} {}", name, with_error(k.value.value / unit, k.value.error / unit),
+                       unit_text);
+  };
+  const auto found = [&]() -> std::string {
+    switch (k.guarantee.accuracy.of) {
+      case RequiredOf::ratio:
+        return fmt::format("{} over {:.3g} ps", text("R =", 0.01, "%"), k.guarantee.length);
+      case RequiredOf::temperature_difference:
+        return text("bias of T_rot - T_trans", 1, "K");
+      case RequiredOf::energy:
+        return text("bias of the potential energy", 1, "kJ/mol per molecule");
+      case RequiredOf::pressure:
+        return text("bias of the pressure", unit("bar", Dimension::pressure), "bar");
+      case RequiredOf::density:
+        return text("bias of the density", 0.01, "%");
+    }
+    return "";
+  };
+  return fmt::format("{}; the accuracy guarantee is {}", found(), text_of(k.guarantee.accuracy));
 }
 
 }  // namespace polhode

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "run/adviser/step_search.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "io/settings/output_units.hpp"
+#include "polhode/base/error.hpp"
 
 namespace polhode {
 namespace {
@@ -107,6 +112,26 @@ std::optional<double> next_of_ladder(const StepSearch& search, const Range& rang
 
 }  // namespace
 
+void check_forces(double frequency, const std::string& source) {
+  // The Einstein frequency exceeds 0.1 per ps in any liquid and in most gases. If the frequency is
+  // far lower, the forces are only round-off errors.
+  constexpr double min_frequency = 1e-6;
+  if (!(frequency > min_frequency))
+    throw Error(
+        "the forces in the initial configuration are nearly zero, as on a perfect lattice, so the "
+        "first step cannot be estimated; equilibrate first, for example with equilibrate = \"5 "
+        "ps\" in [run]",
+        source);
+}
+
+void check_length(double length, double first, std::string_view scheme) {
+  if (length < 10 * first)
+    throw Error(
+        fmt::format("runs of {:g} fs are too short for advice; a run must have at least ten steps "
+                    "of {:.3g} fs, the first time step tried with the scheme {}: use longer runs",
+                    units::fs_per_ps * length, units::fs_per_ps * first, scheme));
+}
+
 double three_digits(double step) {
   const double unit = std::pow(10, std::floor(std::log10(step)) - 2);
   return std::floor(step / unit * (1 + 1e-12)) * unit;
@@ -127,8 +152,7 @@ double shortening(const Criterion& criterion, const std::vector<Outcome>& runs,
     // The scatter of an incomplete set of runs is poorly known. If the first run exceeds the
     // required bound by x %, the prediction bound of eight runs exceeds the required bound by about
     // 2x %.
-    const auto ratios = each(runs, [](const Outcome& run) { return run.ratio; });
-    excess = std::pow(*std::max_element(ratios.begin(), ratios.end()) / criterion.bound, 2);
+    excess = std::pow(std::ranges::max(each(runs, &Outcome::ratio)) / criterion.bound, 2);
   }
   return std::clamp(std::pow(excess, -1 / exponent), 0.6, 0.97);
 }
@@ -170,8 +194,7 @@ FoundStep found_step(const StepSearch& search, const std::vector<AdviserPoint>& 
   std::vector<StepPoint> around;
   for (const AdviserPoint& point : range.usable)
     if (point.step > nearby * at && point.step < 1.1 * at)
-      around.push_back(
-          {point.step, each(point.runs, [](const Outcome& run) { return run.ratio; })});
+      around.push_back({point.step, each(point.runs, &Outcome::ratio)});
   if (around.size() < 2) return {};
   FoundStep found{0, StepModel(search.order, around)};
   const double largest_usable = around.back().step;

@@ -4,12 +4,26 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "polhode/run/adviser/criterion.hpp"
 #include "polhode/run/adviser/step_model.hpp"
 
 namespace polhode {
+
+/// Checks that the system has forces.
+/// @param frequency  frequency of the fastest motions [1/ps], from einstein_frequency()
+/// @param source     file of the initial configuration's run, for error messages
+/// @throws Error  if the forces are only round-off
+void check_forces(double frequency, const std::string& source);
+
+/// Checks the length of the test runs.
+/// @param length  length of the runs [ps]
+/// @param first   first step to be tried [ps]
+/// @throws Error  if a run has less than ten steps
+void check_length(double length, double first, std::string_view scheme);
 
 struct StepSearch {
   Criterion criterion;

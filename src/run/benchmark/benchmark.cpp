@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <numeric>
 
 #include "base/stopwatch.hpp"
 #include "forces/pairs/neighbours.hpp"

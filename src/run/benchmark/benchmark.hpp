@@ -10,6 +10,7 @@
 #include "io/settings/output_units.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/run/callbacks.hpp"
+#include "polhode/run/quantities.hpp"
 #include "run/benchmark/peak_performance.hpp"
 
 namespace polhode {
@@ -77,5 +78,14 @@ ForceSettings with_interactions(ForceSettings settings, std::string_view interac
 /// The number of pairs of bodies that are closer than a distance. The distance must be below half
 /// of the shortest box edge.
 std::size_t pairs_within(const State& state, double distance);
+
+/// The computer on which the benchmark ran.
+struct Computer {
+  std::string processor, instruction_set;
+  std::vector<int> threads;
+};
+
+/// The results of a benchmark as a list, from which text, JSON and the manual are made.
+Quantities quantities(const Benchmark& benchmark, const Computer& computer);
 
 }  // namespace polhode

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/benchmark/benchmark_report.hpp"
-
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -10,6 +8,7 @@
 #include "base/version.hpp"
 #include "forces/laws/setting_names.hpp"
 #include "io/settings/output_units.hpp"
+#include "run/benchmark/benchmark.hpp"
 #include "run/quantity_lists.hpp"
 
 namespace polhode {
@@ -137,12 +136,6 @@ Quantities of_systems(const std::vector<SystemTiming>& systems) {
           detail({"", "", steps, "", "a step and its parts"})};
 }
 
-std::string join(const std::vector<std::string>& parts, const char* between = ", ") {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : between) + part;
-  return text;
-}
-
 /// Another timing of a system, such as that with one thread.
 const SystemTiming* like(const Benchmark& b, const SystemTiming& s, Precision precision,
                          int threads) {
@@ -234,20 +227,19 @@ std::vector<std::string> verdict(const Benchmark& b) {
 }  // namespace
 
 Quantities quantities(const Benchmark& b, const Computer& computer) {
-  std::vector<std::string> instruction_sets, threads;
+  std::vector<std::string> instruction_sets;
   for (const InstructionSet instruction_set : available_instruction_sets())
     instruction_sets.emplace_back(name(instruction_set));
-  for (const int n : computer.threads) threads.push_back(std::to_string(n));
   std::vector<Quantities> limits;
   for (const Limit& limit : b.limits) limits.push_back(of_limit(limit));
   Quantities list = {
       {"version", "", version(), "version of the program"},
       {"processor", "", computer.processor, "name of the processor", "processor"},
       {"instruction_set", "", computer.instruction_set, "instruction set that was measured",
-       "instruction set", fmt::format(" (available: {})", join(instruction_sets))},
+       "instruction set", fmt::format(" (available: {})", fmt::join(instruction_sets, ", "))},
       {"instruction_sets", "", instruction_sets, "instruction sets of this computer"},
       {"threads", "", computer.threads, "numbers of threads"},
-      row("threads", join(threads)),
+      row("threads", fmt::format("{}", fmt::join(computer.threads, ", "))),
       detail({"limits", "", limits, "speed of one core", "one core, best of all repeats"})};
   append(list, of_systems(b.systems));
   const std::vector<Quantities> steps = table_of_steps(b, computer.threads);

@@ -18,8 +18,6 @@ namespace polhode {
 struct Timing {
   double best = 0, median = 0;
   double spread() const { return best > 0 ? median / best - 1 : 0; }
-  /// The timing converted to another unit.
-  Timing operator*(double factor) const { return {factor * best, factor * median}; }
 };
 Timing timing(std::vector<double> repeats);
 

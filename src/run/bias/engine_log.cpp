@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "run/bias/engine_log.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <sstream>
-#include <utility>
 
 #include "io/files/split_words.hpp"
 #include "io/files/text_file.hpp"
 #include "io/formats/lines.hpp"
 #include "polhode/base/error.hpp"
+#include "run/bias/log_bias.hpp"
 
 namespace polhode {
 namespace {

@@ -53,28 +53,18 @@ struct CanonicalReport {
 /// Performs a canonical study and writes its record, tables and figure. An interrupted study
 /// resumes: runs in an existing record are not repeated, unless the user asked to replace existing
 /// files.
+/// @param record  existing record, whose tables and figure are made without new runs; empty to
+///   perform the study
 /// @param prefix  prefix of the output files
-/// @throws Error  before anything is computed, if a setting is invalid, or outputs of another study
-///   exist
-CanonicalReport run_canonical_study(const Config& config, const std::string& prefix = "study",
-                                    const OutputOptions& options = {},
-                                    const Callbacks& callbacks = {},
-                                    Workers& workers = Workers::serial());
-
-/// Makes the tables and the figure of an existing record, without new runs.
-/// @throws Error  under the same conditions as run_canonical_study(), or if the record does not
-///   exist
-CanonicalReport report_canonical_record(const Config& config, const std::string& record,
-                                        const std::string& prefix = "study",
-                                        const OutputOptions& options = {},
-                                        const Callbacks& callbacks = {});
+/// @throws Error  before anything is computed, if a setting is invalid, outputs of another study
+///   exist, or the given record does not exist
+CanonicalReport run_canonical_study(const Config& config, const std::string& record,
+                                    const std::string& prefix, const OutputOptions& options,
+                                    const Callbacks& callbacks, Workers& workers);
 
 /// The results of a canonical study as a list, from which text, JSON, the table of points and the
 /// manual are made.
 Quantities quantities(const CanonicalReport& report);
-
-/// A sentence on the forces, runs and heat bath of a canonical study.
-std::string canonical_conditions(const Config& config);
 
 /// Conclusions for a criterion: a sentence for each scheme, and a sentence on the cheapest sample.
 std::vector<std::string> canonical_sentences(const CanonicalFindings& findings,

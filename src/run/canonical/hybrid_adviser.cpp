@@ -21,7 +21,7 @@
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
 #include "run/quantity_lists.hpp"
-#include "run/simulation/system/einstein_frequency.hpp"
+#include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {
 namespace {
@@ -57,6 +57,14 @@ std::optional<AutocorrelationTime> autocorrelation_time(const std::vector<Hybrid
     counted.push_back(std::span(run.potential).subspan(static_cast<std::size_t>(discarded * n)));
   }
   return polhode::autocorrelation_time(counted);
+}
+
+/// Sorts choices by the cost of a sample, and removes choices with an unknown cost.
+void sort_by_cost(std::vector<HybridChoice>& choices) {
+  std::erase_if(choices, [](const auto& choice) { return !choice.evaluations_per_sample; });
+  std::sort(choices.begin(), choices.end(), [](const auto& a, const auto& b) {
+    return a.evaluations_per_sample->value < b.evaluations_per_sample->value;
+  });
 }
 
 class HybridAdviser {
@@ -102,10 +110,7 @@ class HybridAdviser {
   }
 
   std::vector<HybridChoice> best_of(std::vector<HybridChoice> choices) const {
-    std::erase_if(choices, [](const auto& choice) { return !choice.evaluations_per_sample; });
-    std::sort(choices.begin(), choices.end(), [](const auto& a, const auto& b) {
-      return a.evaluations_per_sample->value < b.evaluations_per_sample->value;
-    });
+    sort_by_cost(choices);
     choices.resize(std::min(choices.size(), settings_.finalists));
     return choices;
   }
@@ -201,13 +206,12 @@ std::vector<Quantities> records_of(const std::vector<HybridChoice>& choices) {
     const auto known = [](const Estimate& e) {
       return std::isfinite(e.value) ? Value(nested(e)) : Value();
     };
-    const auto& cost = c.evaluations_per_sample;
     records.push_back(
         {{"step", "fs", c.step * units::fs_per_ps, "time step", "step"},
          {"steps", "", c.steps, "number of steps of a trajectory", "steps"},
          {"acceptance", "%", known(c.acceptance), "acceptance of proposals", "acceptance"},
          {"exp_dH", "", known(c.weight), "mean of exp(-dH/kT)", "<exp(-dH/kT)>"},
-         {"force_evaluations_per_sample", "", cost ? Value(nested(*cost)) : Value(),
+         {"force_evaluations_per_sample", "", nested(c.evaluations_per_sample),
           "force evaluations per independent sample of the potential energy U",
           "evaluations/sample"},
          row("remark", stable ? "" : "a run blew up")});
@@ -219,10 +223,7 @@ std::vector<Quantities> records_of(const std::vector<HybridChoice>& choices) {
 
 void rank(HybridAdvice& advice) {
   auto& list = advice.finalists;
-  std::erase_if(list, [](const auto& choice) { return !choice.evaluations_per_sample; });
-  std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) {
-    return a.evaluations_per_sample->value < b.evaluations_per_sample->value;
-  });
+  sort_by_cost(list);
   advice.equal.clear();
   for (std::size_t k = 1; k < list.size(); ++k) {
     const Estimate &best = *list[0].evaluations_per_sample, &cost = *list[k].evaluations_per_sample;

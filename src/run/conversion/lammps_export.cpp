@@ -310,12 +310,8 @@ std::vector<std::string> export_to_lammps(const Config& config, LammpsPairStyle 
   const LammpsTypes types(system.topology, system.forces.mixing.pairs.empty());
   std::vector<TextFile>
       texts;  // these texts are made before any file, because a potential may be rejected
-  PairCommands pairs;
-  try {
-    pairs = pair_commands(system, types, style, prefix, texts);
-  } catch (const Error& e) {
-    throw e.at(config.source);
-  }
+  const PairCommands pairs =
+      at_place(config.source, [&] { return pair_commands(system, types, style, prefix, texts); });
   const bool particles = style == LammpsPairStyle::particles;
   const std::string data = prefix + ".data", input = prefix + ".in";
   std::vector<std::string> files = {data};

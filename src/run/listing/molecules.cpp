@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/listing/molecules.hpp"
+#include "run/listing/lists.hpp"
 
 #include <fmt/core.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "io/settings/ensemble_names.hpp"
-#include "run/simulation/report/ensemble_warnings.hpp"
+#include "run/simulation/report/warning_rules.hpp"
 
 namespace polhode {
 namespace {
@@ -14,7 +14,7 @@ constexpr double max_relative_error = 0.5, min_relaxations = 8;
 // While the compressibility is not known: its growth in a stage, and its maximum relative to the
 // default.
 constexpr double growth = 4, largest_growth = 16;
-constexpr double far = 2;  // number of standard deviations of the volume
+constexpr double min_change = 2;  // number of standard deviations of the volume
 
 // Bounds on the compressibility relative to water (the default), from ice to a gas at a few bar.
 constexpr double least = 0.1, most = 1000;
@@ -45,7 +45,7 @@ double next_compressibility(const EnergyStatistics& energies, const BarostatSett
   const double present = barostat.compressibility;
   const double change = std::abs(energies.volume_drift().rate.value * length);
   const double fluctuation = std::sqrt(kT * present * energies.volume().value);
-  if (!(change > far * fluctuation) || present >= largest_growth * scale) return present;
+  if (!(change > min_change * fluctuation) || present >= largest_growth * scale) return present;
   return std::min(growth * present, largest_growth * scale);
 }
 

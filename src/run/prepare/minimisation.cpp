@@ -59,15 +59,8 @@ MinimisationReport minimise_configuration(const Config& run_file,
 }
 
 std::string reason(MinimisationEnd end) {
-  switch (end) {
-    case MinimisationEnd::converged:
-      return "converged";
-    case MinimisationEnd::max_steps:
-      return "maximum number of steps";
-    case MinimisationEnd::stopped:
-      return "interrupted";
-  }
-  return "";
+  constexpr const char* reasons[] = {"converged", "maximum number of steps", "interrupted"};
+  return reasons[static_cast<std::size_t>(end)];
 }
 
 Quantities quantities(const MinimisationReport& r) {

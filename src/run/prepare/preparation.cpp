@@ -8,16 +8,10 @@
 #include <filesystem>
 #include <utility>
 
-#include "base/instruction_set.hpp"
 #include "base/output_error.hpp"
 #include "base/stopwatch.hpp"
-#include "base/version.hpp"
-#include "equilibrium_warnings.hpp"
 #include "io/coordinates/gro.hpp"
-#include "io/files/checksum.hpp"
-#include "io/files/with_error.hpp"
 #include "io/files/write_file.hpp"
-#include "io/settings/ensemble_names.hpp"
 #include "io/settings/output_units.hpp"
 #include "io/settings/prepared_run_file.hpp"
 #include "io/settings/quantity.hpp"
@@ -66,8 +60,6 @@ std::vector<Stage> stages_of(const Config& config) {
   return stages;
 }
 
-ProgramVersion this_program() { return {version(), name(current_instruction_set())}; }
-
 struct PreparationFiles {
   std::string state, checkpoint, run_file;
   explicit PreparationFiles(const std::string& prefix)
@@ -97,10 +89,36 @@ void set_energy(System& system, double mean_total, Workers& workers) {
   const double kinetic = mean_total - now.potential();
   if (!(kinetic > 0) || !(now.kinetic() > 0)) return;
   const double factor = std::sqrt(kinetic / now.kinetic());
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    state.p.set(i, factor * state.p[i]);
-    state.ell.set(i, factor * state.ell[i]);
-  }
+  scale(state.p, factor);
+  scale(state.ell, factor);
+}
+
+/// A warning if the volume still changes by more than 0.5 %.
+std::optional<Warning> density_warning(const Drift& slope, double length, double volume) {
+  constexpr double min_change = 0.005, significance_level = 0.001;
+  const double change = slope.rate.value * length / volume;
+  const bool known = slope.known == Known::yes;
+  if ((known && slope.p_value > significance_level) || !(std::abs(change) >= min_change))
+    return std::nullopt;
+  return Warning{"density", change, min_change,
+                 fmt::format("the volume is still {}: by {:.2g} % in the last {:g} ps{}",
+                             change > 0 ? "growing" : "shrinking", 100 * std::abs(change), length,
+                             known ? "" : ", a time too short for an error estimate"),
+                 "prepare longer: npt = \"500 ps\" in [prepare], or give a density"};
+}
+
+/// A warning if the mean pressure shows that the density will still change by more than 0.5 %.
+std::optional<Warning> pressure_warning(const SeriesEstimate& pressure, const BarostatSettings& b) {
+  constexpr double min_change = 0.005;
+  const double bar = unit("bar", Dimension::pressure);
+  const double bound = std::max(three_sigma(pressure), min_change / b.compressibility);
+  if (pressure.known != Known::yes || std::abs(pressure.value - b.pressure) <= bound)
+    return std::nullopt;
+  return Warning{"barostat", pressure.value / bar, bound / bar,
+                 fmt::format("the mean pressure is {:.3g} bar instead of {:g} bar: the volume has "
+                             "not reached equilibrium",
+                             pressure.value / bar, b.pressure / bar),
+                 "prepare longer: npt = \"500 ps\" in [prepare], or give a density"};
 }
 
 class Preparation {
@@ -114,21 +132,242 @@ class Preparation {
         stages_(stages_of(config)),
         files_(config.output.prefix) {}
 
-  PreparationReport perform();
+  PreparationReport perform() {
+    PreparationReport report;
+    choose_density(report);
+    config_.run.minimise = true;
+    System system = build_system(config_);
+    report.molecules = system.topology.size();
+    note_molecules(system, callbacks_);
+    note_forces(system, callbacks_);
+    identity_ = identity_of(config_, system);
+    resumes_ = find_checkpoint();
+    if (resumes_) system.state = at_.state;
+    bool continues = resumes_ || begin(system);
+    while (continues && progress_.stage < stages_.size()) continues = run_stage(system);
+    report.minimisation = progress_.minimisation;
+    report.compressibility = progress_.compressibility;
+    if (progress_.minimisation.end != MinimisationEnd::stopped) {
+      report.checkpoint = files_.checkpoint;
+      report.files = {files_.checkpoint};
+    }
+    if (!continues) return report;
+    system.state = at_.state;
+    report.properties = properties(system);
+    if (const SeriesEstimate& measured = report.properties->compressibility;
+        report.compressibility > 0 && measured.known == Known::yes)
+      report.compressibility = measured.value;
+    write_files(system, report);
+    return report;
+  }
 
  private:
-  TrajectorySettings settings_of(std::size_t stage) const;
-  bool find_checkpoint();
-  void save(RunState at);
-  bool begin(System& system);
-  bool run_stage(System& system);
-  Trajectory run(System& system, const TrajectorySettings& settings);
+  void choose_density(PreparationReport& report) {
+    SystemSettings& s = config_.system;
+    if (!s.initial_configuration.empty()) return;
+    const Topology topology = build_topology(s);
+    report.estimated = !s.density && !s.box && config_.ensemble.barostat;
+    if (report.estimated) s.density = estimated_density(topology);
+    if (s.box) report.lattice_density = topology.mass() / Box{*s.box}.volume();
+    if (s.density) report.lattice_density = *s.density;
+    if (report.estimated)
+      callbacks_.note(
+          fmt::format("note: no density is given, so the lattice has {:.0f} kg/m3, estimated from "
+                      "the diameters of the sites; the barostat changes this density",
+                      kg_per_m3(*s.density)));
+  }
+
+  TrajectorySettings settings_of(std::size_t stage) const {
+    TrajectorySettings settings{.scheme = scheme_of("baoab"),
+                                .step = progress_.step,
+                                .length = stages_[stage].length,
+                                .sample = 0.02,
+                                .seed = derived_seed(config_.system.seed, streams + stage)};
+    settings.ensemble.temperature = config_.system.temperature;
+    settings.ensemble.thermostat = Langevin{friction, friction};
+    if (!stages_[stage].constant_pressure) return settings;
+    settings.ensemble.barostat = config_.ensemble.barostat;
+    if (progress_.compressibility > 0)
+      settings.ensemble.barostat->compressibility = progress_.compressibility;
+    return settings;
+  }
+
+  /// Finds the checkpoint from which to resume, if resuming is requested and a checkpoint exists.
+  bool find_checkpoint() {
+    const bool resumes = options_.existing == ExistingFiles::resume;
+    const bool exists = std::filesystem::exists(files_.checkpoint);
+    if (exists && options_.existing == ExistingFiles::refuse)
+      throw OutputError(fmt::format("'{}' exists: the preparation was started before; resume it, "
+                                    "give another output, or start over",
+                                    files_.checkpoint),
+                        true);
+    if (!resumes || !exists) {
+      check_outputs(files_.all(), options_.existing, inputs_of(config_));
+      if (resumes)
+        callbacks_.note("note: there is no checkpoint; the preparation starts from the beginning");
+      return false;
+    }
+    Checkpoint found = read_checkpoint_of(files_.checkpoint, identity_);
+    progress_ = found.preparation.value();
+    at_ = std::move(found.at);
+    return true;
+  }
+
+  void save(RunState at) {
+    at_ = std::move(at);
+    write_checkpoint(
+        {files_.checkpoint, ""},
+        {.identity = identity_, .command = options_.command, .at = at_, .preparation = progress_});
+  }
+
+  /// Begins the preparation.
+  /// @return false if the preparation was interrupted
+  bool begin(System& system) {
+    progress_.minimisation = minimise(system, bounds, watch_of(callbacks_), workers_);
+    callbacks_.note(description(progress_.minimisation));
+    if (progress_.minimisation.end == MinimisationEnd::stopped) return false;
+    check_separated(system, progress_.minimisation);
+    draw_momenta(system, config_.system.seed);
+    for (const std::string& file : files_.all()) std::filesystem::remove(file);
+    return true;
+  }
+
+  Trajectory run(System& system, const TrajectorySettings& settings) {
+    const std::size_t stage = progress_.stage;
+    double all = 0, before = 0;
+    for (std::size_t k = 0; k < stages_.size(); ++k) {
+      if (k < stage) before += stages_[k].length;
+      all += stages_[k].length;
+    }
+    const std::string name = stages_[stage].name;
+    const auto show = [&](std::size_t steps, const State& state, const Energies&) {
+      const double now = static_cast<double>(steps) * settings.step;
+      callbacks_.report({"preparing", (before + now) / all,
+                         fmt::format("{}, {:.0f} kg/m3", name,
+                                     kg_per_m3(system.topology.mass() / state.box.volume()))});
+    };
+    Stopwatch since_checkpoint;
+    const Watch watch{
+        .sample = show,
+        .stop = callbacks_.stop,
+        .due = [&] { return since_checkpoint.seconds() >= config_.output.checkpoint_every; },
+        .checkpoint =
+            [&](RunState at) {
+              save(std::move(at));
+              since_checkpoint = Stopwatch();
+            }};
+    ForceField forces(system.topology, system.forces, system.state.box, workers_);
+    const std::optional<RunState> from =
+        std::exchange(resumes_, false) ? std::optional(at_) : std::nullopt;
+    Trajectory trajectory =
+        run_trajectory(system, forces, settings, watch, workers_, from ? &*from : nullptr);
+    if (!trajectory.failure.empty())
+      throw RunError(fmt::format(
+          "the preparation blew up in its {} stage, after {:g} ps of {:g} ps: {}; use a lower "
+          "density, or another initial configuration",
+          name, before + static_cast<double>(trajectory.steps) * settings.step, all,
+          trajectory.cause));
+    return trajectory;
+  }
+
+  /// Sets up the next stage. At this point the forces have the usual size in a liquid, and at
+  /// constant pressure the volume has changed.
   void set_up_next(const System& system, const TrajectorySettings& settings,
-                   const Trajectory& trajectory);
-  void finish(System& system, const Trajectory& trajectory);
-  void write_files(const System& system, PreparationReport& report);
-  PreparedProperties properties(System& system) const;
-  void choose_density(PreparationReport& report);
+                   const Trajectory& trajectory) {
+    constexpr double tenth_of_fs = 1e-4;
+    if (settings.ensemble.barostat && !config_.gives("barostat.compressibility")) {
+      const EnergyStatistics& energies = trajectory.statistics.energies;
+      const BarostatSettings& barostat = *settings.ensemble.barostat;
+      const double kT = units::boltzmann * settings.ensemble.temperature;
+      progress_.compressibility = next_compressibility(energies, barostat, settings.length, kT);
+      callbacks_.note(
+          "compressibility " +
+          compressibility_text(measured_compressibility(energies, barostat, settings.length, kT),
+                               progress_.compressibility));
+    }
+    const double stable = max_stable_step(system, system.state, settings, workers_);
+    progress_.step =
+        std::clamp(std::floor(stable / tenth_of_fs) * tenth_of_fs, tenth_of_fs, max_step);
+  }
+
+  /// Runs a stage.
+  /// @return false if the stage was interrupted
+  bool run_stage(System& system) {
+    const TrajectorySettings settings = settings_of(progress_.stage);
+    callbacks_.note(
+        fmt::format("{} for {:g} ps in steps of {:g} fs{}", stages_[progress_.stage].name,
+                    settings.length, settings.step * units::fs_per_ps,
+                    resumes_ ? fmt::format(", resuming after {:g} ps",
+                                           static_cast<double>(at_.steps) * settings.step)
+                             : ""));
+    const Trajectory trajectory = run(system, settings);
+    if (trajectory.stopped) return false;
+    if (progress_.stage + 1 == stages_.size()) {
+      finish(system, trajectory);
+    } else {
+      set_up_next(system, settings, trajectory);
+      ++progress_.stage;
+    }
+    return true;
+  }
+
+  /// Writes the results. The last checkpoint contains the final state, and the samples of the last
+  /// stage.
+  void finish(System& system, const Trajectory& trajectory) {
+    if (!config_.ensemble.thermostat && !config_.ensemble.hybrid_monte_carlo)
+      set_energy(system, trajectory.statistics.energies.total(), workers_);
+    system.state.time = 0;
+    RunState last = at_;
+    last.state = system.state;
+    last.statistics = trajectory.statistics;
+    ++progress_.stage;
+    save(std::move(last));
+  }
+
+  /// Computes the properties from the last checkpoint.
+  PreparedProperties properties(System& system) const {
+    const TrajectorySettings settings = settings_of(stages_.size() - 1);
+    ForceField forces(system.topology, system.forces, system.state.box, workers_);
+    Propagator last(system, forces, settings, workers_);
+    last.resume_from(at_);
+    const Trajectory trajectory = last.trajectory();
+    const EnergyStatistics& energies = trajectory.statistics.energies;
+    PreparedProperties p{summary(system, settings, trajectory), energies.volume(), {}};
+    const double mass = system.topology.mass(), V = p.density.value;
+    if (const auto& barostat = settings.ensemble.barostat) {
+      p.pressure = barostat->pressure;
+      p.compressibility = measured_compressibility(
+          energies, *barostat, settings.length, units::boltzmann * settings.ensemble.temperature);
+      p.moves_compressibility = barostat->compressibility;
+    }
+    p.density.value = mass / V;
+    p.density.error *= mass / (V * V);
+    p.warnings =
+        warnings_of_results(p.summary, TargetTemperature{settings.ensemble.temperature, false});
+    if (const auto& barostat = settings.ensemble.barostat)
+      append(p.warnings, {density_warning(energies.volume_drift(), p.summary.length, V),
+                          pressure_warning(p.summary.pressure, *barostat)});
+    append(p.warnings, {cutoff_of_ions(system)});
+    return p;
+  }
+
+  void write_files(const System& system, PreparationReport& report) {
+    config_.system.topology.shapes = system.shapes;
+    if (report.compressibility > 0)
+      config_.ensemble.barostat->compressibility = report.compressibility;
+    const auto write = [&](const std::string& file, const auto& text) {
+      // Existing files of a finished preparation are not written again, because the user may have
+      // edited the run file.
+      if (options_.existing == ExistingFiles::resume && std::filesystem::exists(file)) return;
+      write_file(file, text);
+    };
+    write(files_.state, [&](std::ostream& out) { write_gro(out, system.state, system.topology); });
+    write(files_.run_file, [&](std::ostream& out) {
+      out << prepared_run_file(config_, files_.state, files_.checkpoint, files_.run_file);
+    });
+    report.run_file = files_.run_file;
+    report.files = files_.all();
+  }
 
   Config config_;
   OutputOptions options_;
@@ -141,246 +380,6 @@ class Preparation {
   RunState at_;  // state at the last checkpoint
   bool resumes_ = false;
 };
-
-void Preparation::choose_density(PreparationReport& report) {
-  SystemSettings& s = config_.system;
-  if (!s.initial_configuration.empty()) return;
-  const Topology topology = build_topology(s);
-  report.estimated = !s.density && !s.box && config_.ensemble.barostat;
-  if (report.estimated) s.density = estimated_density(topology);
-  if (s.box) report.lattice_density = topology.mass() / Box{*s.box}.volume();
-  if (s.density) report.lattice_density = *s.density;
-  if (report.estimated)
-    callbacks_.note(
-        fmt::format("note: no density is given, so the lattice has {:.0f} kg/m3, estimated from "
-                    "the diameters of the sites; the barostat changes this density",
-                    kg_per_m3(*s.density)));
-}
-
-TrajectorySettings Preparation::settings_of(std::size_t stage) const {
-  TrajectorySettings settings{.scheme = scheme_of("baoab"),
-                              .step = progress_.step,
-                              .length = stages_[stage].length,
-                              .sample = 0.02,
-                              .seed = derived_seed(config_.system.seed, streams + stage)};
-  settings.ensemble.temperature = config_.system.temperature;
-  settings.ensemble.thermostat = Langevin{friction, friction};
-  if (!stages_[stage].constant_pressure) return settings;
-  settings.ensemble.barostat = config_.ensemble.barostat;
-  if (progress_.compressibility > 0)
-    settings.ensemble.barostat->compressibility = progress_.compressibility;
-  return settings;
-}
-
-// Finds the checkpoint from which to resume, if resuming is requested and a checkpoint exists.
-bool Preparation::find_checkpoint() {
-  const bool resumes = options_.existing == ExistingFiles::resume;
-  const bool exists = std::filesystem::exists(files_.checkpoint);
-  if (exists && options_.existing == ExistingFiles::refuse)
-    throw OutputError(fmt::format("'{}' exists: the preparation was started before; resume it, "
-                                  "give another output, or start over",
-                                  files_.checkpoint),
-                      true);
-  if (!resumes || !exists) {
-    check_outputs(files_.all(), options_.existing, inputs_of(config_));
-    if (resumes)
-      callbacks_.note("note: there is no checkpoint; the preparation starts from the beginning");
-    return false;
-  }
-  Checkpoint found = read_checkpoint_of(files_.checkpoint, identity_, this_program());
-  progress_ = found.preparation.value();
-  at_ = std::move(found.at);
-  return true;
-}
-
-void Preparation::save(RunState at) {
-  at_ = std::move(at);
-  write_checkpoint(
-      {files_.checkpoint, ""},
-      {.identity = identity_, .command = options_.command, .at = at_, .preparation = progress_},
-      this_program());
-}
-
-/// Begins the preparation.
-/// @return false if the preparation was interrupted
-bool Preparation::begin(System& system) {
-  progress_.minimisation = minimise(system, bounds, watch_of(callbacks_), workers_);
-  callbacks_.note(description(progress_.minimisation));
-  if (progress_.minimisation.end == MinimisationEnd::stopped) return false;
-  check_separated(system, progress_.minimisation);
-  draw_momenta(system, config_.system.seed);
-  for (const std::string& file : files_.all()) std::filesystem::remove(file);
-  return true;
-}
-
-Trajectory Preparation::run(System& system, const TrajectorySettings& settings) {
-  const std::size_t stage = progress_.stage;
-  double all = 0, before = 0;
-  for (std::size_t k = 0; k < stages_.size(); ++k) {
-    if (k < stage) before += stages_[k].length;
-    all += stages_[k].length;
-  }
-  const std::string name = stages_[stage].name;
-  const auto show = [&](std::size_t steps, const State& state, const Energies&) {
-    const double now = static_cast<double>(steps) * settings.step;
-    callbacks_.report({"preparing", (before + now) / all,
-                       fmt::format("{}, {:.0f} kg/m3", name,
-                                   kg_per_m3(system.topology.mass() / state.box.volume()))});
-  };
-  Stopwatch since_checkpoint;
-  const Watch watch{
-      .sample = show,
-      .stop = callbacks_.stop,
-      .due = [&] { return since_checkpoint.seconds() >= config_.output.checkpoint_every; },
-      .checkpoint =
-          [&](RunState at) {
-            save(std::move(at));
-            since_checkpoint = Stopwatch();
-          }};
-  ForceField forces(system.topology, system.forces, system.state.box, workers_);
-  const std::optional<RunState> from =
-      std::exchange(resumes_, false) ? std::optional(at_) : std::nullopt;
-  Trajectory trajectory =
-      run_trajectory(system, forces, settings, watch, workers_, from ? &*from : nullptr);
-  if (!trajectory.failure.empty())
-    throw RunError(fmt::format(
-        "the preparation blew up in its {} stage, after {:g} ps of {:g} ps: {}; use a lower "
-        "density, or another initial configuration",
-        name, before + static_cast<double>(trajectory.steps) * settings.step, all,
-        trajectory.cause));
-  return trajectory;
-}
-
-/// Sets up the next stage. At this point the forces have the usual size in a liquid, and at
-/// constant pressure the volume has changed.
-void Preparation::set_up_next(const System& system, const TrajectorySettings& settings,
-                              const Trajectory& trajectory) {
-  constexpr double tenth_of_fs = 1e-4;
-  if (settings.ensemble.barostat && !config_.gives("barostat.compressibility")) {
-    const EnergyStatistics& energies = trajectory.statistics.energies;
-    const BarostatSettings& barostat = *settings.ensemble.barostat;
-    const double kT = units::boltzmann * settings.ensemble.temperature;
-    progress_.compressibility = next_compressibility(energies, barostat, settings.length, kT);
-    callbacks_.note(
-        "compressibility " +
-        compressibility_text(measured_compressibility(energies, barostat, settings.length, kT),
-                             progress_.compressibility));
-  }
-  const double stable = max_stable_step(system, system.state, settings, workers_);
-  progress_.step =
-      std::clamp(std::floor(stable / tenth_of_fs) * tenth_of_fs, tenth_of_fs, max_step);
-}
-
-/// Runs a stage.
-/// @return false if the stage was interrupted
-bool Preparation::run_stage(System& system) {
-  const TrajectorySettings settings = settings_of(progress_.stage);
-  callbacks_.note(fmt::format("{} for {:g} ps in steps of {:g} fs{}", stages_[progress_.stage].name,
-                              settings.length, settings.step * units::fs_per_ps,
-                              resumes_ ? fmt::format(", resuming after {:g} ps",
-                                                     static_cast<double>(at_.steps) * settings.step)
-                                       : ""));
-  const Trajectory trajectory = run(system, settings);
-  if (trajectory.stopped) return false;
-  if (progress_.stage + 1 == stages_.size()) {
-    finish(system, trajectory);
-  } else {
-    set_up_next(system, settings, trajectory);
-    ++progress_.stage;
-  }
-  return true;
-}
-
-/// Writes the results. The last checkpoint contains the final state, and the samples of the last
-/// stage.
-void Preparation::finish(System& system, const Trajectory& trajectory) {
-  if (!config_.ensemble.thermostat && !config_.ensemble.hybrid_monte_carlo)
-    set_energy(system, trajectory.statistics.energies.total(), workers_);
-  system.state.time = 0;
-  RunState last = at_;
-  last.state = system.state;
-  last.statistics = trajectory.statistics;
-  ++progress_.stage;
-  save(std::move(last));
-}
-
-/// Computes the properties from the last checkpoint.
-PreparedProperties Preparation::properties(System& system) const {
-  const TrajectorySettings settings = settings_of(stages_.size() - 1);
-  ForceField forces(system.topology, system.forces, system.state.box, workers_);
-  Propagator last(system, forces, settings, workers_);
-  last.resume_from(at_);
-  const Trajectory trajectory = last.trajectory();
-  const EnergyStatistics& energies = trajectory.statistics.energies;
-  PreparedProperties p{summary(system, settings, trajectory), energies.volume(), {}};
-  const double mass = system.topology.mass(), V = p.density.value;
-  if (const auto& barostat = settings.ensemble.barostat) {
-    p.pressure = barostat->pressure;
-    p.compressibility = measured_compressibility(energies, *barostat, settings.length,
-                                                 units::boltzmann * settings.ensemble.temperature);
-    p.moves_compressibility = barostat->compressibility;
-  }
-  p.density.value = mass / V;
-  p.density.error *= mass / (V * V);
-  p.warnings =
-      warnings_of_results(p.summary, TargetTemperature{settings.ensemble.temperature, false});
-  for (const auto& warning :
-       {settings.ensemble.barostat ? density_warning(energies.volume_drift(), p.summary.length, V)
-                                   : std::nullopt,
-        settings.ensemble.barostat
-            ? pressure_warning(p.summary.pressure, *settings.ensemble.barostat)
-            : std::nullopt,
-        cutoff_of_ions(system)})
-    if (warning) p.warnings.push_back(*warning);
-  return p;
-}
-
-void Preparation::write_files(const System& system, PreparationReport& report) {
-  config_.system.topology.shapes = system.shapes;
-  if (report.compressibility > 0)
-    config_.ensemble.barostat->compressibility = report.compressibility;
-  const auto write = [&](const std::string& file, const auto& text) {
-    // Existing files of a finished preparation are not written again, because the user may have
-    // edited the run file.
-    if (options_.existing == ExistingFiles::resume && std::filesystem::exists(file)) return;
-    write_file(file, text);
-  };
-  write(files_.state, [&](std::ostream& out) { write_gro(out, system.state, system.topology); });
-  write(files_.run_file, [&](std::ostream& out) {
-    out << prepared_run_file(config_, files_.state, files_.checkpoint, files_.run_file);
-  });
-  report.run_file = files_.run_file;
-  report.files = files_.all();
-}
-
-PreparationReport Preparation::perform() {
-  PreparationReport report;
-  choose_density(report);
-  config_.run.minimise = true;
-  System system = build_system(config_);
-  report.molecules = system.topology.size();
-  note_molecules(system, callbacks_);
-  note_forces(system, callbacks_);
-  identity_ = identity_of(config_, system);
-  resumes_ = find_checkpoint();
-  if (resumes_) system.state = at_.state;
-  bool continues = resumes_ || begin(system);
-  while (continues && progress_.stage < stages_.size()) continues = run_stage(system);
-  report.minimisation = progress_.minimisation;
-  report.compressibility = progress_.compressibility;
-  if (progress_.minimisation.end != MinimisationEnd::stopped) {
-    report.checkpoint = files_.checkpoint;
-    report.files = {files_.checkpoint};
-  }
-  if (!continues) return report;
-  system.state = at_.state;
-  report.properties = properties(system);
-  if (const SeriesEstimate& measured = report.properties->compressibility;
-      report.compressibility > 0 && measured.known == Known::yes)
-    report.compressibility = measured.value;
-  write_files(system, report);
-  return report;
-}
 
 }  // namespace
 

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "base/instruction_set.hpp"
 #include "base/output_error.hpp"
 #include "base/version.hpp"
 #include "io/coordinates/gro.hpp"
@@ -27,8 +26,6 @@
 
 namespace polhode {
 namespace {
-
-ProgramVersion this_program() { return {version(), name(current_instruction_set())}; }
 
 /// R as text, in the form of the summary. The text is empty if R is not defined or not meaningful.
 /// R is not meaningful for hybrid Monte Carlo, whose decisions change the energy without a
@@ -136,17 +133,14 @@ RunState Simulation::run_state() {
 }
 
 void Simulation::save(const std::string& path, const std::string& command) {
-  const Checkpoint checkpoint{.identity = identity(),
-                              .command = command_of(command),
-                              .at = run_state(),
-                              .noise = noise_,
-                              .minimisation_evaluations = minimisation_evaluations_};
-  write_checkpoint({path, ""}, checkpoint, this_program());
+  write_checkpoint({path, ""}, {.identity = identity(),
+                                .command = command_of(command),
+                                .at = run_state(),
+                                .noise = noise_,
+                                .minimisation_evaluations = minimisation_evaluations_});
 }
 
-void Simulation::resume(const std::string& path) {
-  resume(read_checkpoint_of(path, identity(), this_program()));
-}
+void Simulation::resume(const std::string& path) { resume(read_checkpoint_of(path, identity())); }
 
 void Simulation::resume(Checkpoint checkpoint) {
   noise_ = checkpoint.noise;
@@ -171,7 +165,7 @@ std::optional<FoundCheckpoint> Simulation::find_checkpoint(const RunFileNames& n
                                                            const Callbacks& callbacks) {
   std::optional<FoundCheckpoint> found;
   const bool resumes = options.existing == ExistingFiles::resume;
-  if (resumes) found = last_checkpoint(names.checkpoints, identity(), this_program());
+  if (resumes) found = last_checkpoint(names.checkpoints, identity());
   if (!found) {
     if (resumes) callbacks.note("note: there is no checkpoint; the run starts from the beginning");
     if (options.existing != ExistingFiles::replace &&

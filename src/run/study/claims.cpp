@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "math/prediction.hpp"
@@ -94,15 +93,8 @@ Verdict rounds_to(const Estimate& x, double degrees_of_freedom, double number, d
 }
 
 const char* in_words(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::reproduced:
-      return "reproduced";
-    case Verdict::not_reproduced:
-      return "not reproduced";
-    case Verdict::undecided:
-      break;
-  }
-  return "not decided by these data";
+  constexpr const char* words[] = {"reproduced", "not reproduced", "not decided by these data"};
+  return words[static_cast<std::size_t>(verdict)];
 }
 
 std::vector<Claim> paper_claims(const std::vector<Curve>& curves) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Deviations of a scheme from equipartition, and their extrapolation to zero step.
+// Deviations of a scheme from equipartition: differences between kinetic and configurational
+// temperatures and between translation and rotation, at each step and extrapolated to zero step.
+// These differences are part of the results of studies and of the adviser.
 #pragma once
 
 #include <array>
@@ -8,6 +10,7 @@
 #include <vector>
 
 #include "polhode/math/fit.hpp"
+#include "polhode/run/quantities.hpp"
 #include "run/study/guideline.hpp"
 
 namespace polhode {
@@ -28,5 +31,20 @@ struct EquipartitionFit {
 };
 
 std::vector<EquipartitionFit> equipartition(const std::vector<Curve>& curves);
+
+/// The temperature differences at a point: "excess_K" is the rotational minus the translational
+/// temperature for each axis; "configurational_excess_K" is the configurational minus the kinetic
+/// temperature for each kind of motion.
+Quantities excesses(const EfficiencyPoint& point);
+
+/// The limits of the temperature differences for zero step: "equipartition" and "configurational",
+/// each only if the limit is known.
+Quantities limits(const std::vector<EquipartitionFit>& fits);
+
+/// The temperature differences and their limits as tables by scheme and step. Empty tables are
+/// omitted.
+/// @param fits  fits of the curves, in the same order
+Quantities temperature_tables(const std::vector<Curve>& curves,
+                              const std::vector<EquipartitionFit>& fits);
 
 }  // namespace polhode

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "polhode/io/files/table_file.hpp"
+#include "polhode/run/canonical/canonical_study.hpp"
+#include "polhode/run/study/study.hpp"
 
 namespace polhode {
 
@@ -38,5 +40,15 @@ class RunRecord {
   std::vector<Run> known_;
   std::ofstream out_;
 };
+
+/// The record of a study of energy conservation; records of any version of the program can be read.
+using StudyRecord = RunRecord<StudyRun>;
+/// The record of a canonical study.
+using CanonicalRecord = RunRecord<CanonicalRun>;
+
+/// A text with everything that determines the runs of a study, so that records of a different study
+/// are not used.
+std::string study_identity(const Config& config, const System& system);
+std::string canonical_identity(const Config& config, const System& system);
 
 }  // namespace polhode

@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "io/settings/output_units.hpp"
 #include "io/settings/scheme_labels.hpp"
@@ -207,22 +205,20 @@ void add_excesses(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
 
 /// Adds means over the runs that did not blow up.
 void add_means(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
-  std::vector<double> ratios, totals, drifts, temperatures, roundings;
-  for (const StudyRun& run : runs) {
-    if (!run.stable) continue;
-    ratios.push_back(run.ratio);
-    totals.push_back(run.total);
-    drifts.push_back(run.drift);
-    temperatures.push_back(run.temperature);
-    roundings.push_back(run.rounding);
-  }
+  const auto stable = [&](double StudyRun::*member) {
+    std::vector<double> values;
+    for (const StudyRun& run : runs)
+      if (run.stable) values.push_back(run.*member);
+    return values;
+  };
+  const std::vector<double> ratios = stable(&StudyRun::ratio);
   point.stable = ratios.size() == runs.size();
   if (ratios.empty()) return;
   point.ratio = mean(ratios);
-  point.total = mean(totals).value;
-  point.drift = drift_of_series(drifts);
-  point.temperature = mean(temperatures).value;
-  point.rounding = mean(roundings).value;
+  point.total = mean(stable(&StudyRun::total)).value;
+  point.drift = drift_of_series(stable(&StudyRun::drift));
+  point.temperature = mean(stable(&StudyRun::temperature)).value;
+  point.rounding = mean(stable(&StudyRun::rounding)).value;
 }
 
 }  // namespace

@@ -17,15 +17,15 @@
 #include "run/output_files.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/system_notes.hpp"
+#include "run/study/run_record.hpp"
 #include "run/study/study_report.hpp"
 
 namespace polhode {
 
 /// Performs a study of any kind. A kind of study has types Run, with its initial configuration
-/// `start`, Record and Report, and
+/// `start`, and Report, and
 ///     title                                      what it is called in notes
 ///     identity(config, system)                   of its record
-///     read(stream, path)                         all runs of any such record
 ///     perform(config, known, keep, callbacks, workers)
 ///     records_of(report), figure_of(report, csv)
 /// and, as an object with the settings `config`,
@@ -53,13 +53,20 @@ class StudyJob {
     study_.check(system_);
   }
 
+  /// Performs the study, or makes the report of an existing record.
+  /// @param record  path of the existing record; empty to perform the study
+  Report perform(const std::string& record, Workers& workers) const {
+    return record.empty() ? run(workers) : from(record);
+  }
+
+ private:
   /// Performs the runs that are not yet in the record.
   Report run(Workers& workers) const {
     const OutputLock lock(files_.prefix + "-study.lock", callbacks_);
     // Files of a resumed study are overwritten, but files of another study are not.
     if (!std::filesystem::exists(files_.runs)) check_outputs(files_.all(), existing_);
     remove_drafts(files_.all());
-    typename Study::Record record(files_.runs, made_, existing_ == ExistingFiles::replace);
+    RunRecord<Run> record(files_.runs, made_, existing_ == ExistingFiles::replace);
     std::vector<Run> runs = record.known();
     note_begin(workers.threads());
     if (!runs.empty()) note_known(runs, files_.runs);
@@ -78,7 +85,7 @@ class StudyJob {
   Report from(const std::string& record) const {
     std::ifstream in(record, std::ios::binary);
     if (!in) throw Error(fmt::format("there is no study record '{}'; check the name", record));
-    const std::vector<Run> runs = Study::Record::read(in, record);
+    const std::vector<Run> runs = RunRecord<Run>::read(in, record);
     check_outputs(files_.tables(), existing_);
     note_known(runs, record);
     Report report = report_of(runs);
@@ -86,7 +93,6 @@ class StudyJob {
     return report;
   }
 
- private:
   static const std::string& checked(const std::string& prefix) {
     check_prefix(prefix, StudyFiles(prefix).all());
     return prefix;

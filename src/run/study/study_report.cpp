@@ -13,9 +13,7 @@
 #include "polhode/run/simulation/trajectory/trajectory_settings.hpp"
 #include "run/quantity_lists.hpp"
 #include "run/simulation/system/near_forces.hpp"
-#include "run/study/study_record.hpp"
 #include "study_job.hpp"
-#include "temperature_differences.hpp"
 
 namespace polhode {
 namespace {
@@ -188,7 +186,6 @@ EfficiencyFigure figure(const StudyReport& report, const std::string& csv) {
 /// A study of energy conservation.
 struct EnergyStudy {
   using Run = StudyRun;
-  using Record = StudyRecord;
   using Report = StudyReport;
 
   static constexpr const char* title = "study";
@@ -212,17 +209,13 @@ struct EnergyStudy {
                 config.study.length * units::fs_per_ps, point.step * units::fs_per_ps),
             config.source);
       check_near(system.forces, point.scheme, config.source);
-      check_postprocessor(point);
+      at_place(config.source, [&] {
+        TrajectorySettings{.scheme = point.scheme.outer,
+                           .inner = point.scheme.inner,
+                           .processed = config.output.processed}
+            .check_processed();
+      });
     }
-  }
-
-  void check_postprocessor(const StudyPoint& point) const try {
-    TrajectorySettings{.scheme = point.scheme.outer,
-                       .inner = point.scheme.inner,
-                       .processed = config.output.processed}
-        .check_processed();
-  } catch (const Error& e) {
-    throw e.at(config.source);
   }
 
   void note(const Callbacks& callbacks) const {
@@ -236,8 +229,7 @@ struct EnergyStudy {
   }
 };
 
-}  // namespace
-
+/// A sentence on the cutoff, initial configuration, runs and energies of a study.
 std::string conditions(const Config& config) {
   const ForceSettings& f = config.forces;
   const std::string mixing = description(f.mixing);
@@ -256,15 +248,8 @@ std::string conditions(const Config& config) {
       significance, drift_bound);
 }
 
-StudyReport::StudyReport(const Config& config_used,
-                         const std::vector<EfficiencyPoint>& points_found)
-    : config(config_used),
-      points(points_found),
-      curves(polhode::curves(points)),
-      guidelines(polhode::guidelines(curves, table_ratios)),
-      claims(paper_claims(curves)),
-      equipartition(polhode::equipartition(curves)) {}
-
+/// Advice from a study as text, such as "for R = 0.5 % use SCHEME at H fs: N force evaluations per
+/// ps, Xx cheaper than velocity Verlet".
 std::string advice(const StudyReport& report, double ratio) {
   const Guideline line = guidelines(report.curves, {ratio})[0];
   if (!line.best)
@@ -280,6 +265,17 @@ std::string advice(const StudyReport& report, double ratio) {
           fmt::format(", {:.2f}x cheaper than velocity Verlet", line.costs[c]->cost / best.cost);
   return text;
 }
+
+}  // namespace
+
+StudyReport::StudyReport(const Config& config_used,
+                         const std::vector<EfficiencyPoint>& points_found)
+    : config(config_used),
+      points(points_found),
+      curves(polhode::curves(points)),
+      guidelines(polhode::guidelines(curves, table_ratios)),
+      claims(paper_claims(curves)),
+      equipartition(polhode::equipartition(curves)) {}
 
 Quantities quantities(const StudyReport& report) {
   const std::string answer = advice(report, 0.005);
@@ -297,17 +293,10 @@ Quantities quantities(const StudyReport& report) {
   return list;
 }
 
-StudyReport run_study(const Config& config, const std::string& prefix, const OutputOptions& options,
-                      const Callbacks& callbacks, Workers& workers) {
+StudyReport run_study(const Config& config, const std::string& record, const std::string& prefix,
+                      const OutputOptions& options, const Callbacks& callbacks, Workers& workers) {
   const EnergyStudy study{config};
-  return StudyJob(study, prefix, options, callbacks).run(workers);
-}
-
-StudyReport report_study_record(const Config& config, const std::string& record,
-                                const std::string& prefix, const OutputOptions& options,
-                                const Callbacks& callbacks) {
-  const EnergyStudy study{config};
-  return StudyJob(study, prefix, options, callbacks).from(record);
+  return StudyJob(study, prefix, options, callbacks).perform(record, workers);
 }
 
 }  // namespace polhode

@@ -45,28 +45,16 @@ struct StudyReport {
 
 /// Performs a study and writes its record, tables and figure. An interrupted study resumes: runs in
 /// an existing record are not repeated, unless the user asked to replace existing files.
+/// @param record  existing record of any version, whose tables and figure are made without new
+///   runs; empty to perform the study
 /// @param prefix  prefix of the output files
-/// @throws Error  before anything is computed, if a setting is invalid, or outputs of another study
-///   exist
-StudyReport run_study(const Config& config, const std::string& prefix = "study",
-                      const OutputOptions& options = {}, const Callbacks& callbacks = {},
-                      Workers& workers = Workers::serial());
-
-/// Makes the tables and the figure of an existing record of any version, without new runs.
-/// @throws Error  under the same conditions as run_study(), or if the record does not exist
-StudyReport report_study_record(const Config& config, const std::string& record,
-                                const std::string& prefix = "study",
-                                const OutputOptions& options = {}, const Callbacks& callbacks = {});
+/// @throws Error  before anything is computed, if a setting is invalid, outputs of another study
+///   exist, or the given record does not exist
+StudyReport run_study(const Config& config, const std::string& record, const std::string& prefix,
+                      const OutputOptions& options, const Callbacks& callbacks, Workers& workers);
 
 /// The results of a study as a list, from which text, JSON, the table of points and the manual are
 /// made.
 Quantities quantities(const StudyReport& report);
-
-/// A sentence on the cutoff, initial configuration, runs and energies of a study.
-std::string conditions(const Config& config);
-
-/// Advice from a study as text, such as "for R = 0.5 % use SCHEME at H fs: N force evaluations per
-/// ps, Xx cheaper than velocity Verlet".
-std::string advice(const StudyReport& report, double ratio);
 
 }  // namespace polhode

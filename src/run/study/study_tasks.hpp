@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <mutex>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "polhode/base/workers.hpp"

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <functional>
 #include <mutex>
 
 #include "base/instruction_set.hpp"
@@ -133,11 +132,7 @@ std::vector<SchemeFamily> families(const TuneSettings& settings, const Config& c
 
 /// Completes the settings: the step of the run file is used unless the settings give a step.
 TuneSettings complete(TuneSettings settings, const Config& config) {
-  try {
-    single_scheme_of(config.integrator.scheme);
-  } catch (const Error& e) {
-    throw e.at(config.source);
-  }
+  at_place(config.source, [&] { single_scheme_of(config.integrator.scheme); });
   if (settings.step == 0) settings.step = config.integrator.step;
   constexpr double min_repeats = 20;  // minimum number of samples for covariances of three
                                       // quantities

@@ -14,7 +14,6 @@
 #include "io/figures/plot.hpp"
 #include "io/files/write_file.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/files/table_file.hpp"
 #include "polhode/rotor/free_rotor.hpp"
 #include "run/output_files.hpp"
 

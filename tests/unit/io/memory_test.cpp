@@ -5,7 +5,7 @@
 
 #include "../errors.hpp"
 #include "forces/system_size.hpp"
-#include "model/cell_width.hpp"
+#include "model/cell_list.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/measure/radial_distribution.hpp"
 

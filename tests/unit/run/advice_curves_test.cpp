@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Temperatures of the adviser's runs as a curve of a study, from runs whose limit is known.
-#include "run/adviser/advice_curves.hpp"
+#include "run/adviser/advice_report.hpp"
 
 #include <doctest/doctest.h>
 

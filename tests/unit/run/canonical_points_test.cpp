@@ -9,8 +9,8 @@
 #include "../errors.hpp"
 #include "../folder.hpp"
 #include "polhode/math/random.hpp"
-#include "run/canonical/canonical_record.hpp"
 #include "run/canonical/canonical_report.hpp"
+#include "run/study/run_record.hpp"
 
 using namespace polhode;
 

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "io/settings/ensemble_names.hpp"
-#include "run/simulation/report/ensemble_warnings.hpp"
+#include "run/simulation/report/warning_rules.hpp"
 
 using namespace polhode;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/adviser/effort.hpp"
+#include "run/progress_pace.hpp"
 
 #include <doctest/doctest.h>
 

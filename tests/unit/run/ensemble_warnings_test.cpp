@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "run/simulation/report/ensemble_warnings.hpp"
 #include "run/simulation/report/warning_rules.hpp"
 
 #include <doctest/doctest.h>

@@ -14,7 +14,6 @@
 #include "polhode/measure/energy.hpp"
 #include "polhode/run/simulation/simulation.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
-#include "run/simulation/system/contact.hpp"
 
 using namespace polhode;
 

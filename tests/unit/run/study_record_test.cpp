@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/study/study_record.hpp"
+#include "run/study/run_record.hpp"
 
 #include <doctest/doctest.h>
 

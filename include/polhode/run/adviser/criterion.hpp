@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -118,10 +119,11 @@ struct AdviserPoint {
 };
 
 /// A number from each run, such as R.
+/// @param member  member of Outcome, or function of a run
 template <class Member>
 std::vector<double> each(const std::vector<Outcome>& runs, const Member& member) {
   std::vector<double> values;
-  for (const Outcome& run : runs) values.push_back(member(run));
+  for (const Outcome& run : runs) values.push_back(std::invoke(member, run));
   return values;
 }
 

@@ -52,4 +52,8 @@ std::optional<GuaranteeCheck> check_guarantee(const Guarantee& guarantee,
                                               const TrajectoryStatistics& statistics,
                                               const RunSummary& summary);
 
+/// A guarantee check as text, such as "R = 0.31 ± 0.02 % over 15 ps; the accuracy guarantee is 0.4
+/// %". If a bias is bounded, the text gives the bias instead of R.
+std::string guarantee_text(const GuaranteeCheck& check);
+
 }  // namespace polhode

@@ -9,7 +9,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/instruction_set.hpp"
 #include "base/output_error.hpp"
+#include "base/version.hpp"
 #include "io/files/write_file.hpp"
 #include "polhode/io/files/table_file.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
@@ -268,6 +270,8 @@ std::string run_identity(const Config& config, const System& system) {
   used.forces.mixing.rule = system.forces.mixing.rule;
   return text_hash(all) + '\n' + settings_text(used);
 }
+
+ProgramVersion this_program() { return {version(), name(current_instruction_set())}; }
 
 void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
                       const ProgramVersion& program) {

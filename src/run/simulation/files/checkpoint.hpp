@@ -51,11 +51,14 @@ struct Checkpoint {
 /// outputs, but not on the length of the run.
 std::string run_identity(const Config& config, const System& system);
 
+/// This program, as the writer or reader of checkpoints.
+ProgramVersion this_program();
+
 /// Writes a checkpoint, completely or not at all. The newest checkpoint so far is kept as the
 /// previous checkpoint.
 /// @throws RunError  if the file cannot be written
 void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
-                      const ProgramVersion& program);
+                      const ProgramVersion& program = this_program());
 
 /// Reads a checkpoint.
 /// @throws DamagedCheckpoint  if the file is missing, truncated or changed
@@ -73,7 +76,7 @@ State state_of_checkpoint(const std::string& path, const std::string& version);
 /// Reads the checkpoint of a given run.
 /// @throws Error  if another run wrote the checkpoint
 Checkpoint read_checkpoint_of(const std::string& path, const std::string& identity,
-                              const ProgramVersion& reader);
+                              const ProgramVersion& reader = this_program());
 
 struct FoundCheckpoint {
   Checkpoint checkpoint;
@@ -88,6 +91,6 @@ struct FoundCheckpoint {
 ///   them
 std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
                                                const std::string& identity,
-                                               const ProgramVersion& reader);
+                                               const ProgramVersion& reader = this_program());
 
 }  // namespace polhode

@@ -43,6 +43,28 @@ std::vector<std::string> last_files(const RunFileNames& names, const SystemSetti
 
 }  // namespace
 
+RunFileNames::RunFileNames(const OutputSettings& output)
+    : energies(output.prefix + "-energies.csv"),
+      final_state(output.prefix + "-final.gro"),
+      checkpoints{output.prefix + "-checkpoint.bin", output.prefix + "-checkpoint-previous.bin"} {
+  if (output.plot != "none") {
+    script = output.prefix + "-energies.gp";
+    plot = output.prefix + "-energies." + output.plot;
+  }
+  if (output.trajectory_every > 0)
+    for (const std::string& format : output.formats)
+      trajectories.push_back(output.prefix + "-trajectory." + format);
+}
+
+std::vector<std::string> RunFileNames::all() const {
+  std::vector<std::string> files = trajectories;
+  files.push_back(energies);
+  files.push_back(final_state);
+  if (!plot.empty()) files.insert(files.end(), {script, plot});
+  files.insert(files.end(), {checkpoints.newest, checkpoints.previous});
+  return files;
+}
+
 RunFiles::RunFiles(const RunFileNames& names, const Topology& topology, const Config& config,
                    const Provenance& provenance, const std::string& identity,
                    const FoundCheckpoint* from)
@@ -128,8 +150,7 @@ void RunFiles::checkpoint(RunState at) {
   }
   checkpoint_.at = std::move(at);
   if (energies_) checkpoint_.outputs = marks();
-  write_checkpoint(names_.checkpoints, checkpoint_,
-                   {provenance_.version, provenance_.instruction_set});
+  write_checkpoint(names_.checkpoints, checkpoint_);
   last_checkpoint_step_ = checkpoint_.at.steps;
   checkpoint_.at = {};
   since_checkpoint_ = Stopwatch();

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "run/simulation/report/ensemble_warnings.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -13,10 +11,8 @@ namespace polhode {
 namespace {
 
 constexpr double min_volume_change = 0.005;  // smallest relevant change, relative to the mean
-                                             // Minimum number of relaxation times of the volume.
-                                             // With 20 relaxation times, the variance of the
-                                             // volume has a relative error √(2τ/T) of about a
-                                             // third.
+// Minimum number of relaxation times of the volume. With 20 relaxation times, the variance of the
+// volume has a relative error √(2τ/T) of about a third.
 constexpr double min_relaxation_times = 20;
 constexpr std::uint64_t min_accepted_moves = 100;  // minimum for Monte Carlo moves
 constexpr double min_acceptance = 0.5;             // minimum acceptance rate of cell rescaling, and
@@ -145,19 +141,13 @@ double volume_relaxation(const BarostatSettings& barostat, double compressibilit
 
 std::vector<Warning> ensemble_warnings(const RunSummary& s) {
   std::vector<Warning> all;
-  const auto add = [&](const std::optional<Warning>& warning) {
-    if (warning) all.push_back(*warning);
-  };
   if (const auto& barostat = s.ensemble.barostat) {
-    add(volume_warning(*barostat, s.length));
-    add(length_warning(*barostat, s.ensemble.settings.barostat.value(), s.length));
-    add(moves_warning(*barostat, s.ensemble.settings.barostat.value()));
-    add(shape_warning(*barostat));
+    const BarostatSettings& settings = s.ensemble.settings.barostat.value();
+    append(all, {volume_warning(*barostat, s.length), length_warning(*barostat, settings, s.length),
+                 moves_warning(*barostat, settings), shape_warning(*barostat)});
   }
-  if (const auto& hybrid = s.ensemble.hybrid_monte_carlo) {
-    add(acceptance_warning(*hybrid));
-    add(weight_warning(*hybrid));
-  }
+  if (const auto& hybrid = s.ensemble.hybrid_monte_carlo)
+    append(all, {acceptance_warning(*hybrid), weight_warning(*hybrid)});
   return all;
 }
 

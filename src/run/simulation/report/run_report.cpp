@@ -7,13 +7,11 @@
 #include <limits>
 
 #include "averages.hpp"
-#include "io/files/with_error.hpp"
 #include "io/settings/ensemble_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
 #include "run/quantity_lists.hpp"
-#include "run/simulation/report/verdicts.hpp"
 #include "run/simulation/report/warning_rules.hpp"
 
 namespace polhode {
@@ -54,6 +52,13 @@ Quantities of_settings(const RunReport& r) {
                {"changes", "", segment.changes.empty() ? Value() : Value(segment.changes),
                 "changes made at the beginning of the segment; null if there were none"}}},
           {"files", "", r.files.all(), "names of the files that were written"}};
+}
+
+/// The result of a drift test as text: "significant", "not significant", or the reason why the
+/// significance is not known.
+std::string verdict(const Drift& drift) {
+  if (drift.known != Known::yes) return reason(drift.known);
+  return drift.significant() ? "significant" : "not significant";
 }
 
 /// A drift as text, such as "0.012 ± 0.004 kJ/mol/ps, not significant (p-value 0.2)".
@@ -182,7 +187,7 @@ Quantities of_shadow(const RunSummary& s) {
                 {"rms", "kJ/mol", rms.value, "rms fluctuation of the shadow energy"},
                 {"rms_error", "kJ/mol", known_if(known, rms.error),
                  "standard error of the rms fluctuation of the shadow energy"},
-                {"time_gain", "", shadow.time_gain ? Value(*shadow.time_gain) : Value(),
+                {"time_gain", "", shadow.time_gain,
                  "factor by which the shadow energy shortens the time until an energy drift is "
                  "significant"}});
   if (!known)
@@ -286,34 +291,6 @@ Quantity of_guarantee(const std::optional<GuaranteeCheck>& k) {
 }
 
 }  // namespace
-
-std::string verdict(const Drift& drift) {
-  if (drift.known != Known::yes) return reason(drift.known);
-  return drift.significant() ? "significant" : "not significant";
-}
-
-std::string guarantee_text(const GuaranteeCheck& k) {
-  const auto text = [&](const char* name, double unit, const char* unit_text) {
-    return fmt::format("{} {} {}", name, with_error(k.value.value / unit, k.value.error / unit),
-                       unit_text);
-  };
-  const auto found = [&]() -> std::string {
-    switch (k.guarantee.accuracy.of) {
-      case RequiredOf::ratio:
-        return fmt::format("{} over {:.3g} ps", text("R =", 0.01, "%"), k.guarantee.length);
-      case RequiredOf::temperature_difference:
-        return text("bias of T_rot - T_trans", 1, "K");
-      case RequiredOf::energy:
-        return text("bias of the potential energy", 1, "kJ/mol per molecule");
-      case RequiredOf::pressure:
-        return text("bias of the pressure", unit("bar", Dimension::pressure), "bar");
-      case RequiredOf::density:
-        return text("bias of the density", 0.01, "%");
-    }
-    return "";
-  };
-  return fmt::format("{}; the accuracy guarantee is {}", found(), text_of(k.guarantee.accuracy));
-}
 
 Quantities run_quantities(const RunReport& r) {
   const RunSummary& s = r.summary;

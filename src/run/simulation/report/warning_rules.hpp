@@ -2,6 +2,7 @@
 // Rules for warnings about simulations that are probably wrong.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ constexpr double max_ratio = 0.05;
 
 /// "warning: text; remedy".
 std::string line_of(const Warning& warning);
+
+/// Adds those warnings of a list that are given.
+void append(std::vector<Warning>& all, std::initializer_list<std::optional<Warning>> more);
 
 /// Warns of ions without interactions beyond the cutoff: molecules have a net charge, and
 /// electrostatics are plain Coulomb or a reaction field. The value of the warning is the largest
@@ -71,17 +75,18 @@ struct TargetTemperature {
 std::vector<Warning> warnings_of_results(const RunSummary& summary,
                                          const std::optional<TargetTemperature>& target);
 
+/// Warnings about the ensemble of a run. Causes of warnings are a drifting volume, too few accepted
+/// barostat moves, too few or too many accepted trajectories of hybrid Monte Carlo, and a mean of
+/// exp(−ΔH/kT) that is not 1 (docs/manual/ensembles.md, Warnings).
+std::vector<Warning> ensemble_warnings(const RunSummary& summary);
+
+/// The relaxation time of the volume [ps]. For cell rescaling, the relaxation time equals the time
+/// constant if the system has the compressibility of the barostat settings. A more compressible
+/// system relaxes more slowly.
+/// @param compressibility  compressibility of the system [nm³ mol/kJ]; 0 if it is not known
+double volume_relaxation(const BarostatSettings& barostat, double compressibility);
+
 /// Whether the contribution of the energy drift to R exceeds half of R, and also exceeds 0.1 %.
 bool drift_matters(const RunSummary& summary);
-
-/// The standard deviation of the mean temperature of runs at constant energy, with momenta drawn or
-/// rescaled at a temperature T [K]. The standard deviation of the mean temperature is at most
-/// T/√(2n) for n degrees of freedom.
-///
-/// At the start, the kinetic energy is the mean at T, and the potential energy has the canonical
-/// variance k_B T² C. All degrees of freedom share the deviation of the potential energy, so the
-/// temperature has the variance T² C k_B/(C + n k_B/2)². The variance is largest for C = n k_B/2,
-/// the value of harmonic oscillators.
-double temperature_scatter(double temperature, double degrees_of_freedom);
 
 }  // namespace polhode

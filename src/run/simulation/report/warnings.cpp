@@ -12,7 +12,6 @@
 #include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
-#include "run/simulation/report/ensemble_warnings.hpp"
 #include "run/simulation/report/truncation_walk.hpp"
 #include "run/simulation/report/warning_rules.hpp"
 #include "run/simulation/system/stable_step.hpp"
@@ -47,6 +46,18 @@ std::string temperature_remedy(const TargetTemperature& target) {
     return "the velocities of the initial configuration were used: write velocities = \"new\" in "
            "[system], and equilibrate";
   return "equilibrate longer: equilibrate = \"20 ps\" in [run]";
+}
+
+/// The standard deviation of the mean temperature of runs at constant energy, with momenta drawn or
+/// rescaled at a temperature T [K]. The standard deviation of the mean temperature is at most
+/// T/√(2n) for n degrees of freedom.
+///
+/// At the start, the kinetic energy is the mean at T, and the potential energy has the canonical
+/// variance k_B T² C. All degrees of freedom share the deviation of the potential energy, so the
+/// temperature has the variance T² C k_B/(C + n k_B/2)². The variance is largest for C = n k_B/2,
+/// the value of harmonic oscillators.
+double temperature_scatter(double temperature, double degrees_of_freedom) {
+  return temperature / std::sqrt(2 * degrees_of_freedom);
 }
 
 std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemperature& target) {
@@ -225,11 +236,12 @@ std::string line_of(const Warning& warning) {
   return fmt::format("warning: {}; {}", warning.text, warning.remedy);
 }
 
-bool drift_matters(const RunSummary& s) { return ratio_of_drift(s) > bound_of_drift(s); }
-
-double temperature_scatter(double temperature, double degrees_of_freedom) {
-  return temperature / std::sqrt(2 * degrees_of_freedom);
+void append(std::vector<Warning>& all, std::initializer_list<std::optional<Warning>> more) {
+  for (const std::optional<Warning>& warning : more)
+    if (warning) all.push_back(*warning);
 }
+
+bool drift_matters(const RunSummary& s) { return ratio_of_drift(s) > bound_of_drift(s); }
 
 std::optional<Warning> cutoff_of_ions(const System& system) {
   if (!is_plain(system.forces.electrostatics)) return std::nullopt;
@@ -332,15 +344,8 @@ std::optional<Warning> step_near_stability(const System& system, const Trajector
 std::vector<Warning> warnings_of_results(const RunSummary& s,
                                          const std::optional<TargetTemperature>& target) {
   std::vector<Warning> all;
-  const auto add = [&](const std::optional<Warning>& warning) {
-    if (warning) all.push_back(*warning);
-  };
-  if (target) add(temperature_warning(s, *target));
-  add(ratio_warning(s));
-  add(drift_warning(s));
-  add(walk_warning(s));
-  add(relaxation_warning(s));
-  add(pressure_warning(s));
+  append(all, {target ? temperature_warning(s, *target) : std::nullopt, ratio_warning(s),
+               drift_warning(s), walk_warning(s), relaxation_warning(s), pressure_warning(s)});
   for (const Warning& warning : ensemble_warnings(s)) all.push_back(warning);
   return all;
 }
@@ -362,9 +367,8 @@ std::vector<Warning> warnings(const RunSummary& s, const System& system,
   if (!is_corrected(s) && s.truncation > bound)
     all.push_back(truncation_warning(system.forces, name_of({settings.scheme, settings.inner}),
                                      s.truncation, bound));
-  for (const auto& warning : {step_near_stability(system, settings, workers),
-                              cutoff_of_ions(system), distant_sites(system)})
-    if (warning) all.push_back(*warning);
+  append(all, {step_near_stability(system, settings, workers), cutoff_of_ions(system),
+               distant_sites(system)});
   return all;
 }
 

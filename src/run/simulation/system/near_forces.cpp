@@ -30,11 +30,7 @@ ForceSettings near_settings(const ForceSettings& whole, const InnerScheme& inner
 }
 
 void check_near(const ForceSettings& whole, const NestedScheme& scheme, const std::string& place) {
-  try {
-    if (scheme.inner) near_settings(whole, *scheme.inner);
-  } catch (const Error& e) {
-    throw e.at(place);
-  }
+  if (scheme.inner) at_place(place, [&] { near_settings(whole, *scheme.inner); });
 }
 
 double near_weight(const System& system, const std::optional<InnerScheme>& inner) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Moves molecules of a system downhill: to a minimum of the energy, or only until their dynamics
-// can begin.
+// Molecules that are too close, and their motion downhill: to a minimum of the energy, or only
+// until their dynamics can begin.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -11,6 +12,14 @@
 #include "polhode/run/simulation/system/system.hpp"
 
 namespace polhode {
+
+/// The strongest contact of a state as text, such as "molecules 3 (benzene) and 17 (benzene) are
+/// 0.0931 nm apart, between H2 and C5". The first molecule is the molecule with the largest force,
+/// or the first molecule with a force that is not finite. The second molecule has the site that is
+/// closest to a site of the first molecule. Sites with neither mass nor a short-range potential are
+/// ignored. The text is empty if the state or all forces are not finite, or if there is only one
+/// molecule.
+std::string strongest_contact(const System& system, const State& state);
 
 /// Minimises the energy of a system. Forces are in double precision, because energies of overlaps
 /// exceed the range of a float. Each body keeps its momentum p and its body-frame angular momentum
@@ -36,6 +45,13 @@ inline constexpr double max_initial_force = 2e4, max_initial_torque = 500;
 /// Whether molecules of a state overlap: forces or torques exceed the bounds for initial
 /// configurations, or are not finite.
 bool molecules_overlap(const System& system, const State& state);
+
+/// Advice about a lattice with overlapping molecules, such as ", or a density of 0.79 g/cm3, at
+/// which this lattice fits". Lattices with the same seed are tried in larger boxes of the same
+/// shape, with densities that decrease by 10 % each. The text is empty if molecules overlap at all
+/// densities down to 5 % of the original density.
+std::string fitting_density(const Topology& topology, const Box& box, std::uint64_t seed,
+                            const std::function<bool(const State&)>& overlaps);
 
 /// Rejects a lattice with overlapping molecules if the dynamics would start from this lattice
 /// without minimisation. Other initial configurations are not checked.

@@ -40,11 +40,7 @@ double SinglePoint::pressure() const {
 SinglePoint single_point(const Config& config, bool derivative, const Callbacks& callbacks) {
   SinglePoint point{build_system(config), {}, {}, {}, {}};
   const System& system = point.system;
-  try {
-    check_overlap(system.topology, system.state);
-  } catch (const Error& e) {
-    throw e.at(config.source);
-  }
+  at_place(config.source, [&] { check_overlap(system.topology, system.state); });
   note_molecules(system, callbacks);
   note_forces(system, callbacks);
   ForceField forces(system.topology, system.forces, system.state.box);

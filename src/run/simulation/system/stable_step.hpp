@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The longest step at which the scheme of a simulation is stable.
+// The time scale of a system, and the longest step at which the scheme of a simulation is stable.
 #pragma once
 
 #include <optional>
@@ -9,6 +9,12 @@
 #include "polhode/run/simulation/trajectory/trajectory_settings.hpp"
 
 namespace polhode {
+
+/// The Einstein frequency of the fastest degrees of freedom of a liquid [1/ps], from the forces in
+/// a single state. The square of the frequency is ⟨f²⟩/(m k_B T) for translation, and ⟨τ_k²⟩/(J_k
+/// k_B T) for rotation about each axis. Averages are taken over each kind of molecule separately.
+double einstein_frequency(const System& system, const State& state,
+                          Workers& workers = Workers::serial());
 
 /// The fraction of the stability limit above which a warning is given. The fastest motions of a
 /// liquid are about twice as fast as the Einstein frequency, so a warning at the limit would be too

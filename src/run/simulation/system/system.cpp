@@ -3,20 +3,22 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/memory.hpp"
+#include "base/version.hpp"
 #include "forces/pairs/overlap.hpp"
 #include "forces/system_size.hpp"
 #include "model/initial_state.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
-#include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/model/centre_of_mass.hpp"
+#include "run/simulation/files/checkpoint.hpp"
 #include "run/simulation/report/warning_rules.hpp"
-#include "run/simulation/system/fitting_density.hpp"
-#include "run/simulation/system/precise_start.hpp"
+#include "run/simulation/system/relaxation.hpp"
 
 namespace polhode {
 namespace {
@@ -37,11 +39,7 @@ void take_topology_file(const Config& config, const Frame& start, System& system
   std::vector<PairOverride>& pairs = read.mixing.pairs;
   pairs.insert(pairs.end(), config.forces.mixing.pairs.begin(), config.forces.mixing.pairs.end());
   system.forces.mixing = std::move(read.mixing);
-  try {
-    check(system.forces.mixing, system.topology);
-  } catch (const Error& e) {
-    throw e.at(config.source);
-  }
+  at_place(config.source, [&] { check(system.forces.mixing, system.topology); });
 }
 
 // The mixing rule with which the models were parametrized, or else the default.
@@ -79,19 +77,17 @@ void check_size(const Topology& topology) {
 
 State lattice_start(const Config& config, const Topology& topology) {
   const SystemSettings& s = config.system;
-  Box box;
   if (!s.density && !s.box)
     throw Error(
         "there is no density, box or initial configuration; write for example density = \"1 "
         "g/cm3\"",
         config.source + ", system");
-  try {
+  const Box box = at_place(config.source, [&] {
     check_size(topology);
-    box = s.box ? Box{*s.box} : cubic_box(topology, s.density.value());
-    check_edges(box);
-  } catch (const Error& e) {
-    throw e.at(config.source);
-  }
+    const Box edges = s.box ? Box{*s.box} : cubic_box(topology, s.density.value());
+    check_edges(edges);
+    return edges;
+  });
   return lattice(topology, box, s.seed);
 }
 
@@ -120,6 +116,57 @@ void take_velocities(System& system, const SystemSettings& settings) {
     system.file_temperature = kinetic_temperature(system);
 }
 
+constexpr double max_deviation = 0.002;  // maximum deviation [nm], which is twice the last digit of
+                                         // most GRO files
+constexpr auto remedy =
+    "give the coordinate file that was written with the checkpoint, or leave the checkpoint out to "
+    "start from the rounded coordinates of the file";
+
+/// The largest distance between the positions of a site in two states, up to periodic images [nm].
+double deviation(const Molecule& molecule, std::size_t i, const State& a, const State& b) {
+  const Vec3<double> centre = a.box.minimum_image(a.q[i] - b.q[i]);
+  double largest = norm(centre);
+  for (const Site& site : molecule.sites)
+    largest = std::max(largest, norm(centre + to_lab(a.orientation[i], site.r) -
+                                     to_lab(b.orientation[i], site.r)));
+  return largest;
+}
+
+void check_same(const System& system, const State& state) {
+  const State& start = system.state;
+  if (state.size() != start.size())
+    throw Error(
+        fmt::format("the checkpoint has {} molecules, but the initial configuration has {}; {}",
+                    state.size(), start.size(), remedy));
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(std::abs(state.box.edge[k] - start.box.edge[k]) <= max_deviation))
+      throw Error(
+          fmt::format("the box of the checkpoint has an edge of {:.6g} nm, but the initial "
+                      "configuration has {:.6g} nm; {}",
+                      state.box.edge[k], start.box.edge[k], remedy));
+  for (std::size_t i = 0; i < state.size(); ++i)
+    if (const double d =
+            deviation(system.topology.parts[system.bodies.part[i]].molecule, i, state, start);
+        !(d <= max_deviation))
+      throw Error(
+          fmt::format("molecule {} of the checkpoint is {:.3g} nm from its position in the initial "
+                      "configuration, more than {:g} nm; {}",
+                      i + 1, d, max_deviation, remedy));
+}
+
+/// Replaces the state of a system by the state in a checkpoint of the same molecules. The state
+/// that is replaced was read from a coordinate file, which has fewer digits. The time of the system
+/// does not change.
+/// @param path  path of the checkpoint of a run or preparation
+/// @throws Error  if the file is damaged or of another version, or if a box edge or a site differs
+///   by more than the rounding in common formats, 0.002 nm
+void take_checkpoint(System& system, const std::string& path) {
+  State state = state_of_checkpoint(path, version());
+  check_same(system, state);
+  state.time = system.state.time;
+  system.state = std::move(state);
+}
+
 /// Advice on the density at which the molecules of a lattice would not overlap.
 std::string density_advice(const Config& config, const System& system) {
   if (!config.system.initial_configuration.empty()) return {};
@@ -143,10 +190,6 @@ void check_apart(const Config& config, const System& system) try {
   if (const auto warning = distant_sites(system))
     throw Error(fmt::format("{}; {}; {}", e.what(), warning->text, warning->remedy), config.source);
   throw Error(e.what() + density_advice(config, system), config.source);
-}
-
-void scale(Vec3Column& v, double factor) {
-  for (std::size_t i = 0; i < v.size(); ++i) v.set(i, factor * v[i]);
 }
 
 }  // namespace
@@ -192,22 +235,14 @@ System build_system(const Config& config) {
     system.new_velocities = config.system.new_velocities.value_or(!has_velocities);
   }
   system.bodies = Bodies(system.topology);
-  try {
-    if (!config.system.checkpoint.empty()) take_checkpoint(system, config.system.checkpoint);
-  } catch (const Error& e) {
-    throw e.at(config.source + ", system.checkpoint");
-  }
-  try {
-    check_edges(system.state.box);
-  } catch (const Error& e) {
-    throw e.at(config.source);
-  }
+  if (!config.system.checkpoint.empty())
+    at_place(config.source + ", system.checkpoint",
+             [&] { take_checkpoint(system, config.system.checkpoint); });
+  at_place(config.source, [&] { check_edges(system.state.box); });
   check_apart(config, system);
-  try {
-    system.forces = ForceField(system.topology, system.forces, system.state.box).settings();
-  } catch (const Error& e) {
-    throw e.at(config.place("forces.cutoff"));
-  }
+  system.forces = at_place(config.place("forces.cutoff"), [&] {
+    return ForceField(system.topology, system.forces, system.state.box).settings();
+  });
   take_velocities(system, config.system);
   return system;
 }

@@ -39,8 +39,8 @@ void note_molecules(const System& system, const Callbacks& callbacks) {
                     system.removed_velocity, system.removed_temperature));
   if (degrees_of_freedom(system.topology).all() == 0)
     callbacks.note(
-        fmt::format("note: a single atom without total momentum has no degrees of freedom, so it "
-                    "has no temperature"));
+        "note: a single atom without total momentum has no degrees of freedom, so it has no "
+        "temperature");
 }
 
 void note_velocities(const System& system, const Config& config, const Callbacks& callbacks) {

@@ -8,7 +8,7 @@
 #include "forces/laws/law_range.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
-#include "run/simulation/system/contact.hpp"
+#include "run/simulation/system/relaxation.hpp"
 #include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {

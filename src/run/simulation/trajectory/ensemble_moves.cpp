@@ -6,7 +6,6 @@
 #include "io/settings/ensemble_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/units.hpp"
 
 namespace polhode {
 namespace {

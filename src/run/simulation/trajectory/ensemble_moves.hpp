@@ -3,7 +3,6 @@
 // draws and decisions of hybrid Monte Carlo.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
 #include "ensemble/thermostat.hpp"

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "blow_up.hpp"
-#include "clocks.hpp"
 #include "polhode/base/error.hpp"
 #include "run/simulation/trajectory/ensemble_moves.hpp"
 #include "sampler.hpp"

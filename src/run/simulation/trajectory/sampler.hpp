@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "blow_up.hpp"
-#include "clocks.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "timed_integrator.hpp"
 

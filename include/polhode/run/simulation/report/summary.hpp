@@ -2,7 +2,6 @@
 // The summary of results that a run reports at its end.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "polhode/run/simulation/report/ensemble_summary.hpp"

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "polhode/base/vec3.hpp"
-#include "polhode/model/state.hpp"
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/quantities.hpp"
 #include "polhode/run/simulation/system/system.hpp"
