@@ -4,7 +4,7 @@
 many schemes.
 
 Every run adds a line to the record; a study that was interrupted, or is given more runs, continues where the record ends. --figure
-FOLDER draws bias.svg and density.svg there."""
+FOLDER draws bias.svg there."""
 
 import json
 import zlib
@@ -154,7 +154,6 @@ def complete(o, lines):
 def report(points):
     """The tables of the groups that have runs."""
     of = lambda *groups: {p: runs for p, runs in points.items() if p.group in groups}
-    several = of("density") if len({p.temperature for p in of("density")}) > 3 else {}
     energy = of("energy", "quick")
     starts = energy if energy and min(map(len, energy.values())) > 2 else {}
     parts = []
@@ -172,10 +171,8 @@ def report(points):
                                 ("Compressibility", tables.compressibilities, of("compression")),
                                 ("Compressibility from volumes", tables.from_volumes, of("density")),
                                 ("Constant pressure", compared.at_constant_pressure, of("density")),
-                                ("Density at 1 bar", compared.at_one_bar, of("density")),
                                 ("Density with and without a time-step bias", compared.decided, of("decision")),
-                                ("Density against a shorter step", compared.decided, of("short-step")),
-                                ("Density", tables.densities, of("density")), ("Temperature of maximum density", tables.maxima, several)):
+                                ("Density against a shorter step", compared.decided, of("short-step"))):
         if chosen:
             parts += [f"### {title}\n", make(chosen)]
     return "\n".join(parts)

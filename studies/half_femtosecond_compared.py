@@ -236,30 +236,6 @@ def at_constant_pressure(points):
     return table(head, rows)
 
 
-def at_one_bar(points):
-    """Densities minus predicted biases, relative to their mean over all other schemes at the same temperature, averaged over the temperatures,
-    as measured and corrected to a mean pressure of 1 bar by the compressibility of the volume fluctuations. This correction was decided on
-    after the densities were known."""
-    kappa = {T: np.mean([run["compressibility_per_bar"]["value"] for p, runs in points.items() if p.temperature == T for run in runs])
-             for T in {p.temperature for p in points}}
-    kinds = (lambda run, T: 1.0, lambda run, T: 1 - kappa[T] * (pressure(run) - 1))
-    without = lambda run, T, kind: tables.density(run) * kind(run, T) - (tables.density_bias(run) or 0)
-    rows = []
-    for name in dict.fromkeys(map(tables.name_of, points)):
-        row = []
-        for kind in kinds:
-            found = []
-            for p in (p for p in points if tables.name_of(p) == name):
-                own = mean([without(run, p.temperature, kind) for run in points[p]])
-                others = mean([without(run, q.temperature, kind) for q, runs in points.items() if q.temperature == p.temperature and q != p
-                               and runs[0]["step_bias"] for run in runs] or [own[0]])
-                found.append((100 * (own[0] / others[0] - 1), 100 * hypot(own[1], others[1]) / others[0]))
-            row.append((float(np.mean([value for value, _ in found])), sqrt(sum(error**2 for _, error in found)) / len(found)))
-        every = [pressure(run) for p, runs in points.items() if tables.name_of(p) == name for run in runs]
-        rows.append([name, cell(mean(every), 1), *(cell(one, 3) for one in row)])
-    return table(["scheme", "mean pressure [bar]", "density minus bias, relative to the other schemes [%]", "the same at 1 bar [%]"], rows)
-
-
 def decided(points):
     """Densities minus the density of the reference: hybrid Monte Carlo with exact volume moves, which has no time-step bias, or gier4-fd at
     2 fs. The question, put before the runs: is the density of gier4-fd at 4 fs unbiased, or 0.08 % too low? It is decided if the 99 % interval

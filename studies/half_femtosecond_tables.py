@@ -4,7 +4,6 @@ They also show the cost at which the bias of a scheme is as small as required.""
 
 from collections import defaultdict
 from math import exp, hypot, inf, log
-from typing import NamedTuple
 
 import numpy as np
 from lib.runs import number
@@ -86,31 +85,8 @@ def density_bias(run):
     return -density(run) * run["step_bias"]["volume_nm3"]["value"] / run["volume_nm3"]["value"]
 
 
-def unbiased_density(run):
-    """The density minus its predicted bias; None if the bias is not known."""
-    bias = density_bias(run)
-    return None if bias is None else density(run) - bias
-
-
-def densities(points):
-    head = ["T [K]", "scheme", "step [fs]", "density [kg/m³]", "predicted bias [kg/m³]", "density minus bias [kg/m³]"]
-    return table(head, [[f"{p.temperature:g}", p.scheme, f"{p.step:g}", cell(of_runs(runs, density), 2), cell(of_runs(runs, density_bias), 2),
-                         cell(of_runs(runs, unbiased_density), 2)] for p, runs in points.items()])
-
-
-LIMIT = "limit of short steps"
-
-
 def name_of(p):
     return f"{p.scheme}, {p.step:g} fs"
-
-
-def limit_densities(points):
-    """[(T, density, error)] without the time-step bias, from all runs that predict it."""
-    corrected = defaultdict(list)
-    for p, runs in points.items():
-        corrected[p.temperature] += [unbiased_density(run) for run in runs if run["step_bias"]]
-    return [(T, *mean(values)) for T, values in sorted(corrected.items()) if values]
 
 
 def density_biases(points):
@@ -123,19 +99,6 @@ def density_biases(points):
         if error == inf:
             error = density(runs[0]) * runs[0]["step_bias"]["volume_nm3"]["error"] / runs[0]["volume_nm3"]["value"]
         curves[name_of(p)].append((p.temperature, value, error))
-    return dict(curves)
-
-
-def measured_densities(points):
-    """[(T, density, error)] by scheme and step. The errors come from the scatter of runs, pooled over the schemes at each temperature."""
-    scatter = defaultdict(list)
-    for p, runs in points.items():
-        values = np.array([density(run) for run in runs])
-        scatter[p.temperature].append((((values - values.mean()) ** 2).sum(), len(values) - 1))
-    variance = {T: sum(s for s, _ in of) / max(1, sum(n for _, n in of)) for T, of in scatter.items()}
-    curves = defaultdict(list)
-    for p, runs in points.items():
-        curves[name_of(p)].append((p.temperature, of_runs(runs, density)[0], (variance[p.temperature] / len(runs)) ** 0.5))
     return dict(curves)
 
 
@@ -159,72 +122,6 @@ def maximum(curve):
 def spread(drawn):
     """Half of the interval that contains 68 % of the draws, because a few draws have curves without a maximum."""
     return float(np.diff(np.percentile(drawn, (16, 84)))[0] / 2)
-
-
-class Maximum(NamedTuple):
-    """Of a curve: by fit, (value, error) of its place and of its shift due to the step [K]; what the step changes in the density, the mean
-    over temperatures [%]; chi squared of the weighted fits by degree; `fit` is the cubic."""
-    place: dict
-    moved: dict
-    change: tuple | None
-    chi_squared: dict
-    fit: Polynomial
-
-
-# Fits without weights, as in the first version of this study, and a weighted one: (degree, whether points are weighted by their errors).
-FITS = {"cubic": (3, False), "parabola": (2, False), "weighted cubic": (3, True)}
-
-
-def fitted(name, T, value, error):
-    degree, weighted = FITS[name]
-    return density_fit(T, value, degree, error if weighted else None)
-
-
-def chi_squared(T, value, error):
-    """By degree; empty without errors."""
-    return {n: float((((value - density_fit(T, value, n, error)(T)) / error) ** 2).sum()) for n in (3, 2)} if all(error > 0) else {}
-
-
-def maxima_of(points, draws=2000):
-    """({name: Maximum} of measured densities, {name: Maximum} of predictions, the limit first). Errors are from curves drawn within the
-    errors of their points. A prediction is the fit of the limit plus the fit of the predicted bias, and is drawn with the drawn limit."""
-    random = np.random.default_rng(1)
-    drawn = lambda value, error: value + error * random.standard_normal((draws, len(value)))
-    T, limit, error = map(np.array, zip(*limit_densities(points)))
-    limits = drawn(limit, error)
-    fit = {n: fitted(n, T, limit, error) for n in FITS}
-    fits = {n: [fitted(n, T, one, error) for one in limits] for n in FITS}
-    tops = {n: np.array([maximum(one) for one in fits[n]]) for n in FITS}
-    measured = {}
-    predictions = {LIMIT: Maximum({n: (maximum(fit[n]), spread(tops[n])) for n in FITS}, {}, None, chi_squared(T, limit, error), fit["cubic"])}
-    for name, curve in measured_densities(points).items():
-        if len(curve) == len(T):
-            _, value, error = map(np.array, zip(*curve))
-            own = drawn(value, error)
-            place = {n: (maximum(fitted(n, T, value, error)), spread([maximum(fitted(n, T, one, error)) for one in own])) for n in FITS}
-            change = (100 * float((value / limit - 1).mean()), spread(100 * (own / limits - 1).mean(axis=1)))
-            measured[name] = Maximum(place, {}, change, chi_squared(T, value, error), fitted("cubic", T, value, error))
-    for name, curve in density_biases(points).items():
-        if len(curve) == len(T):
-            _, value, error = map(np.array, zip(*curve))
-            biases = drawn(value, error)
-            curves = {n: fit[n] + bias_fit(T, value) for n in FITS}
-            many = {n: np.array([maximum(f + bias_fit(T, one)) for f, one in zip(fits[n], biases)]) for n in FITS}
-            predictions[name] = Maximum({n: (maximum(curves[n]), spread(many[n])) for n in FITS},
-                                        {n: (maximum(curves[n]) - maximum(fit[n]), spread(many[n] - tops[n])) for n in FITS},
-                                        (100 * float((value / limit).mean()), spread(100 * (biases / limits).mean(axis=1))), {}, curves["cubic"])
-    return measured, predictions
-
-
-def maxima(points, draws=2000):
-    """Temperatures of the density maxima by three fits, how far the step moves them, and what it changes in the density."""
-    head = ["densities", *(f"maximum, {name} [K]" for name in FITS), "χ² of weighted cubic, parabola", "shift, cubic [K]", "shift, parabola [K]",
-            "density, mean over temperatures [%]"]
-    row = lambda name, m: [name, *(cell(m.place[n], 1) for n in FITS), ", ".join(f"{m.chi_squared[n]:.1f}" for n in m.chi_squared),
-                           *(cell(m.moved.get(n), 1) for n in ("cubic", "parabola")), cell(m.change, 3)]
-    measured, predictions = maxima_of(points, draws)
-    return table(head, [row(f"measured: {name}", m) for name, m in measured.items()]
-                 + [row(name if name == LIMIT else f"predicted: {name}", m) for name, m in predictions.items()])
 
 
 def cost_at(curve, bound):

@@ -15,7 +15,6 @@ import analysis_errors
 import drift
 import half_femtosecond as hf
 import half_femtosecond_compared as compared
-import half_femtosecond_figures
 import half_femtosecond_tables as tables
 import liquids
 import multiple_time_steps
@@ -197,23 +196,6 @@ class HalfFemtosecond(unittest.TestCase):
     def test_bias_of_a_density(self):
         run = {"density_kg_per_m3": {"value": 1000}, "volume_nm3": {"value": 6.0}, "step_bias": {"volume_nm3": {"value": 0.003}}}
         self.assertAlmostEqual(tables.density_bias(run), -0.5)
-        self.assertAlmostEqual(tables.unbiased_density(run), 1000.5)
-
-    def test_maxima_with_and_without_a_prediction(self):
-        """The scheme with a prediction says that its density is 0.2 % too high; the other has 0.1 % more than the limit, and its
-        maximum 4 K above that. Runs that agree have no errors."""
-        true = lambda T: 1000 - 0.005 * (T - 277) ** 2
-        found = {}
-        for T in (257, 267, 277, 287, 297):
-            with_prediction = {"density_kg_per_m3": {"value": true(T) / 0.998}, "volume_nm3": {"value": 6.0}, "step_bias": {"volume_nm3": {"value": -0.012}}}
-            own = {"density_kg_per_m3": {"value": 1.001 * true(T - 4)}, "volume_nm3": {"value": 6.0}, "step_bias": None}
-            for scheme, run in (("hoa2", with_prediction), ("gier4-fd", own)):
-                found[hf.Point("density", "tip4p-2005", T, 1, "constant pressure", scheme, 4, 500)] = [run, run]
-        hoa2, gier4, limit, predicted = (line.replace("-0.0 ", "0.0 ") for line in tables.maxima(found).splitlines()[2:])
-        self.assertEqual(limit, "| limit of short steps | 277.0 ± 0.0 | 277.0 ± 0.0 | 277.0 ± 0.0 |  |  |  |  |")
-        self.assertEqual(hoa2, "| measured: hoa2, 4 fs | 277.0 ± 0.0 | 277.0 ± 0.0 | 277.0 ± 0.0 |  |  |  | 0.200 ± 0.000 |")
-        self.assertEqual(predicted, "| predicted: hoa2, 4 fs | 277.0 ± 0.0 | 277.0 ± 0.0 | 277.0 ± 0.0 |  | 0.0 ± 0.0 | 0.0 ± 0.0 | 0.200 ± 0.000 |")
-        self.assertEqual(gier4, "| measured: gier4-fd, 4 fs | 281.0 ± 0.0 | 281.0 ± 0.0 | 281.0 ± 0.0 |  |  |  | 0.092 ± 0.000 |")  # 0.1 % - 0.005 * 16 / 1000
 
     def test_measured_biases_from_common_starts(self):
         """Two schemes and three starts whose energies differ by 10: the predicted bias of the second is 0.5, the measured one 0.5 as well, and
@@ -247,11 +229,6 @@ class HalfFemtosecond(unittest.TestCase):
         found = compared.estimators({point: [run, run]})
         self.assertIn("| 4 | rotation minus translation | -18.00 ± 0.00 | 9.00 ± 0.00 | 0.00 ± 0.00 | 9.00 ± 0.00 | 18.000 ± 0.000 |  |", found)
         self.assertIn("| 2.000 ± 0.000 | 13.82 ± 0.00 |", found)  # 3 K times 4.606 bar/K of 33.36 molecules per nm³
-
-    def test_the_shorter_of_two_steps_is_open_and_dashed(self):
-        looks = half_femtosecond_figures.looks(["velocity-verlet, 2 fs", "velocity-verlet, 4 fs", "hoa2, 4 fs"])
-        self.assertEqual([line for _, line in looks.values()], ["--", "-", "-"])
-        self.assertEqual(looks["velocity-verlet, 2 fs"][0]["markerfacecolor"], "white")
 
     def test_slope_of_a_weighted_line(self):
         value, error = tables.slope([(0.98, 3 - 0.04, 0.1), (1, 3, 0.1), (1.02, 3 + 0.04, 0.1)])

@@ -19,7 +19,8 @@ from lib import figures
 ROOT = study_path.ROOT
 RECORDS = ROOT / "studies/records"
 FIGURES = {  # study: record, option of --figure, images in docs/
-    "half_femtosecond": ("2026-11-23-half-femtosecond.jsonl", ".", ("half-femtosecond/bias.svg", "half-femtosecond/density.svg")),
+    "half_femtosecond": ("2026-11-23-half-femtosecond.jsonl", ".", ("half-femtosecond/bias.svg",)),
+    "density_maximum": ("2026-11-28-density-maximum.jsonl", "density-maximum.svg", ("density-maximum/density-maximum.svg",)),
     "all_schemes": ("2026-11-21-all-schemes.json", "all-schemes.svg", ("all-schemes/all-schemes.svg",)),
     "multiple_time_steps": ("2026-11-21-nested.json", "nested.svg", ("nested/nested.svg",)),
     "accuracy": ("2026-11-21-accuracy.json", "accuracy.svg", ("accuracy/accuracy.svg",)),
