@@ -197,6 +197,7 @@ BenchmarkSettings BenchmarkRequest::settings(bool is_quick, int threads) const {
   if (sizes) s.sizes.clear();
   for (const std::string& size : given_words(sizes))
     s.sizes.push_back(given_whole_number({size, sizes.name}, 1, max_count));
+  if (s.sizes.empty()) refuse(sizes, "has no number of waters; write for example \"512,4096\"");
   if (precision) s.precisions = {given_name<Precision>(precision)};
   if (threads > 1) s.threads.push_back(threads);
   return s;
@@ -237,6 +238,7 @@ std::vector<RequestOption<TopRequest>> TopRequest::options() {
 }
 
 FreeTop TopRequest::top() const {
+  if (method) refuse(method, fmt::format("has no meaning without {}; leave it out", table.name));
   FreeTop top;
   if (J) top.J = three_numbers(J);
   if (L) top.L = three_numbers(L);
@@ -251,6 +253,10 @@ FreeTop TopRequest::top() const {
 }
 
 std::string TopRequest::rotated_table() const {
+  for (const Given* one : {&J, &L, &step, &length, &output})
+    if (*one)
+      refuse(*one, fmt::format("has no meaning with {}, whose rows are the tops; leave it out",
+                               table.name));
   return rotate_table(table.text, method ? given_name<RotorMethod>(method) : RotorMethod::series);
 }
 

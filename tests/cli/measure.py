@@ -415,6 +415,7 @@ plot = "none"
                 (("argn", "density"), ["argn"]),
                 (("argon", "density", "--at", "300"), ["--at", "'300' in '300' has no unit", "298.15 K"]),
                 (("argon", "density", "--at", "90 K, 1400 kg/m3"), ["density cannot be measured", "constant pressure"]),
+                (("argon", "density", "--at", "250 K to 320, 7 points"), ["--at", "'250 K to 320'", "has no unit"]),
                 (("argon", "pressure", "--at", "90 K, 1 bar"), ["pressure cannot be measured", "give a density"]),
                 (("argon", "pressure", "--at", "90 K, 1 kg/m3"), ["too low for a liquid"]),
                 (("argon", "pressure", "--at", "90 K, 1 kg/m3, 1 bar"), ["--at", "a pressure and a density"]),

@@ -57,7 +57,8 @@ bool Preprocessor::skipped() const {
   return !conditions_.empty() && !(conditions_.back().reached && conditions_.back().taken);
 }
 
-// The next line, joined with its continuation lines, without comments.
+// The next line, joined with its continuation lines, without comments. As in GROMACS, a comment
+// includes the continuation lines that follow it.
 std::optional<std::string> Preprocessor::logical_line() {
   Source& source = sources_.back();
   const std::string_view text = source.text;
@@ -72,11 +73,11 @@ std::optional<std::string> Preprocessor::logical_line() {
     line = trimmed(line);
     continued = line.ends_with('\\');
     if (continued) line.remove_suffix(1);
-    joined += line.substr(0, line.find(';'));
+    joined += line;
     if (continued) joined += ' ';
     characters_ += line.size() + 1;
   }
-  return joined;
+  return joined.substr(0, joined.find(';'));
 }
 
 void Preprocessor::directive(std::string_view line) {

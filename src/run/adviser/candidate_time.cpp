@@ -22,11 +22,13 @@ double time_of(const Candidate& candidate, System system, const Config& config, 
   const TrajectorySettings s{candidate.scheme, candidate.step, 1000 * candidate.step,
                              config.run.sample, config.integrator.lambda};
   double length = 0, spent = 0;
+  bool blew_up = false;
   do {
     const Trajectory t = run_trajectory(system, forces, s, {nullptr, over}, workers);
     length += static_cast<double>(t.steps) * s.step;
     spent += t.timings.all();
-  } while (length < min_duration && !stopped());
+    blew_up = !t.failure.empty();
+  } while (length < min_duration && !blew_up && !stopped());
   return spent / length;
 }
 

@@ -119,7 +119,8 @@ std::vector<StatePoint> state_points(std::string_view text) {
       points = count;
       continue;
     }
-    if (part.find_first_not_of("0123456789.eE+- ") == part.npos)
+    const std::string_view last = part.substr(part.rfind(' ') + 1);
+    if (last.find_first_not_of("0123456789.eE+-") == last.npos)
       throw Error(fmt::format("'{}' in '{}' has no unit; write {}", part, text, example));
     const Dimension dimension = dimension_of(part);
     std::optional<Range>& range = dimension == Dimension::temperature ? temperature

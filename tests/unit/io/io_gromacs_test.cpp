@@ -136,6 +136,12 @@ TEST_CASE("the preprocessor handles includes, macros, conditions and continuatio
   CHECK(std::abs(declared.topology.parts[0].molecule.J.x / own.J.x - 1) < 1e-9);
 }
 
+TEST_CASE("a comment includes its continuation lines, as in GROMACS") {
+  const std::string text = replaced(spce, "[ settles ]\n1 1 0.1 0.16330\n",
+                                    "[ settles ]\n; 1 1 0.9 \\\n0.9 0.9\n1 1 0.1 0.16330\n");
+  CHECK(rigid_topology(parsed(text), {}, nullptr).origins[0] == "rigid by settles");
+}
+
 TEST_CASE("the preprocessor refuses endless input") {
   refused("#include \"a\"\n", {"'a' includes itself", "a:1"}, includes("#include \"a\"\n"));
   int k = 0;
