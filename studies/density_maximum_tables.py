@@ -20,7 +20,8 @@ from lib.study import ROOT, table
 
 STEP = 2  # [fs] of the runs
 STEPS = (0.5, 1, 2, 4)  # [fs]
-EARLIER = ROOT / "studies/records/2026-11-23-half-femtosecond.jsonl"
+EARLIER = [ROOT / f"studies/records/{name}.jsonl" for name in
+           ("2026-11-23-half-femtosecond", "2026-11-23-density-298", "2026-11-27-density-318", "2026-11-27-density-318-short-step")]
 PUBLISHED = {0.5: 277.15, 2: 273.15, 4: 269.15}  # maxima [K] by step [fs] [asthagiri2025b]
 
 
@@ -46,14 +47,25 @@ def limits(runs):
     return at_one_bar(runs, kappa(runs)) - biases, biases
 
 
+def unbiased(runs, compressibility):
+    """The densities of earlier runs at 1 bar minus their predicted biases."""
+    return at_one_bar(runs, compressibility) - np.array([density_bias(run) or 0 for run in runs])
+
+
+def earlier_runs():
+    """Runs of the study of the half femtosecond that predict their bias, and runs of gier4-fd at 2 fs, which have none within 0.01 %."""
+    lines = [line for record in EARLIER for line in half_femtosecond.known(record).values()]
+    return [line for line in lines if line["point"][4] == "constant pressure" and (line["step_bias"] or line["point"][5:7] == ["gier4-fd", 2])]
+
+
 class Curves:
     """Fits through the means over runs at each temperature."""
 
     def __init__(self, values, errors):
-        """values: {T: (densities without bias, biases)}; errors: of the mean density by T."""
+        """values: {T: (densities without bias, biases, further densities without bias)}; errors: of the mean density by T."""
         T = list(values)
-        self.limit = density_fit(T, [x.mean() for x, _ in values.values()], 3, errors)
-        self.bias = bias_fit(T, [b.mean() for _, b in values.values()])
+        self.limit = density_fit(T, [np.concatenate([x, more]).mean() for x, _, more in values.values()], 3, errors)
+        self.bias = bias_fit(T, [b.mean() for _, b, _ in values.values()])
 
     def of(self, step):
         """The densities of velocity Verlet at this step [fs]; 0: the limit of short steps."""
@@ -72,14 +84,16 @@ class Known(NamedTuple):
         return (top(self.whole, step), tops.std(), top(self.whole, step) - top(self.whole, 0), shifts.std(), np.percentile(shifts, (0.5, 99.5)))
 
 
-def known(of, draws=2000):
-    values = {T: limits(runs) for T, runs in of.items()}
-    errors = np.array([mean(x)[1] for x, _ in values.values()])
+def known(of, draws=2000, earlier=()):
+    """earlier: further runs with predicted biases, or without any bias, for the limit of short steps."""
+    values = {T: (*limits(runs), unbiased([run for run in earlier if run["point"][2] == T], kappa(runs))) for T, runs in of.items()}
+    errors = np.array([mean(np.concatenate([x, more]))[1] for x, _, more in values.values()])
     random = np.random.default_rng(1)
+    again = lambda n: random.integers(n, size=n) if n else []
     drawn = []
     for _ in range(draws):
-        chosen = {T: random.integers(len(x), size=len(x)) for T, (x, _) in values.items()}
-        drawn.append(Curves({T: (x[chosen[T]], b[chosen[T]]) for T, (x, b) in values.items()}, errors))
+        chosen = {T: (again(len(x)), again(len(more))) for T, (x, _, more) in values.items()}
+        drawn.append(Curves({T: (x[chosen[T][0]], b[chosen[T][0]], more[chosen[T][1]]) for T, (x, b, more) in values.items()}, errors))
     return Known(Curves(values, errors), drawn)
 
 
@@ -106,13 +120,15 @@ def hoa2_maximum(curves, points):
     return whole[0], tops[:, 0].std(), whole[0] - whole[1], shifts.std(), np.percentile(shifts, (0.5, 99.5))
 
 
-def maxima(curves, points):
+def maxima(of, points):
+    curves = known(of)
     head = ["scheme", "maximum [K]", "shift [K]", "99 % interval", "published maximum [K]"]
     found = {f"velocity Verlet, {step:g} fs" if step else "limit of short steps": (step, curves.maximum(step)) for step in (0, *STEPS)}
     rows = []
     for name, (step, (top, error, shift, of_shift, (low, high))) in (found | {"hoa2, 4 fs": (None, hoa2_maximum(curves, points))}).items():
         moved = ["", ""] if step == 0 else [cell((shift, of_shift), 2), f"{low:.2f} to {high:.2f}"]
         rows.append([name, cell((top, error), 2), *moved, PUBLISHED.get(step, "")])
+    rows.insert(1, ["the same, with earlier runs", cell(known(of, earlier=earlier_runs()).maximum(0)[:2], 2), "", "", ""])
     return table(head, rows)
 
 
@@ -167,6 +183,6 @@ def report(lines):
     of = by_temperature(lines)
     if min(map(len, of.values())) < 2:
         return "at least two runs at each temperature are needed"
-    points = by_point(half_femtosecond.known(EARLIER), ["density"])
-    return "\n".join(["### Density\n", densities(of), "### Temperature of maximum density\n", maxima(known(of), points), "### Other fits\n", fits(of), "### Earlier runs\n", earlier(of, points),
+    points = by_point(half_femtosecond.known(EARLIER[0]), ["density"])
+    return "\n".join(["### Density\n", densities(of), "### Temperature of maximum density\n", maxima(of, points), "### Other fits\n", fits(of), "### Earlier runs\n", earlier(of, points),
                       "### Compressibility and dielectric constant\n", responses(of)])

@@ -169,7 +169,6 @@ def report(points):
                                 ("Friction", tables.friction, of("friction")), ("Structure", tables.structure, of("properties")),
                                 ("Structure with Langevin thermostats", tables.structure_seen, of("structure")),
                                 ("Compressibility", tables.compressibilities, of("compression")),
-                                ("Compressibility from volumes", tables.from_volumes, of("density")),
                                 ("Constant pressure", compared.at_constant_pressure, of("density")),
                                 ("Density with and without a time-step bias", compared.decided, of("decision")),
                                 ("Density against a shorter step", compared.decided, of("short-step"))):

@@ -212,18 +212,6 @@ def compressibilities(points):
     return table(["scheme", "step [fs]", *(f"pressure bias at {x:g} g/cm³ [bar]" for x in (0.978, 0.998, 1.018)), "resulting bias of κ [%]"], rows)
 
 
-def from_volumes(points):
-    """Compressibilities in runs at constant pressure, relative to the mean of all schemes at the same temperature. They are averaged over
-    the temperatures, and errors are from the scatter over the temperatures."""
-    kappa = {p: mean([run["compressibility_per_bar"]["value"] for run in runs])[0] for p, runs in points.items()}
-    at = {T: np.mean([value for p, value in kappa.items() if p.temperature == T]) for T in {p.temperature for p in kappa}}
-    ratios = defaultdict(list)
-    for p, value in kappa.items():
-        ratios[p.scheme, p.step].append(100 * (value / at[p.temperature] - 1))
-    return table(["scheme", "step [fs]", "κ minus the mean of all schemes [%]"],
-                 [[scheme, f"{step:g}", cell(mean(values), 1)] for (scheme, step), values in ratios.items()])
-
-
 def starts(points):
     """Temperature differences without a time-step bias."""
     head = ["initial configuration", "runs", "length [ps]", "T_rot − T_trans, measured [K]", "predicted [K]", "configurational [K]"]
