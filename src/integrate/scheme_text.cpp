@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "arithmetic.hpp"
 #include "base/suggest.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/error_terms.hpp"
