@@ -23,7 +23,7 @@ constexpr SettingBounds equilibration = between(0, 1e12, " (one second)");
 /// @throws Error  with the place of the key, if the text is not a scheme
 NamedScheme scheme_of(const std::string& text, const TomlTable& table, std::string_view key,
                       const Config& config) {
-  return table.at(key, [&] { return with_own_schemes(text, config.schemes); });
+  return table.at(key, [&] { return NamedScheme(with_own_schemes(text, config.schemes)); });
 }
 
 void read_scheme(TomlTable& table, const SettingRow& row, Config& config) {
