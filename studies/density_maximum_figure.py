@@ -19,7 +19,7 @@ def draw(lines, path):
     for step, line in ((0, ":"), (2, "--"), (4, "-")):
         colour, top = look.color if step else figures.INK, curves.maximum(step)[0]
         left.plot(T, curves.whole.of(step)(T), color=colour, linestyle=line, label=f"velocity Verlet, {step} fs, predicted" if step else None)
-        left.plot([top, top], [left.get_ylim()[0], curves.whole.of(step)(top)], color=colour, linestyle=line, linewidth=0.8)
+        left.axvline(top, color=colour, linestyle=line, linewidth=0.8)
     left.set(xlabel="temperature  (K)", ylabel="density at 1 bar  (kg/m³)")
     steps = np.linspace(0, 4, 33)
     middle, error = np.array([curves.maximum(h)[:2] for h in steps]).T

@@ -4,6 +4,7 @@
 import unittest
 
 import study_path  # noqa: F401  first: it says where the others are
+import built_program
 import density_maximum_tables as tables
 import half_femtosecond as hf
 import numpy as np
@@ -83,4 +84,4 @@ class DensityMaximum(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    built_program.main()
