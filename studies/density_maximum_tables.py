@@ -163,6 +163,12 @@ def earlier(of, points):
     return table(["scheme", "density minus bias and limit, mean over temperatures [%]", f"χ², {len(of)} temperatures"], rows)
 
 
+def permittivity(run):
+    """The dielectric constant of a run. The program subtracts the square of the mean dipole, which is the share 2τ/t of the variance in a run of
+    length t with the relaxation time τ. Here it is added again, because the true mean is zero."""
+    return 1 + (number(run["dielectric"]["constant"]) - 1) / (1 - run["dielectric"]["mean_over_rms_dipole"] ** 2)
+
+
 def responses(of):
     """Compressibility and dielectric constant with their biases."""
     head = ["T [K]", "κ [10⁻⁵/bar]", "bias of κ [%]", "ε", "bias of ε [%]"]
@@ -172,7 +178,7 @@ def responses(of):
         for values, biases, digits in (
                 ([1e5 * run["compressibility_per_bar"]["value"] for run in runs],
                  [1e5 * run["step_bias"]["compressibility_per_bar"]["value"] for run in runs], 2),
-                ([number(run["dielectric"]["constant"]) for run in runs], [run["dielectric"]["step_bias"]["constant"]["value"] for run in runs], 1)):
+                ([permittivity(run) for run in runs], [run["dielectric"]["step_bias"]["constant"]["value"] for run in runs], 1)):
             value = mean(values)
             quantities += [cell(value, digits), cell([100 * x / value[0] for x in mean(biases)], 2)]
         rows.append([T, *quantities])
