@@ -164,9 +164,10 @@ def earlier(of, points):
 
 
 def permittivity(run):
-    """The dielectric constant of a run. The program subtracts the square of the mean dipole, which is the share 2τ/t of the variance in a run of
-    length t with the relaxation time τ. Here it is added again, because the true mean is zero."""
-    return 1 + (number(run["dielectric"]["constant"]) - 1) / (1 - run["dielectric"]["mean_over_rms_dipole"] ** 2)
+    """The dielectric constant of a run and its bias. The program subtracts the square of the mean dipole, which is the share 2τ/t of the variance
+    in a run of length t with the relaxation time τ. Here it is added again, because the true mean is zero."""
+    of, rest = run["dielectric"], 1 - run["dielectric"]["mean_over_rms_dipole"] ** 2
+    return 1 + (number(of["constant"]) - 1) / rest, of["step_bias"]["constant"]["value"] / rest
 
 
 def responses(of):
@@ -178,7 +179,7 @@ def responses(of):
         for values, biases, digits in (
                 ([1e5 * run["compressibility_per_bar"]["value"] for run in runs],
                  [1e5 * run["step_bias"]["compressibility_per_bar"]["value"] for run in runs], 2),
-                ([permittivity(run) for run in runs], [run["dielectric"]["step_bias"]["constant"]["value"] for run in runs], 1)):
+                (*zip(*map(permittivity, runs)), 1)):
             value = mean(values)
             quantities += [cell(value, digits), cell([100 * x / value[0] for x in mean(biases)], 2)]
         rows.append([T, *quantities])
