@@ -11,7 +11,7 @@ def draw(lines, path):
     """Left: the limit of short steps as points, a cubic through them, and curves of velocity Verlet with vertical lines at their maxima.
     Right: the maximum against the step, with the published ones."""
     of = tables.by_temperature(lines)
-    curves = tables.known(of)
+    curves = tables.known(of, draws=500)
     figure, ((left, right),) = figures.panels(2, size=(9.6, 4.6))
     T, look = np.linspace(min(of), max(of), 200), figures.styles(["velocity-verlet"])["velocity-verlet"]
     points = {t: mean(tables.limits(runs)[0]) for t, runs in of.items()}
@@ -21,7 +21,7 @@ def draw(lines, path):
         left.plot(T, curves.whole.of(step)(T), color=colour, linestyle=line, label=f"velocity Verlet, {step} fs, predicted" if step else None)
         left.axvline(top, color=colour, linestyle=line, linewidth=0.8)
     left.set(xlabel="temperature  (K)", ylabel="density at 1 bar  (kg/m³)")
-    steps = np.linspace(0, 4, 33)
+    steps = np.linspace(0, 4, 17)
     middle, error = np.array([curves.maximum(h)[:2] for h in steps]).T
     right.fill_between(steps, middle - error, middle + error, color=look.color, alpha=0.25, linewidth=0)
     right.plot(steps, middle, color=look.color, label="velocity Verlet, predicted")

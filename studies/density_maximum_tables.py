@@ -84,7 +84,7 @@ class Known(NamedTuple):
         return (top(self.whole, step), tops.std(), top(self.whole, step) - top(self.whole, 0), shifts.std(), np.percentile(shifts, (0.5, 99.5)))
 
 
-def known(of, draws=2000, earlier=()):
+def known(of, draws=1000, earlier=()):
     """earlier: further runs with predicted biases, or without any bias, for the limit of short steps."""
     values = {T: (*limits(runs), unbiased([run for run in earlier if run["point"][2] == T], kappa(runs))) for T, runs in of.items()}
     errors = np.array([mean(np.concatenate([x, more]))[1] for x, _, more in values.values()])
