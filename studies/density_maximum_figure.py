@@ -11,7 +11,7 @@ def draw(lines, path):
     """Left: the limit of short steps as points, a cubic through them, and curves of velocity Verlet with vertical lines at their maxima.
     Right: the maximum against the step, with the published ones."""
     of = tables.by_temperature(lines)
-    curves = tables.known(of, draws=500)
+    curves = tables.resampled(of, draws=500)
     figure, ((left, right),) = figures.panels(2, size=(9.6, 4.6))
     T, look = np.linspace(min(of), max(of), 200), figures.styles(["velocity-verlet"])["velocity-verlet"]
     points = {t: mean(tables.limits(runs)[0]) for t, runs in of.items()}

@@ -72,7 +72,7 @@ class Curves:
         return self.limit + self.bias * (step / STEP) ** 2
 
 
-class Known(NamedTuple):
+class Resampled(NamedTuple):
     """The curves of all runs, and curves of runs drawn with replacement at each temperature."""
     whole: Curves
     drawn: list
@@ -84,7 +84,7 @@ class Known(NamedTuple):
         return (top(self.whole, step), tops.std(), top(self.whole, step) - top(self.whole, 0), shifts.std(), np.percentile(shifts, (0.5, 99.5)))
 
 
-def known(of, draws=1000, earlier=()):
+def resampled(of, draws=1000, earlier=()):
     """earlier: further runs with predicted biases, or without any bias, for the limit of short steps."""
     values = {T: (*limits(runs), unbiased([run for run in earlier if run["point"][2] == T], kappa(runs))) for T, runs in of.items()}
     errors = np.array([mean(np.concatenate([x, more]))[1] for x, _, more in values.values()])
@@ -94,7 +94,7 @@ def known(of, draws=1000, earlier=()):
     for _ in range(draws):
         chosen = {T: (again(len(x)), again(len(more))) for T, (x, _, more) in values.items()}
         drawn.append(Curves({T: (x[chosen[T][0]], b[chosen[T][0]], more[chosen[T][1]]) for T, (x, b, more) in values.items()}, errors))
-    return Known(Curves(values, errors), drawn)
+    return Resampled(Curves(values, errors), drawn)
 
 
 def densities(of):
@@ -121,14 +121,14 @@ def hoa2_maximum(curves, points):
 
 
 def maxima(of, points):
-    curves = known(of)
+    curves = resampled(of)
     head = ["scheme", "maximum [K]", "shift [K]", "99 % interval", "published maximum [K]"]
     found = {f"velocity Verlet, {step:g} fs" if step else "limit of short steps": (step, curves.maximum(step)) for step in (0, *STEPS)}
     rows = []
     for name, (step, (top, error, shift, of_shift, (low, high))) in (found | {"hoa2, 4 fs": (None, hoa2_maximum(curves, points))}).items():
         moved = ["", ""] if step == 0 else [cell((shift, of_shift), 2), f"{low:.2f} to {high:.2f}"]
         rows.append([name, cell((top, error), 2), *moved, PUBLISHED.get(step, "")])
-    rows.insert(1, ["the same, with earlier runs", cell(known(of, earlier=earlier_runs()).maximum(0)[:2], 2), "", "", ""])
+    rows.insert(1, ["the same, with earlier runs", cell(resampled(of, earlier=earlier_runs()).maximum(0)[:2], 2), "", "", ""])
     return table(head, rows)
 
 

@@ -45,7 +45,7 @@ class DensityMaximum(unittest.TestCase):
 
     def test_maxima(self):
         """At 4 fs the bias is four times its value at 2 fs. Maxima are zeros of a slope that is quadratic in T."""
-        curves = tables.known(runs(), draws=20)
+        curves = tables.resampled(runs(), draws=20)
         for step in (0, 0.5, 1, 2, 4):
             slope = -0.018 * (step / 2) ** 2
             shift = (0.012 - (0.012**2 - 4 * 6e-5 * slope) ** 0.5) / (2 * 6e-5)  # -0.012 x + 6e-5 x² + slope = 0
@@ -61,7 +61,7 @@ class DensityMaximum(unittest.TestCase):
         tops, errors = [], []
         for _ in range(60):
             of = tables.by_temperature([run(t, deviation=d) for t in T for d in random.standard_normal(12)])
-            top, error, *_ = tables.known(of, draws=60).maximum(0)
+            top, error, *_ = tables.resampled(of, draws=60).maximum(0)
             tops.append(top)
             errors.append(error)
         ratio = np.std(tops, ddof=1) / np.sqrt(np.mean(np.square(errors)))
