@@ -10,6 +10,7 @@
 #include <limits>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/stopwatch.hpp"
@@ -109,14 +110,23 @@ constexpr Gate over = 1, open = 2, one_inside = 4, one_call = Gate{1} << 16;
 constexpr Gate inside(Gate gate) { return gate / one_inside % (one_call / one_inside); }
 constexpr Gate call_of(Gate gate) { return gate / one_call; }
 
+/// The tasks that one thread runs first, in order. Other threads take tasks from this share when
+/// their own share is empty. A thread has the same share in each call with this number of tasks, so
+/// data that it used before is often still in the cache of its core.
+struct alignas(64) Share {
+  std::atomic<std::size_t> next{0};
+  std::size_t end = 0;
+};
+
 }  // namespace
 
 class Workers::Pool {
  public:
-  explicit Pool(int others) {
+  explicit Pool(int others) : shares_(static_cast<std::size_t>(others) + 1) {
     threads_.reserve(static_cast<std::size_t>(others));
     try {
-      for (int n = 0; n < others; ++n) threads_.emplace_back([this] { wait_and_work(); });
+      for (std::size_t n = 1; n < shares_.size(); ++n)
+        threads_.emplace_back([this, n] { wait_and_work(n); });
     } catch (...) {
       end();
       throw;
@@ -130,17 +140,17 @@ class Workers::Pool {
       return;
     }
     work_ = work;
-    next_.store(0, std::memory_order_relaxed);
+    for (std::size_t n = 0; n < shares_.size(); ++n) {
+      shares_[n].next.store(work.count * n / shares_.size(), std::memory_order_relaxed);
+      shares_[n].end = work.count * (n + 1) / shares_.size();
+    }
     const Gate call = call_of(gate_.value.load(std::memory_order_relaxed)) + 1;
     gate_.value.store(call * one_call | open);
     gate_.wake(work.count - 1);
-    take();
+    take(0);
     if (inside(gate_.value.fetch_and(~open, std::memory_order_acq_rel)) > 0) wait_for_the_last();
-    const std::exception_ptr thrown = thrown_;
-    if (thrown) {
-      thrown_ = nullptr;
-      thrown_by_ = none;
-    }
+    const std::exception_ptr thrown = std::exchange(thrown_, nullptr);
+    thrown_by_.store(none, std::memory_order_relaxed);
     busy_.store(false, std::memory_order_release);
     if (thrown) std::rethrow_exception(thrown);
   }
@@ -148,20 +158,25 @@ class Workers::Pool {
  private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  /// Runs tasks until no tasks are left.
-  void take() {
+  /// Runs tasks until no tasks are left, at first the tasks in the share of the thread.
+  void take(std::size_t thread) {
     const Work work = work_;
-    std::size_t k = 0;
+    for (std::size_t n = 0; n < shares_.size(); ++n) {
+      Share& share = shares_[(thread + n) % shares_.size()];
+      if (share.next.load(std::memory_order_relaxed) >= share.end) continue;
+      for (std::size_t k; (k = share.next.fetch_add(1, std::memory_order_relaxed)) < share.end;)
+        if (k < thrown_by_.load(std::memory_order_relaxed)) run_task(work, k);
+    }
+  }
+
+  void run_task(const Work& work, std::size_t k) {
     try {
-      while ((k = next_.fetch_add(1, std::memory_order_relaxed)) < work.count)
-        work.call(work.task, k);
+      work.call(work.task, k);
     } catch (...) {
-      next_.store(work.count, std::memory_order_relaxed);
       const std::lock_guard lock(throwing_);
-      if (k < thrown_by_) {
-        thrown_ = std::current_exception();
-        thrown_by_ = k;
-      }
+      if (k > thrown_by_.load(std::memory_order_relaxed)) return;
+      thrown_ = std::current_exception();
+      thrown_by_.store(k, std::memory_order_relaxed);
     }
   }
 
@@ -178,7 +193,7 @@ class Workers::Pool {
   }
 
   /// Main loop of a pool thread.
-  void wait_and_work() {
+  void wait_and_work(std::size_t thread) {
     Gate done = 0;  // the last call in which this thread took part
     TimeSlice slice;
     for (;;) {
@@ -193,7 +208,7 @@ class Workers::Pool {
                                              std::memory_order_relaxed))
         continue;
       done = call_of(gate);
-      take();
+      take(thread);
       const Gate left = gate_.value.fetch_sub(one_inside, std::memory_order_acq_rel) - one_inside;
       if ((left & open) == 0 && inside(left) == 0) {
         ended_.value.fetch_add(1);
@@ -209,15 +224,14 @@ class Workers::Pool {
     for (std::thread& thread : threads_) thread.join();
   }
 
-  // Variables that many threads write have separate cache lines.
-  alignas(64) Futex gate_;
-  alignas(64) std::atomic<std::size_t> next_{0};
-  alignas(64) Work work_;
-  Futex ended_;  // number of calls that were closed before their last thread left
+  alignas(64) Futex gate_;  // in one cache line with the work, which a thread reads next
+  Work work_;
+  alignas(64) Futex ended_;  // number of calls that were closed before their last thread left
   std::atomic<bool> busy_{false};
   std::mutex throwing_;
   std::exception_ptr thrown_;
-  std::size_t thrown_by_ = none;
+  std::atomic<std::size_t> thrown_by_{none};  // the first task that has thrown
+  std::vector<Share> shares_;
   std::vector<std::thread> threads_;
 };
 

@@ -30,9 +30,11 @@ class Workers {
   /// memory. A call from within a task, or during another thread's call, runs all its tasks on the
   /// calling thread.
   ///
-  /// If a task throws, all tasks that have not started are skipped, and the exception of the task
-  /// with the smallest k is rethrown. Tasks start in order, so a single thread would throw the same
-  /// exception.
+  /// Each thread begins with a share of consecutive tasks, which is the same in each call with this
+  /// count. Data that a task uses again is therefore often still in the cache of its core.
+  ///
+  /// If a task throws, later tasks that have not started are skipped, and the exception of the task
+  /// with the smallest k is rethrown. A single thread would throw the same exception.
   template <class Task>
   void each(std::size_t count, const Task& task) {
     if (count > 1 && threads_ > 1)

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <stdexcept>
@@ -126,12 +127,47 @@ TEST_CASE("tasks after one that throws are not started") {
   CHECK_THROWS_AS(workers.each(300,
                                [&](std::size_t k) {
                                  ++started;
-                                 if (k < 2) meeting.join();
+                                 if (k % 150 == 0) meeting.join();  // the first task of each thread
                                  if (k == 0) throw std::runtime_error("0");
                                  std::this_thread::sleep_for(std::chrono::milliseconds(1));
                                }),
                   std::runtime_error);
   CHECK(started < 300);
+}
+
+TEST_CASE("a task before one that throws is started, although its thread is late") {
+  Workers workers(2);
+  Meeting meeting(2);
+  std::atomic<bool> thrown = false;
+  std::string what;
+  try {
+    workers.each(4, [&](std::size_t k) {  // the shares are 0 and 1, and 2 and 3
+      if (k % 2 == 0) meeting.join();
+      if (k == 0)
+        while (!thrown) std::this_thread::yield();
+      if (k == 2) thrown = true;
+      if (k > 0) throw std::runtime_error(std::to_string(k));
+    });
+  } catch (const std::runtime_error& e) {
+    what = e.what();
+  }
+  CHECK(what == "1");
+}
+
+TEST_CASE("two threads have the same shares of tasks in each call") {
+  Workers workers(2);
+  std::array<std::thread::id, 2> first;
+  for (int call = 0; call < 20; ++call) {
+    Meeting meeting(2);
+    std::array<std::thread::id, 2> own;
+    workers.each(2, [&](std::size_t k) {
+      meeting.join();  // neither thread can run both tasks
+      own[k] = std::this_thread::get_id();
+    });
+    if (call == 0) first = own;
+    CHECK(own == first);
+    CHECK(own[0] == std::this_thread::get_id());
+  }
 }
 
 TEST_CASE("the exception of the lowest task is rethrown") {
