@@ -37,12 +37,11 @@ Slots::Slots(const Topology& topology) {
 }
 
 void Slots::sort(const State& state, Workers& workers) {
-  constexpr std::size_t at_once = 1024;
   const Box& box = state.box;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const CellGrid grid(box, parts[p].count);
     const std::uint32_t first = first_body_[p], end = first + parts[p].count;
-    each_block(parts[p].count, at_once, workers, [&](std::size_t from, std::size_t to) {
+    each_block(parts[p].count, slots_at_once, workers, [&](std::size_t from, std::size_t to) {
       for (std::size_t i = first + from; i < first + to; ++i) {
         const Vec3<double> q = state.q[i];
         if (!std::isfinite(norm2(q)))
@@ -62,7 +61,7 @@ void Slots::sort(const State& state, Workers& workers) {
     for (std::size_t s = parts[p].end(); s < parts[p].first + whole; ++s) body[s] = first;
   }
 
-  each_block(size(), at_once, workers, [&](std::size_t begin, std::size_t end) {
+  each_block(size(), slots_at_once, workers, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
       const Vec3<double> q = state.q[body[s]];
       built_at.set(s, q);

@@ -164,7 +164,7 @@ class Propagator::Impl {
   }
 
   void step(bool energies) {
-    report_.before_step();
+    report_.before_step(steps_);
     try {
       integrator_.apply([&](auto& integrator) {
         integrator.advance(system_.state, settings_.step, 1, energies);
