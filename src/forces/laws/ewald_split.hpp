@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Splits of 1/r into two parts, 1/r = u(r) + smooth(r). The short-range part u is summed over
+// The split of 1/r into two parts, 1/r = u(r) + smooth(r). The short-range part u is summed over
 // pairs, and the smooth part over wave vectors. The smooth part is the potential of a unit charge
-// that is spread over a density. The split is named after this density. transform(k) is the Fourier
-// transform of this density, with value 1 at k = 0.
+// that is spread over a density. transform(k) is the Fourier transform of this density, with value
+// 1 at k = 0.
 #pragma once
 
 #include <cmath>
@@ -17,31 +17,6 @@ namespace polhode {
 struct TransformValue {
   double value;  ///< value, which is 1 at k = 0
   double slope;  ///< slope k d/dk of the transform
-};
-
-/// Ewald's split of 1/r with a Gaussian density of width 1/(√2 α). The short-range part u(r) =
-/// erfc(α r)/r is positive at all r.
-struct GaussianSplit {
-  double alpha;  ///< [1/nm]
-
-  RadialValue smooth(double r) const {
-    const double gaussian = 2 * alpha / std::sqrt(units::pi) * std::exp(-alpha * alpha * r * r);
-    if (alpha * r < 1e-4) return {smooth_at_zero(), 2 * alpha * alpha / 3 * smooth_at_zero()};
-    const double u = std::erf(alpha * r) / r;
-    return {u, (u - gaussian) / (r * r)};
-  }
-  RadialValue pair(double r) const {
-    const double gaussian = 2 * alpha / std::sqrt(units::pi) * std::exp(-alpha * alpha * r * r);
-    const double u = std::erfc(alpha * r) / r;
-    return {u, (u + gaussian) / (r * r)};
-  }
-  double smooth_at_zero() const { return 2 * alpha / std::sqrt(units::pi); }
-  TransformValue transform(double k) const {
-    const double x = k * k / (4 * alpha * alpha), value = std::exp(-x);
-    return {value, -2 * x * value};
-  }
-  /// The integral ∫ u dV over all space [nm²].
-  double integral() const { return units::pi / (alpha * alpha); }
 };
 
 /// Split of 1/r with a density C (1 − r²/a²)^m, which is zero beyond a. The smooth part is the
