@@ -5,6 +5,7 @@
 // 1 at k = 0.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -34,7 +35,6 @@ class CompactSplit {
   CompactSplit(double cutoff, int exponent)
       : polynomial_(cutoff, inverse_distance_terms(exponent + 1)) {}
 
-  int exponent() const { return degree() - 1; }
   double cutoff() const { return polynomial_.cutoff(); }
   const SmoothPolynomial& polynomial() const { return polynomial_; }
   RadialValue smooth(double r) const { return polynomial_.smooth(r); }
@@ -54,12 +54,9 @@ class CompactSplit {
  private:
   int degree() const { return static_cast<int>(polynomial_.degree()); }
 
-  struct ReducedBessel {
-    double now, next;  // functions of degrees n and n + 1
-  };
-  // Computes (2n+1)!! j_n(x)/xⁿ, by the power series if this loses no digits, and otherwise by
-  // upward recurrence in n.
-  static ReducedBessel reduced_bessel(int n, double x) {
+  // Computes (2n+1)!! j_n(x)/xⁿ for the degrees n and n + 1, by the power series if this loses no
+  // digits, and otherwise by upward recurrence in n.
+  static std::array<double, 2> reduced_bessel(int n, double x) {
     if (x < n + 1) return {bessel_series(n, x), bessel_series(n + 1, x)};
     const double inverse = 1 / (x * x);
     double now = std::sin(x) / x, next = 3 * (now - std::cos(x)) * inverse;

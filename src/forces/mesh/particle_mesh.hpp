@@ -23,16 +23,6 @@ struct MeshLoad {
                           ///< bodies [kJ/mol]
 };
 
-/// Corrections of the smooth part that do not depend on positions: self-energy, intramolecular
-/// exclusions, and the uniform background that neutralizes a net charge [kJ/mol].
-struct MeshConstant {
-  double self = 0, intramolecular = 0, background = 0;
-  Mat3<double> virial{};  ///< virial of the background
-  double energy() const { return self + intramolecular + background; }
-
-  MeshConstant(const Topology& topology, const CompactSplit& split, const Box& box);
-};
-
 /// The particle mesh, which computes the smooth part of the electrostatic energy.
 /// @tparam T  precision of the grid: double or float
 template <class T>
