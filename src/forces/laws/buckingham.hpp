@@ -33,6 +33,9 @@ struct Buckingham {
     return {static_cast<T>(law.A), static_cast<T>(law.B), static_cast<T>(law.C),
             static_cast<T>(r * r)};
   }
+  Buckingham scaled_by(double s) const {
+    return {A, B / s, c6 * std::pow(s, 6), inner_limit2 * s * s};
+  }
   Buckingham<float> rounded() const {
     return {static_cast<float>(A), static_cast<float>(B), static_cast<float>(c6),
             static_cast<float>(inner_limit2)};

@@ -26,6 +26,10 @@ struct LennardJones {
     const double s2 = sigma * sigma, s6 = s2 * s2 * s2;
     return {static_cast<T>(4 * epsilon * s6), static_cast<T>(4 * epsilon * s6 * s6)};
   }
+  LennardJones scaled_by(double s) const {
+    const double s6 = std::pow(s, 6);
+    return {c6 * s6, c12 * s6 * s6};
+  }
   LennardJones<float> rounded() const { return {static_cast<float>(c6), static_cast<float>(c12)}; }
 
   template <class Real>

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forces/laws/resized.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 
@@ -52,7 +51,7 @@ PairTable::PairTable(const Molecule& first, const Molecule& second, const Mixing
   for (const Site& at_b : b.sites)
     for (const Site& at_a : a.sites) {
       any.charge.push_back(units::coulomb * at_a.charge * at_b.charge);
-      any.law.push_back(resized(law_of(at_a, at_b), at_a.size * at_b.size));
+      any.law.push_back(law_of(at_a, at_b).scaled_by(at_a.size * at_b.size));
       any_float.law.push_back(any.law.back().rounded());
     }
   any_float.charge.assign(any.charge.begin(), any.charge.end());

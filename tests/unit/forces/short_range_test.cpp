@@ -8,7 +8,6 @@
 
 #include "../errors.hpp"
 #include "forces/laws/law_range.hpp"
-#include "forces/laws/resized.hpp"
 #include "math/dual.hpp"
 #include "polhode/base/error.hpp"
 
@@ -62,17 +61,17 @@ TEST_CASE("a potential with scaled distances is the potential at scaled distance
       for (double r = 0.3; r < 1.1; r += 0.0371) {
         CAPTURE(k);
         CAPTURE(r);
-        const PairValue<double> scaled = at(resized(laws[k], factor), factor * r);
+        const PairValue<double> scaled = at(laws[k].scaled_by(factor), factor * r);
         const PairValue<double> plain = at(laws[k], r);
         const double scale = 1e-13 * at(ShortRange<double>(LennardJones<>::of(0.34, 1)), 0.26).u;
         CHECK(std::abs(scaled.u - plain.u) < scale);
         CHECK(std::abs(scaled.s * factor * factor - plain.s) < 12 * scale / (r * r));
       }
-  CHECK(std::isnan(at(resized(laws[2], 0.5),
+  CHECK(std::isnan(at(laws[2].scaled_by(0.5),
                       0.5 * 0.99 * std::sqrt(std::get<Buckingham<>>(laws[2].law()).inner_limit2))
                        .u));
-  CHECK(at(resized(laws[3], 1), 0.5).u == at(laws[3], 0.5).u);
-  CHECK_THROWS_AS(resized(laws[3], 0.5), Error);
+  CHECK(at(laws[3].scaled_by(1), 0.5).u == at(laws[3], 0.5).u);
+  CHECK_THROWS_AS(laws[3].scaled_by(0.5), Error);
 }
 
 // exp(n/2 ln(σ²/r²)) errs by some n |ln(σ/r)| + 2 roundings of 2⁻⁵³, here below 20 of the larger
