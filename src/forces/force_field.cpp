@@ -8,7 +8,6 @@
 #include "forces/laws/law_range.hpp"
 #include "forces/laws/slab_dispersion.hpp"
 #include "forces/pairs/pair_engine.hpp"
-#include "forces/system_size.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 

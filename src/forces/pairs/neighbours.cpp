@@ -10,7 +10,6 @@
 
 #include "base/stopwatch.hpp"
 #include "forces/pairs/centre_ranges.hpp"
-#include "forces/system_size.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {
