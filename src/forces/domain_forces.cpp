@@ -27,9 +27,8 @@ Topology with_ghosts(const Topology& own, const std::vector<std::size_t>& ghosts
 }
 
 double reach_of(const Topology& topology, const ForceSettings& settings) {
-  double extent = 0;
-  for (const auto& part : topology.parts) extent = std::max(extent, part.molecule.extent());
-  return std::max(settings.cutoff, cutoff_of_charges(settings)) + 2 * extent + settings.skin;
+  return std::max(settings.cutoff, cutoff_of_charges(settings)) + 2 * topology.extent() +
+         settings.skin;
 }
 
 // The box in which forces are computed. In directions that are not periodic, the edge is so long

@@ -210,8 +210,7 @@ double expected_pair_seconds(const Topology& topology, ForceSettings settings,
   double seconds = 0;
   for (const auto& a : topology.parts)
     for (const auto& b : topology.parts) {
-      const double range =
-          centre_ranges(settings, a.molecule, b.molecule).largest() + settings.skin;
+      const double range = centre_ranges(settings, a.molecule, b.molecule).largest + settings.skin;
       const double sphere = 4 * units::pi / 3 * range * range * range;
       const double pairs = static_cast<double>(a.count) * static_cast<double>(b.count) / 2 *
                            std::min(1.0, sphere / box.volume());
@@ -236,9 +235,7 @@ double cutoff_of(int n) { return std::round(40 * std::pow(1.03, n)) / 100; }
 
 /// The longest cutoff that the neighbour list allows in a box.
 double max_cutoff(const Topology& topology, const Box& box) {
-  double extent = 0;
-  for (const auto& part : topology.parts) extent = std::max(extent, part.molecule.extent());
-  return std::min(box.shortest_edge() / 2, 0.99 * (box.shortest_edge() - 2 * extent));
+  return std::min(box.shortest_edge() / 2, 0.99 * (box.shortest_edge() - 2 * topology.extent()));
 }
 
 }  // namespace
