@@ -3,8 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "forces/laws/buckingham.hpp"
 #include "polhode/base/error.hpp"
 

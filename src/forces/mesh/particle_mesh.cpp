@@ -7,6 +7,7 @@
 
 #include "base/blocks.hpp"
 #include "base/memory.hpp"
+#include "forces/laws/ewald_split.hpp"
 #include "fourier_loops.hpp"
 #include "mesh_influence.hpp"
 #include "polhode/base/error.hpp"

@@ -8,7 +8,6 @@
 #include <memory>
 #include <vector>
 
-#include "forces/laws/ewald_split.hpp"
 #include "forces/mesh/mesh_charges.hpp"
 #include "polhode/base/workers.hpp"
 #include "polhode/forces/mesh/mesh_settings.hpp"

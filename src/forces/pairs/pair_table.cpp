@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
