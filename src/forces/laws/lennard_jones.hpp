@@ -22,7 +22,7 @@ struct LennardJones {
   static std::optional<Parameters> mixed(const Parameters& x, const Parameters&, const Mean&) {
     return x;
   }
-  static LennardJones of(double sigma, double epsilon) {
+  static LennardJones of(double sigma, double epsilon, const LennardJonesLaw& = {}) {
     const double s2 = sigma * sigma, s6 = s2 * s2 * s2;
     return {static_cast<T>(4 * epsilon * s6), static_cast<T>(4 * epsilon * s6 * s6)};
   }

@@ -52,7 +52,8 @@ class ShortRange {
   Law law_;
 };
 
-/// The law with the parameters of a site, or of a pair.
+/// The law with the parameters of a site, or of a pair. A law ignores σ and ε if it has other
+/// parameters.
 ShortRange<double> short_range(double sigma, double epsilon, const ShortRangeLaw& law);
 
 /// The potential between two sites, mixed from the potentials of both sites. Either may be zero.

@@ -28,7 +28,7 @@ struct Tabulated {
   static std::optional<Parameters> mixed(const Parameters& x, const Parameters& y, const Mean&) {
     return x == y ? std::optional(x) : std::nullopt;
   }
-  static Tabulated of(const TabulatedLaw& law) {
+  static Tabulated of(double, double, const TabulatedLaw& law) {
     return {law.table, static_cast<T>(law.table->first()), static_cast<T>(1 / law.table->spacing()),
             static_cast<T>(law.table->intervals())};
   }

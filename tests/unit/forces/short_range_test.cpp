@@ -108,7 +108,7 @@ TEST_CASE("a tabulated Lennard-Jones law errs as a cubic spline does") {
   const double u4 = 4 * epsilon * (32760 * x * x) / std::pow(first, 4);
   double before = 0;
   for (const double h : {0.004, 0.002, 0.001}) {
-    const auto table = Tabulated<>::of(lennard_jones_table(sigma, epsilon, h));
+    const auto table = Tabulated<>::of(0, 0, lennard_jones_table(sigma, epsilon, h));
     double worst = 0;
     for (double r = first; r < 1.19; r += 0.137 * h) {
       worst = std::max(worst, std::abs(at(table, r).u - at(lj, r).u));
@@ -122,7 +122,7 @@ TEST_CASE("a tabulated Lennard-Jones law errs as a cubic spline does") {
 
 // Class C²: the slope of s is the same on both sides of a point of the table.
 TEST_CASE("a tabulated law is of class C² and stays finite beyond its end") {
-  const auto law = Tabulated<>::of(lennard_jones_table(0.34, 1, 0.01));
+  const auto law = Tabulated<>::of(0, 0, lennard_jones_table(0.34, 1, 0.01));
   const auto slope = [&](double r) {
     const Dual<double> x(r, 1.0);
     return law(InversePowers<Dual<double>>(x * x), x * x).s.slope;
@@ -137,7 +137,7 @@ TEST_CASE("a tabulated law is of class C² and stays finite beyond its end") {
 
 TEST_CASE("below its inner limit a law is not a number") {
   const double r = inner_limit(argon);
-  const auto law = Buckingham<>::of(argon);
+  const auto law = Buckingham<>::of(0, 0, argon);
   CHECK(r > 0.05);
   CHECK(r < 0.1);
   // u is largest there: s changes sign, and what is below is cut off.
@@ -145,7 +145,7 @@ TEST_CASE("below its inner limit a law is not a number") {
   CHECK(at(law, 1.000001 * r).s > 0);
   CHECK(std::isnan(at(law, 0.9999 * r).u));
   CHECK(std::isnan(at(law, 0.9999 * r).s));
-  const auto table = Tabulated<>::of(lennard_jones_table(0.34, 1, 0.002));
+  const auto table = Tabulated<>::of(0, 0, lennard_jones_table(0.34, 1, 0.002));
   CHECK(std::isnan(at(table, 0.2499).u));
   CHECK(std::isfinite(at(table, 0.2501).u));
   CHECK(std::isnan(at(table, 0.0).u));
