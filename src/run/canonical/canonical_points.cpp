@@ -23,21 +23,6 @@ namespace {
 /// known, so no reference measurement is needed.
 constexpr bool is_temperature(std::size_t quantity) { return quantity >= 1 && quantity <= 4; }
 
-/// The mean over the finite values; empty if there are fewer than two finite values.
-std::optional<Estimate> mean_of(std::vector<double> values) {
-  std::erase_if(values, [](double x) { return !std::isfinite(x); });
-  if (values.size() < 2) return std::nullopt;
-  return mean(values);
-}
-
-template <class Value>
-std::optional<Estimate> mean_over(const std::vector<CanonicalRun>& runs, const Value& value) {
-  std::vector<double> values;
-  for (const CanonicalRun& run : runs)
-    if (run.stable) values.push_back(value(run));
-  return mean_of(std::move(values));
-}
-
 /// The mean of a quantity over all methods of exact sampling, except for one method. For each
 /// initial configuration, the mean over the steps is computed first. The mean over the
 /// configurations is computed next, because runs from different configurations are independent.
@@ -53,7 +38,7 @@ std::optional<Estimate> exact_mean(const std::vector<CanonicalMethod>& methods,
   }
   std::vector<double> means;
   for (const auto& [start, values] : of_start) means.push_back(mean(values).value);
-  return mean_of(std::move(means));
+  return means.size() < 2 ? std::nullopt : std::optional(mean(means));
 }
 
 }  // namespace
@@ -109,13 +94,13 @@ std::vector<CanonicalPoint> canonical_points(const std::vector<CanonicalMethod>&
     point.runs = static_cast<int>(own.size());
     point.stable = std::all_of(own.begin(), own.end(), [](const auto& run) { return run.stable; });
     const auto over_runs = [&](const auto& value) {
-      return mean_over(own, value).value_or(Estimate{unknown, unknown});
+      return mean_of_runs(own, value).value_or(Estimate{unknown, unknown});
     };
     point.correlation_time = over_runs([](const auto& run) { return run.correlation_time; });
     point.acceptance = over_runs([](const auto& run) { return run.acceptance; });
     point.weight = over_runs([](const auto& run) { return run.weight; });
     for (std::size_t k = 0; k < canonical_quantities.size(); ++k) {
-      point.mean[k] = mean_over(own, [k](const auto& run) { return run.means[k]; });
+      point.mean[k] = mean_of_runs(own, [k](const auto& run) { return run.means[k]; });
       const std::optional<Estimate> exact =
           is_temperature(k) ? Estimate{temperature, 0} : exact_mean(methods, runs, method, k);
       if (point.mean[k] && exact)
