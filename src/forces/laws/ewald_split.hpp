@@ -29,7 +29,6 @@ class CompactSplit {
   static constexpr int max_exponent =
       static_cast<int>(SmoothPolynomial::max_degree) - 1;  ///< the largest exponent m
 
-  /// Constructs the split.
   /// @param cutoff    cutoff a [nm]
   /// @param exponent  exponent m, from 0 to `max_exponent`
   CompactSplit(double cutoff, int exponent)

@@ -54,7 +54,6 @@ class Switch {
     Real slope;  ///< derivative w'(r) [1/nm]
   };
 
-  /// Constructs the switching function.
   /// @param smoothness  n, from 1 to 3
   Switch(double from, double to, int smoothness)
       : inverse_width_(static_cast<T>(1 / (to - from))), middle_(static_cast<T>((from + to) / 2)) {

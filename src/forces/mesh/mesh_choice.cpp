@@ -65,7 +65,6 @@ class WaveTable {
   struct Value {
     double required, form;
   };
-  /// Constructs the table.
   /// @param unit  all k² are multiples of the square of this number; 0 if k² may have any value
   WaveTable(const ChargeDistribution& distribution, const CompactSplit& split, double unit)
       : distribution_(distribution), split_(split), per_unit2_(unit == 0 ? 0 : 1 / (unit * unit)) {}

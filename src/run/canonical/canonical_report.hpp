@@ -56,8 +56,7 @@ CanonicalReport run_canonical_study(const Config& config, const std::string& rec
                                     const std::string& prefix, const OutputOptions& options,
                                     const Callbacks& callbacks, Workers& workers);
 
-/// The results of a canonical study as a list, from which text, JSON, the table of points and the
-/// manual are made.
+/// The results of a canonical study as a list, for text, JSON, the table of points and the manual.
 Quantities quantities(const CanonicalReport& report);
 
 /// Conclusions for a criterion: a sentence for each scheme, and a sentence on the cheapest sample.
