@@ -137,25 +137,6 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
          volume;
 }
 
-}  // namespace
-
-double expected_mesh_error(const Topology& topology, const Box& box, const MeshSettings& settings) {
-  Vec3<double> spacing;
-  for (std::size_t d = 0; d < 3; ++d)
-    spacing[d] = box.edge[d] / static_cast<double>(settings.points[d]);
-  return std::sqrt(mean_square_error(ChargeDistribution(topology), spacing, settings.order,
-                                     CompactSplit(settings.cutoff, settings.exponent)) /
-                   box.volume());
-}
-
-double typical_force(const Topology& topology, const Box& box) {
-  const ChargeDistribution distribution(topology);
-  return 0.75 * units::coulomb * distribution.mean_square() *
-         std::pow(distribution.charges() / box.volume(), 2.0 / 3);
-}
-
-namespace {
-
 double points_of(const MeshSettings& mesh) {
   double points = 1;
   for (const std::size_t n : mesh.points) points *= static_cast<double>(n);
@@ -238,6 +219,21 @@ double max_cutoff(const Topology& topology, const Box& box) {
 }
 
 }  // namespace
+
+double expected_mesh_error(const Topology& topology, const Box& box, const MeshSettings& settings) {
+  Vec3<double> spacing;
+  for (std::size_t d = 0; d < 3; ++d)
+    spacing[d] = box.edge[d] / static_cast<double>(settings.points[d]);
+  return std::sqrt(mean_square_error(ChargeDistribution(topology), spacing, settings.order,
+                                     CompactSplit(settings.cutoff, settings.exponent)) /
+                   box.volume());
+}
+
+double typical_force(const Topology& topology, const Box& box) {
+  const ChargeDistribution distribution(topology);
+  return 0.75 * units::coulomb * distribution.mean_square() *
+         std::pow(distribution.charges() / box.volume(), 2.0 / 3);
+}
 
 MeshChoice::MeshChoice(const Topology& topology, const ForceSettings& settings)
     : topology_(topology), settings_(settings) {

@@ -27,18 +27,13 @@ InteractionSites::InteractionSites(const Molecule& molecule) {
                     molecule.name, sites.size(), max_sites));
 }
 
-namespace {
-
-bool names(const std::string& word, const Molecule& molecule, const Site& site) {
-  return word == molecule.name + '.' + site.name;
-}
-
-}  // namespace
-
 PairTable::PairTable(const Molecule& first, const Molecule& second, const Mixing& mixing) {
   const InteractionSites a(first), b(second);
   sites_a = a.size(), charged_a = a.charged, dispersive_a = a.dispersive;
   sites_b = b.size(), charged_b = b.charged, dispersive_b = b.dispersive;
+  const auto names = [](const std::string& word, const Molecule& molecule, const Site& site) {
+    return word == molecule.name + '.' + site.name;
+  };
   const auto law_of = [&](const Site& at_a, const Site& at_b) {
     for (const PairOverride& pair : mixing.pairs)
       if ((names(pair.first, first, at_a) && names(pair.second, second, at_b)) ||

@@ -41,6 +41,37 @@ std::optional<Estimate> exact_mean(const std::vector<CanonicalMethod>& methods,
   return means.size() < 2 ? std::nullopt : std::optional(mean(means));
 }
 
+// Default steps [fs] for water: one list for schemes with one force evaluation per step, and one
+// for schemes with two or three. Schemes with more evaluations use longer steps at equal cost.
+std::vector<double> default_steps(const CanonicalMethod& method, bool coarse) {
+  std::vector<double> fs;
+  if (method.scheme.cost() <= 1)
+    fs = coarse ? std::vector<double>{2, 5} : std::vector<double>{2, 4, 6};
+  else
+    fs = coarse ? std::vector<double>{4, 7} : std::vector<double>{4, 6, 8};
+  const double stretch = std::max(1.0, method.scheme.cost() / 4);
+  for (double& h : fs) h *= stretch / units::fs_per_ps;
+  return fs;
+}
+
+CanonicalMethod method_of(const NamedScheme& given) {
+  const Scheme scheme = single_scheme_of(given);
+  const bool hybrid = !scheme.has(Flow::bath);
+  const std::string prefix = hybrid ? "hmc-" : "";
+  if (hybrid) check_hybrid(scheme);
+  return {.name = prefix + label_of(given),
+          .text = prefix + named_text_of(NestedScheme(scheme)),
+          .scheme = scheme,
+          .hybrid = hybrid};
+}
+
+/// Whether the schemes are the default schemes of a study of energy conservation, given explicitly
+/// or by the default run file.
+bool of_energy_study(const std::vector<NamedScheme>& schemes) {
+  return schemes == StudySettings{}.schemes ||
+         schemes == std::vector<NamedScheme>{"velocity-verlet", "hoa2", "gier4-fd"};
+}
+
 }  // namespace
 
 Estimate CanonicalPoint::evaluations_per_sample() const {
@@ -111,41 +142,6 @@ std::vector<CanonicalPoint> canonical_points(const std::vector<CanonicalMethod>&
   }
   return points;
 }
-
-namespace {
-
-// Default steps [fs] for water: one list for schemes with one force evaluation per step, and one
-// for schemes with two or three. Schemes with more evaluations use longer steps at equal cost.
-std::vector<double> default_steps(const CanonicalMethod& method, bool coarse) {
-  std::vector<double> fs;
-  if (method.scheme.cost() <= 1)
-    fs = coarse ? std::vector<double>{2, 5} : std::vector<double>{2, 4, 6};
-  else
-    fs = coarse ? std::vector<double>{4, 7} : std::vector<double>{4, 6, 8};
-  const double stretch = std::max(1.0, method.scheme.cost() / 4);
-  for (double& h : fs) h *= stretch / units::fs_per_ps;
-  return fs;
-}
-
-CanonicalMethod method_of(const NamedScheme& given) {
-  const Scheme scheme = single_scheme_of(given);
-  const bool hybrid = !scheme.has(Flow::bath);
-  const std::string prefix = hybrid ? "hmc-" : "";
-  if (hybrid) check_hybrid(scheme);
-  return {.name = prefix + label_of(given),
-          .text = prefix + named_text_of(NestedScheme(scheme)),
-          .scheme = scheme,
-          .hybrid = hybrid};
-}
-
-/// Whether the schemes are the default schemes of a study of energy conservation, given explicitly
-/// or by the default run file.
-bool of_energy_study(const std::vector<NamedScheme>& schemes) {
-  return schemes == StudySettings{}.schemes ||
-         schemes == std::vector<NamedScheme>{"velocity-verlet", "hoa2", "gier4-fd"};
-}
-
-}  // namespace
 
 std::vector<NamedScheme> canonical_schemes() {
   return {"obabo",      "baoab",        "aboba",         "hoa2-ends",       "hoa2-middle",
