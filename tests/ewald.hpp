@@ -4,6 +4,7 @@
 // conducting ("tin foil"), so there is no term for the dipole of the box [ewald1921].
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -13,6 +14,31 @@
 #include "polhode/model/topology.hpp"
 
 namespace polhode {
+
+/// Ewald's split of 1/r with a Gaussian density of width 1/(√2 α). The short-range part u(r) =
+/// erfc(α r)/r is positive at all r.
+struct GaussianSplit {
+  double alpha;  ///< [1/nm]
+
+  RadialValue smooth(double r) const {
+    const double gaussian = 2 * alpha / std::sqrt(units::pi) * std::exp(-alpha * alpha * r * r);
+    if (alpha * r < 1e-4) return {smooth_at_zero(), 2 * alpha * alpha / 3 * smooth_at_zero()};
+    const double u = std::erf(alpha * r) / r;
+    return {u, (u - gaussian) / (r * r)};
+  }
+  RadialValue pair(double r) const {
+    const double gaussian = 2 * alpha / std::sqrt(units::pi) * std::exp(-alpha * alpha * r * r);
+    const double u = std::erfc(alpha * r) / r;
+    return {u, (u + gaussian) / (r * r)};
+  }
+  double smooth_at_zero() const { return 2 * alpha / std::sqrt(units::pi); }
+  TransformValue transform(double k) const {
+    const double x = k * k / (4 * alpha * alpha), value = std::exp(-x);
+    return {value, -2 * x * value};
+  }
+  /// The integral ∫ u dV over all space [nm²].
+  double integral() const { return units::pi / (alpha * alpha); }
+};
 
 /// Point charges; those of one body are consecutive and belong to the same periodic image.
 struct PointCharges {

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "forces/pairs/reference.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/forces/force_field.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
+#include "reference_forces.hpp"
 
 namespace polhode::scenes {
 

@@ -6,7 +6,9 @@
 
 namespace polhode {
 
-/// Computes the constant terms.
+/// Computes the constant terms. A mesh or a polynomial that is subtracted from 1/r acts on all
+/// pairs of charges, so the self-interaction of each charge and the interactions within a body are
+/// subtracted. With a mesh, a uniform background neutralizes a net charge.
 /// @param tail  coefficient of the dispersion correction, see dispersion_tail()
 ConstantTerms constant_terms_of(const Topology& topology, const ForceSettings& settings,
                                 const Box& box, double tail);

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "forces/constant_terms.hpp"
 #include "forces/laws/check_settings.hpp"
 #include "forces/laws/law_range.hpp"
-#include "forces/mesh/self_interaction.hpp"
 #include "forces/pairs/pair_engine.hpp"
 #include "polhode/base/error.hpp"
 
@@ -27,16 +27,8 @@ Topology with_ghosts(const Topology& own, const std::vector<std::size_t>& ghosts
 }
 
 double reach_of(const Topology& topology, const ForceSettings& settings) {
-  double extent = 0;
-  for (const auto& part : topology.parts) extent = std::max(extent, part.molecule.extent());
-  return std::max(settings.cutoff, cutoff_of_charges(settings)) + 2 * extent + settings.skin;
-}
-
-double constant_energy(const Topology& own, const ForceSettings& settings) {
-  const auto smooth = smooth_polynomial(settings);
-  if (!smooth) return 0;
-  const SelfInteraction of_own(own, *smooth);
-  return of_own.intramolecular + (settings.ewald_alpha ? 0 : of_own.self);
+  return std::max(settings.cutoff, cutoff_of_charges(settings)) + 2 * topology.extent() +
+         settings.skin;
 }
 
 // The box in which forces are computed. In directions that are not periodic, the edge is so long
@@ -47,6 +39,11 @@ Box box_around(const Vec3<double>& extent, double reach, const Vec3<double>& per
   for (std::size_t d = 0; d < 3; ++d)
     box.edge[d] = period[d] > 0 ? period[d] : extent[d] + 2 * reach;
   return box;
+}
+
+double constant_energy(const Topology& own, const ForceSettings& settings, const Box& box) {
+  const ConstantTerms terms = constant_terms_of(own, settings, box, 0);
+  return terms.intramolecular + (settings.ewald_alpha ? 0 : terms.self);
 }
 
 const ForceSettings& without_slab(const ForceSettings& settings) {
@@ -72,8 +69,8 @@ DomainForces::DomainForces(const Topology& own, const std::vector<std::size_t>& 
       settings_(without_slab(checked(settings))),
       reach_(reach_of(topology_, settings_)),
       period_(period),
-      constant_(constant_energy(own, settings_)),
       state_(topology_.size(), box_around({}, reach_, period_)),
+      constant_(constant_energy(own, settings_, state_.box)),
       engine_(pair_engine(topology_, settings_, state_.box, Workers::serial(), ghosts.size())) {
   check_tables(topology_, settings_);
 }

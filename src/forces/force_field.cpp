@@ -8,7 +8,6 @@
 #include "forces/laws/law_range.hpp"
 #include "forces/laws/slab_dispersion.hpp"
 #include "forces/pairs/pair_engine.hpp"
-#include "forces/system_size.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 
@@ -86,18 +85,15 @@ void ForceField::evaluate(const State& state, Load& load, bool energies) {
   if (settings_.mesh) remove_net_force(load, bodies_, workers_);
   if (slab_) slab_->add(state, load, energies);
   load.external = 0;
-  if (settings_.external) add_external(state, load, energies);
-  if (!energies) return;
+  if (settings_.external) settings_.external->add(state, load);
+  if (!energies) {
+    load.external = 0;
+    load.virial = {};
+    return;
+  }
   load.van_der_waals += constant_.dispersion;
   load.coulomb += constant_.coulomb();
   for (std::size_t d = 0; d < 3; ++d) load.virial[d] += constant_.virial[d];
-}
-
-void ForceField::add_external(const State& state, Load& load, bool energies) {
-  settings_.external->add(state, load);
-  if (energies) return;
-  load.external = 0;
-  load.virial = {};
 }
 
 void ForceField::directional_derivative(const State& state, const Vec3Column& dq,

@@ -19,29 +19,24 @@ const ForceSettings& checked(const Topology& topology, const ForceSettings& sett
 
 }  // namespace
 
-struct HeatFlux::Parts {
-  FluidPairs fluid;
-  double share;
-};
-
 HeatFlux::HeatFlux(const Topology& topology, const ForceSettings& settings, const Box& box,
                    double share)
-    : parts_(std::make_unique<Parts>(
-          Parts{FluidPairs(topology, checked(topology, settings), box, "the heat flux"), share})) {}
+    : fluid_(std::make_unique<FluidPairs>(topology, checked(topology, settings), box,
+                                          "the heat flux")),
+      share_(share) {}
 
 HeatFlux::HeatFlux(HeatFlux&&) noexcept = default;
 HeatFlux::~HeatFlux() = default;
 
 Vec3<double> HeatFlux::operator()(const State& state) {
-  FluidPairs& fluid = parts_->fluid;
-  fluid.set_motion(state);
-  const Motion& motion = fluid.motion;
-  Vec3<double> flux = POLHODE_CURRENT_LOOPS(pair_heat_flux)(fluid.job(parts_->share));
+  fluid_->set_motion(state);
+  const Motion& motion = fluid_->motion;
+  Vec3<double> flux = POLHODE_CURRENT_LOOPS(pair_heat_flux)(fluid_->job(share_));
   for (std::size_t i = 0; i < state.size(); ++i) {
     const Vec3<double> v = motion.v[i];
     flux += (dot(state.p[i], v) + dot(state.ell[i], motion.omega[i])) / 2 * v;
   }
-  if (fluid.mesh) flux += (*fluid.mesh)(motion);
+  if (fluid_->mesh) flux += (*fluid_->mesh)(motion);
   return flux;
 }
 

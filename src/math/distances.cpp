@@ -22,20 +22,14 @@ using Neighbours = std::vector<std::vector<Neighbour>>;
 struct Frame {
   Vec3<double> origin;
   std::array<Vec3<double>, 3> axes{};
-  int dimension = 0;
-  double largest = 0;  // largest distance between the points that span the frame
+  std::size_t dimension = 0;
 
   Vec3<double> rest(const Vec3<double>& r) const {
     Vec3<double> off = r - origin;
-    for (int k = 0; k < dimension; ++k) {
-      const Vec3<double>& axis = axes[static_cast<std::size_t>(k)];
-      off -= dot(off, axis) * axis;
-    }
+    for (std::size_t k = 0; k < dimension; ++k) off -= dot(off, axes[k]) * axes[k];
     return off;
   }
-  void add(const Vec3<double>& direction) {
-    axes[static_cast<std::size_t>(dimension++)] = direction / norm(direction);
-  }
+  void add(const Vec3<double>& direction) { axes[dimension++] = direction / norm(direction); }
 };
 
 // Because distances d are rounded, a point may appear to be outside the span of the other points.
@@ -76,7 +70,7 @@ class Placing {
     return static_cast<std::size_t>(std::find(placed_.begin(), placed_.end(), false) -
                                     placed_.begin());
   }
-  PlacedPoints result() && { return {std::move(points_), space_.dimension}; }
+  PlacedPoints result() && { return {std::move(points_), static_cast<int>(space_.dimension)}; }
 
  private:
   Support support(std::size_t i) const {
@@ -110,24 +104,22 @@ class Placing {
     // gives one equation, and the system of equations is triangular by construction.
     const double d2 = s.spanning[0].length * s.spanning[0].length;
     std::array<double, 3> c{};
-    for (int k = 0; k < s.frame.dimension; ++k) {
-      const Neighbour& n = s.spanning[static_cast<std::size_t>(k) + 1];
+    for (std::size_t k = 0; k < s.frame.dimension; ++k) {
+      const Neighbour& n = s.spanning[k + 1];
       const Vec3<double> b = points_[n.point] - s.frame.origin;
       double right = (d2 - n.length * n.length + norm2(b)) / 2;
-      for (int m = 0; m < k; ++m)
-        right -= dot(b, s.frame.axes[static_cast<std::size_t>(m)]) * c[static_cast<std::size_t>(m)];
-      c[static_cast<std::size_t>(k)] = right / dot(b, s.frame.axes[static_cast<std::size_t>(k)]);
+      for (std::size_t m = 0; m < k; ++m) right -= dot(b, s.frame.axes[m]) * c[m];
+      c[k] = right / dot(b, s.frame.axes[k]);
     }
     Vec3<double> r = s.frame.origin;
     double height2 = d2;
     for (std::size_t k = 0; k < 3; ++k) r += c[k] * s.frame.axes[k], height2 -= c[k] * c[k];
     if (s.frame.dimension < 3 && !is_flat(height2, s.spanning[0].length)) {
       if (s.frame.dimension < space_.dimension) return false;
-      static constexpr std::array<Vec3<double>, 3> unit = {
-          Vec3<double>{1, 0, 0}, Vec3<double>{0, 1, 0}, Vec3<double>{0, 0, 1}};
       // The new point is outside the span of all points placed so far, so it adds an axis to the
       // space.
-      const Vec3<double> up = unit[static_cast<std::size_t>(space_.dimension)];
+      Vec3<double> up;
+      up[space_.dimension] = 1;
       space_.add(up);
       r += std::sqrt(height2) * up;
     }

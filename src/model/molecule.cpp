@@ -102,38 +102,6 @@ void check_lever(Site& site, Top top, const std::string& molecule) {
   site.r = {top == Top::linear ? along : 0.0, 0.0, 0.0};
 }
 
-}  // namespace
-
-const char* name(Top top) {
-  constexpr const char* names[] = {"atom", "linear", "spherical", "symmetric", "asymmetric"};
-  return names[static_cast<std::size_t>(top)];
-}
-
-double Molecule::charge() const {
-  double q = 0;
-  for (const Site& site : sites) q += site.charge;
-  return q;
-}
-
-Vec3<double> dipole_moment(const Molecule& molecule) {
-  Vec3<double> mu{};
-  for (const Site& site : molecule.sites) mu += site.charge * site.r;
-  return mu;
-}
-
-bool has_dipole(const Molecule& molecule) { return molecule.dipole() > 1e-9; }
-
-double Molecule::dipole() const { return norm(dipole_moment(*this)); }
-
-double Molecule::extent() const {
-  double far = 0;
-  for (const Site& site : sites)
-    if (site.charge != 0 || site.has_short_range()) far = std::max(far, norm(site.r));
-  return far;
-}
-
-namespace {
-
 Molecule build(std::string name, std::vector<Site> sites,
                Eigen3 (*principal_axes)(const Mat3<double>&)) {
   if (sites.size() > max_sites_of_molecule)
@@ -177,6 +145,34 @@ Molecule build(std::string name, std::vector<Site> sites,
 }
 
 }  // namespace
+
+const char* name(Top top) {
+  constexpr const char* names[] = {"atom", "linear", "spherical", "symmetric", "asymmetric"};
+  return names[static_cast<std::size_t>(top)];
+}
+
+double Molecule::charge() const {
+  double q = 0;
+  for (const Site& site : sites) q += site.charge;
+  return q;
+}
+
+Vec3<double> dipole_moment(const Molecule& molecule) {
+  Vec3<double> mu{};
+  for (const Site& site : molecule.sites) mu += site.charge * site.r;
+  return mu;
+}
+
+bool has_dipole(const Molecule& molecule) { return molecule.dipole() > 1e-9; }
+
+double Molecule::dipole() const { return norm(dipole_moment(*this)); }
+
+double Molecule::extent() const {
+  double far = 0;
+  for (const Site& site : sites)
+    if (site.charge != 0 || site.has_short_range()) far = std::max(far, norm(site.r));
+  return far;
+}
 
 Molecule rigid_molecule(std::string name, std::vector<Site> sites) {
   return build(std::move(name), std::move(sites), symmetric_eigen);

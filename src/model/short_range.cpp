@@ -29,8 +29,6 @@ std::vector<double> spline_slopes(const std::vector<double>& u, double first, do
   return slope;
 }
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(what); }
-
 }  // namespace
 
 PotentialTable::PotentialTable(std::string name, double first, double spacing,
@@ -41,7 +39,7 @@ PotentialTable::PotentialTable(std::string name, double first, double spacing,
     const double scale = std::max({std::abs(f[k - 1]), std::abs(f[k]), std::abs(f[k + 1])});
     const double spline = -slope[k] / spacing;
     if (std::abs(spline - f[k]) > max_deviation * scale)
-      refuse(fmt::format(
+      throw Error(fmt::format(
           "the force at r = {:g} nm is {:g} kJ/mol/nm, but the slope of the energies is {:g} "
           "kJ/mol/nm; the force must equal minus the slope within {:g} %: check columns and units, "
           "or use a finer grid",
@@ -73,29 +71,28 @@ std::string parameters(double sigma, double epsilon, const ShortRangeLaw& law) {
 
 void check(double sigma, double epsilon, const ShortRangeLaw& law) {
   if (!(epsilon >= 0 && sigma >= 0) || !std::isfinite(epsilon) || !std::isfinite(sigma))
-    refuse(fmt::format("sigma is {} nm and epsilon {} kJ/mol; both must be finite and 0 or more",
-                       sigma, epsilon));
+    throw Error(fmt::format(
+        "sigma is {} nm and epsilon {} kJ/mol; both must be finite and 0 or more", sigma, epsilon));
   if (epsilon > 0 && sigma == 0)
-    refuse(fmt::format(
+    throw Error(fmt::format(
         "epsilon is {} kJ/mol, but sigma is 0 nm; Lennard-Jones needs both parameters", epsilon));
-  if (const auto* mie = std::get_if<MieLaw>(&law)) {
+  if (const auto* mie = std::get_if<MieLaw>(&law))
     if (!(mie->m > 3 && mie->n > mie->m && mie->n <= 100))
-      refuse(fmt::format(
+      throw Error(fmt::format(
           "the exponents are {} and {}; the attractive exponent must be above 3 (finite energy of "
           "a fluid), and the repulsive exponent must be larger than that and at most 100",
           mie->n, mie->m));
-  }
   if (const auto* exp6 = std::get_if<BuckinghamLaw>(&law)) {
     const auto& [A, B, C] = *exp6;
     if (!(A > 0 && B > 0 && C >= 0) || !std::isfinite(A + B + C))
-      refuse(
+      throw Error(
           fmt::format("the Buckingham potential has A = {} kJ/mol, B = {} 1/nm and C = {} kJ/mol "
                       "nm6; A and B must be above 0 and C 0 or more",
                       A, B, C));
     // The slope u' of the Buckingham potential is 0 where (B r)⁷ exp(−B r) = 6 C B⁶/A. The function
     // x⁷ exp(−x) is largest at x = B r = 7.
     if (6 * C * std::pow(B, 6) / A >= std::pow(7 * std::exp(-1), 7))
-      refuse(fmt::format(
+      throw Error(fmt::format(
           "with A = {} kJ/mol, B = {} 1/nm and C = {} kJ/mol nm6 the sites attract each "
           "other at all distances; A must be larger, or C smaller",
           A, B, C));

@@ -19,6 +19,12 @@ double Topology::mass() const {
   return m;
 }
 
+double Topology::extent() const {
+  double far = 0;
+  for (const Part& part : parts) far = std::max(far, part.molecule.extent());
+  return far;
+}
+
 Bodies::Bodies(const Topology& topology)
     : m(topology.size(), 1.0),
       inverse_m(topology.size(), 1.0),

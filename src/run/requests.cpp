@@ -9,6 +9,7 @@
 #include "io/settings/output_units.hpp"
 #include "io/settings/required_bias.hpp"
 #include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 #include "polhode/run/top/top.hpp"
 #include "run/listing/verification.hpp"
 
@@ -66,8 +67,8 @@ Conversion ConversionRequest::conversion(const std::string& from, const std::str
   if (every) c.every = given_whole_number(every, 1, std::numeric_limits<std::uint64_t>::max());
   if (start) c.first = given_quantity(start, Dimension::time);
   if (stop) c.last = given_quantity(stop, Dimension::time);
-  if (particles) c.particles = molecules_of_run(read_config(particles.text));
-  if (run != nullptr) c.particles = molecules_of_run(*run);
+  if (particles) c.particles = build_system(read_config(particles.text)).topology;
+  if (run != nullptr) c.particles = build_system(*run).topology;
   return c;
 }
 

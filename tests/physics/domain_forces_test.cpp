@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "ewald.hpp"
 #include "instruction_sets.hpp"
 #include "physics/force_laws.hpp"
 #include "polhode/base/error.hpp"

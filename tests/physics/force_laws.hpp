@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "forces/pairs/reference.hpp"
 #include "polhode/base/units.hpp"
+#include "reference_forces.hpp"
 #include "scenes.hpp"
 
 namespace polhode {

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "forces/pairs/neighbours.hpp"
-#include "forces/pairs/reference.hpp"
 #include "math/dual.hpp"
 #include "physics/force_laws.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/schemes.hpp"
+#include "reference_forces.hpp"
 
 using namespace polhode;
 

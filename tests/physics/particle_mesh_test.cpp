@@ -7,6 +7,7 @@
 
 #include <set>
 
+#include "forces/constant_terms.hpp"
 #include "instruction_sets.hpp"
 #include "physics/mesh_scene.hpp"
 
@@ -41,6 +42,13 @@ double slope(const auto& energy, double h) {
   return (8 * (energy(h) - energy(-h)) - (energy(2 * h) - energy(-2 * h))) / (12 * h);
 }
 
+ConstantTerms mesh_constants(const scenes::Scene& scene, const MeshSettings& mesh) {
+  ForceSettings settings;
+  settings.electrostatics = Electrostatics::pme;
+  settings.mesh = mesh;
+  return constant_terms_of(scene.topology, settings, scene.state.box, 0);
+}
+
 }  // namespace
 
 // A spacing of 0.042 nm and a split of C¹⁰ over 0.7 nm: the error estimate is 1e-7 of the forces.
@@ -48,8 +56,7 @@ TEST_CASE("on a fine grid the mesh is the smooth part of the Ewald sum") {
   const scenes::Scene scene = charged_mixture();
   const CompactSplit split(fine.cutoff, fine.exponent);
   const ExactMesh exact(scene.topology, scene.state, split);
-  const MeshConstant constant(scene.topology, split, scene.state.box);
-  CHECK(std::abs(constant.background) > 0.1);
+  CHECK(std::abs(mesh_constants(scene, fine).background) > 0.1);
   for_each_instruction_set([&] {
     BodyLoads loads;
     const MeshLoad load = mesh_load<double>(scene.topology, scene.state, fine, loads);
@@ -68,8 +75,8 @@ TEST_CASE("on a fine grid the mesh is the smooth part of the Ewald sum") {
 // The self, intramolecular and background terms of an Ewald sum.
 TEST_CASE("the constant terms of a mesh are those of the Ewald sum") {
   const scenes::Scene scene = charged_mixture();
-  const CompactSplit split(0.7, 6);
-  const MeshConstant constant(scene.topology, split, scene.state.box);
+  const ConstantTerms constant = mesh_constants(scene, coarse);
+  const CompactSplit split(coarse.cutoff, coarse.exponent);
   const EwaldEnergies e =
       ewald_sum(point_charges(scene.topology, scene.state), scene.state.box, split, {0.7, 0})
           .energy;

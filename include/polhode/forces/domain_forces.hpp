@@ -67,8 +67,8 @@ class DomainForces {
   ForceSettings settings_;
   double reach_;         // cutoff of the list: bodies farther apart do not interact [nm]
   Vec3<double> period_;  // box edges in periodic directions, otherwise 0 [nm]
-  double constant_ = 0;  // constant energy of the local bodies [kJ/mol]
   State state_;
+  double constant_;  // constant energy of the local bodies [kJ/mol]
   std::unique_ptr<AnyPairEngine> engine_;
 };
 

@@ -22,9 +22,9 @@ class SlabDispersion;
 /// terms.
 struct ConstantTerms {
   double dispersion = 0;                                ///< long-range dispersion correction
-  double self = 0, intramolecular = 0, background = 0;  ///< self-energy, exclusion and background
-                                                        ///< terms, see SelfInteraction and
-                                                        ///< MeshConstant
+  double self = 0, intramolecular = 0, background = 0;  ///< self-energy of the charges, exclusions
+                                                        ///< within bodies, and neutralizing
+                                                        ///< background
   Mat3<double> virial{};
   double coulomb() const { return self + intramolecular + background; }
 };
@@ -101,7 +101,6 @@ class ForceField {
   void set_box(const Box& box);
   void evaluate(const State& state, Load& load, bool energies);
   void set_slab(const Box& box);
-  void add_external(const State& state, Load& load, bool energies);
 
   Workers& workers_;
   Topology topology_;

@@ -10,6 +10,8 @@
 
 namespace polhode {
 
+struct FluidPairs;
+
 /// Computes the heat flux of a fluid of one kind of molecule [evans1989],
 ///
 ///   J V = Σ_i e_i v_i + Σ_{i<j} ½ R_ij (F_ij·v_i + τ_ij·ω_i − F_ji·v_j − τ_ji·ω_j),
@@ -37,8 +39,8 @@ class HeatFlux {
   Vec3<double> operator()(const State& state);
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<FluidPairs> fluid_;
+  double share_;
 };
 
 }  // namespace polhode

@@ -21,6 +21,7 @@ struct Topology {
 
   std::size_t size() const;  ///< number of bodies
   double mass() const;       ///< Total mass of all bodies [u].
+  double extent() const;     ///< Largest extent of a molecule [nm], see Molecule::extent().
 };
 
 /// Mass and principal moments of inertia of each body, with their inverses. The inverse of a

@@ -28,10 +28,13 @@ struct Buckingham {
   static std::optional<Parameters> mixed(const Parameters& x, const Parameters& y, const Mean&) {
     return Parameters{std::sqrt(x.A * y.A), 2 / (1 / x.B + 1 / y.B), std::sqrt(x.C * y.C)};
   }
-  static Buckingham of(const BuckinghamLaw& law) {
+  static Buckingham of(double, double, const BuckinghamLaw& law) {
     const double r = inner_limit(law);
     return {static_cast<T>(law.A), static_cast<T>(law.B), static_cast<T>(law.C),
             static_cast<T>(r * r)};
+  }
+  Buckingham scaled_by(double s) const {
+    return {A, B / s, c6 * std::pow(s, 6), inner_limit2 * s * s};
   }
   Buckingham<float> rounded() const {
     return {static_cast<float>(A), static_cast<float>(B), static_cast<float>(c6),

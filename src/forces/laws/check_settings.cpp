@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <utility>
 
 #include "forces/laws/damped_shifted_force.hpp"
 #include "forces/laws/setting_names.hpp"
@@ -52,16 +53,15 @@ Fault fault_of_truncation(const ForceSettings& s) {
     return SettingFault{
         "smoothness", fmt::format("{}", s.smoothness),
         "must be 1, 2 or 3, the number of continuous derivatives of the switching function"};
-  if (s.dispersion_correction && s.truncation == Truncation::site_shift)
-    return SettingFault{
-        "dispersion_correction", "true",
-        "cannot be combined with truncation = \"site-shift\", which shifts the potential at all "
-        "distances; leave dispersion_correction out, or use \"site-switch\""};
-  if (s.slab_dispersion && s.truncation == Truncation::site_shift)
-    return SettingFault{
-        "slab_dispersion", "true",
-        "cannot be combined with truncation = \"site-shift\", which shifts the potential at all "
-        "distances; leave slab_dispersion out, or use \"site-switch\""};
+  for (const auto& [key, given] : {std::pair("dispersion_correction", s.dispersion_correction),
+                                   {"slab_dispersion", s.slab_dispersion}})
+    if (given && s.truncation == Truncation::site_shift)
+      return SettingFault{
+          key, "true",
+          fmt::format(
+              "cannot be combined with truncation = \"site-shift\", which shifts the potential at "
+              "all distances; leave {} out, or use \"site-switch\"",
+              key)};
   if (s.slab_dispersion && s.dispersion_correction)
     return SettingFault{
         "slab_dispersion", "true",

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Splits of 1/r into two parts, 1/r = u(r) + smooth(r). The short-range part u is summed over
+// The split of 1/r into two parts, 1/r = u(r) + smooth(r). The short-range part u is summed over
 // pairs, and the smooth part over wave vectors. The smooth part is the potential of a unit charge
-// that is spread over a density. The split is named after this density. transform(k) is the Fourier
-// transform of this density, with value 1 at k = 0.
+// that is spread over a density. transform(k) is the Fourier transform of this density, with value
+// 1 at k = 0.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -19,31 +20,6 @@ struct TransformValue {
   double slope;  ///< slope k d/dk of the transform
 };
 
-/// Ewald's split of 1/r with a Gaussian density of width 1/(√2 α). The short-range part u(r) =
-/// erfc(α r)/r is positive at all r.
-struct GaussianSplit {
-  double alpha;  ///< [1/nm]
-
-  RadialValue smooth(double r) const {
-    const double gaussian = 2 * alpha / std::sqrt(units::pi) * std::exp(-alpha * alpha * r * r);
-    if (alpha * r < 1e-4) return {smooth_at_zero(), 2 * alpha * alpha / 3 * smooth_at_zero()};
-    const double u = std::erf(alpha * r) / r;
-    return {u, (u - gaussian) / (r * r)};
-  }
-  RadialValue pair(double r) const {
-    const double gaussian = 2 * alpha / std::sqrt(units::pi) * std::exp(-alpha * alpha * r * r);
-    const double u = std::erfc(alpha * r) / r;
-    return {u, (u + gaussian) / (r * r)};
-  }
-  double smooth_at_zero() const { return 2 * alpha / std::sqrt(units::pi); }
-  TransformValue transform(double k) const {
-    const double x = k * k / (4 * alpha * alpha), value = std::exp(-x);
-    return {value, -2 * x * value};
-  }
-  /// The integral ∫ u dV over all space [nm²].
-  double integral() const { return units::pi / (alpha * alpha); }
-};
-
 /// Split of 1/r with a density C (1 − r²/a²)^m, which is zero beyond a. The smooth part is the
 /// Taylor polynomial of 1/r in y = 1 − r²/a² up to y^(m+1) [skeel2002; hardy2009]. The short-range
 /// part u(r) is also zero beyond a. u and its first m + 1 derivatives are continuous at r = a, so
@@ -53,13 +29,11 @@ class CompactSplit {
   static constexpr int max_exponent =
       static_cast<int>(SmoothPolynomial::max_degree) - 1;  ///< the largest exponent m
 
-  /// Constructs the split.
   /// @param cutoff    cutoff a [nm]
   /// @param exponent  exponent m, from 0 to `max_exponent`
   CompactSplit(double cutoff, int exponent)
       : polynomial_(cutoff, inverse_distance_terms(exponent + 1)) {}
 
-  int exponent() const { return degree() - 1; }
   double cutoff() const { return polynomial_.cutoff(); }
   const SmoothPolynomial& polynomial() const { return polynomial_; }
   RadialValue smooth(double r) const { return polynomial_.smooth(r); }
@@ -79,12 +53,9 @@ class CompactSplit {
  private:
   int degree() const { return static_cast<int>(polynomial_.degree()); }
 
-  struct ReducedBessel {
-    double now, next;  // functions of degrees n and n + 1
-  };
-  // Computes (2n+1)!! j_n(x)/xⁿ, by the power series if this loses no digits, and otherwise by
-  // upward recurrence in n.
-  static ReducedBessel reduced_bessel(int n, double x) {
+  // Computes (2n+1)!! j_n(x)/xⁿ for the degrees n and n + 1, by the power series if this loses no
+  // digits, and otherwise by upward recurrence in n.
+  static std::array<double, 2> reduced_bessel(int n, double x) {
     if (x < n + 1) return {bessel_series(n, x), bessel_series(n + 1, x)};
     const double inverse = 1 / (x * x);
     double now = std::sin(x) / x, next = 3 * (now - std::cos(x)) * inverse;

@@ -3,8 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "forces/laws/buckingham.hpp"
 #include "polhode/base/error.hpp"
 
@@ -29,8 +27,7 @@ std::string inner_limit_note(const Topology& topology) {
 }
 
 void check_tables(const Topology& topology, const ForceSettings& settings) {
-  double extent = 0;
-  for (const auto& part : topology.parts) extent = std::max(extent, part.molecule.extent());
+  const double extent = topology.extent();
   const bool by_molecule = settings.truncation == Truncation::molecule_switch;
   const double range = settings.cutoff + (by_molecule ? 2 * extent : 0);
   const auto check = [&](const ShortRangeLaw& law) {

@@ -13,9 +13,9 @@ namespace polhode {
 /// the start of a table. For all other laws, this distance is 0.
 double inner_limit(const ShortRangeLaw& law);
 
-/// A note for the message about an energy that is not finite, such as "; a pair of argon.Ar may
-/// have come closer than 0.0775 nm, the inner limit of its law". The note is empty if all laws are
-/// defined at all distances.
+/// A note for the message about an energy that is not finite, such as "; two argon.Ar sites may
+/// have come closer than 0.0775 nm, the shortest distance at which their potential is valid". The
+/// note is empty if all laws are defined at all distances.
 std::string inner_limit_note(const Topology& topology);
 
 /// Checks that tabulated potentials cover all distances up to the cutoff.

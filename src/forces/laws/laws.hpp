@@ -54,7 +54,6 @@ class Switch {
     Real slope;  ///< derivative w'(r) [1/nm]
   };
 
-  /// Constructs the switching function.
   /// @param smoothness  n, from 1 to 3
   Switch(double from, double to, int smoothness)
       : inverse_width_(static_cast<T>(1 / (to - from))), middle_(static_cast<T>((from + to) / 2)) {
@@ -91,15 +90,15 @@ struct SmoothPart {
   std::array<T, SmoothPolynomial::max_degree + 1> u{}, s{};  ///< coefficients of u [1/nm] and of
                                                              ///< −u'/r [1/nm³]
 
-  SmoothPart() = default;
-  explicit SmoothPart(const SmoothPolynomial& polynomial)
-      : degree(polynomial.degree() - 1),
-        inverse_a2(static_cast<T>(1 / (polynomial.cutoff() * polynomial.cutoff()))) {
-    const double a = polynomial.cutoff();
+  explicit SmoothPart(const std::optional<SmoothPolynomial>& polynomial) {
+    if (!polynomial) return;
+    const double a = polynomial->cutoff();
+    degree = polynomial->degree() - 1;
+    inverse_a2 = static_cast<T>(1 / (a * a));
     for (std::size_t k = 0; k <= degree + 1; ++k)
-      u[k] = static_cast<T>(polynomial.coefficient(k) / a);
+      u[k] = static_cast<T>(polynomial->coefficient(k) / a);
     for (std::size_t k = 0; k <= degree; ++k)
-      s[k] = static_cast<T>(polynomial.slope_coefficient(k) / (a * a * a));
+      s[k] = static_cast<T>(polynomial->slope_coefficient(k) / (a * a * a));
   }
 };
 
@@ -127,16 +126,10 @@ struct PairLaws {
       : reaction_field(settings.electrostatics == Electrostatics::reaction_field
                            ? ReactionField<T>::of(settings.dielectric, settings.cutoff)
                            : ReactionField<T>{}),
-        smooth(smooth_part(settings)),
+        smooth(smooth_polynomial(settings)),
         switching(settings.switch_from, settings.cutoff, settings.smoothness),
         cutoff(static_cast<T>(settings.cutoff)),
         cutoff_of_charges(static_cast<T>(polhode::cutoff_of_charges(settings))) {}
-
- private:
-  static SmoothPart<T> smooth_part(const ForceSettings& settings) {
-    const auto polynomial = smooth_polynomial(settings);
-    return polynomial ? SmoothPart<T>(*polynomial) : SmoothPart<T>();
-  }
 };
 
 }  // namespace polhode

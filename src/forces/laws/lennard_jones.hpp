@@ -22,9 +22,13 @@ struct LennardJones {
   static std::optional<Parameters> mixed(const Parameters& x, const Parameters&, const Mean&) {
     return x;
   }
-  static LennardJones of(double sigma, double epsilon) {
+  static LennardJones of(double sigma, double epsilon, const LennardJonesLaw& = {}) {
     const double s2 = sigma * sigma, s6 = s2 * s2 * s2;
     return {static_cast<T>(4 * epsilon * s6), static_cast<T>(4 * epsilon * s6 * s6)};
+  }
+  LennardJones scaled_by(double s) const {
+    const double s6 = std::pow(s, 6);
+    return {c6 * s6, c12 * s6 * s6};
   }
   LennardJones<float> rounded() const { return {static_cast<float>(c6), static_cast<float>(c12)}; }
 

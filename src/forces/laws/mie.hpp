@@ -32,6 +32,7 @@ struct Mie {
     return {static_cast<T>(factor * epsilon), static_cast<T>(sigma * sigma), static_cast<T>(n),
             static_cast<T>(m)};
   }
+  Mie scaled_by(double s) const { return {strength, sigma2 * (s * s), n, m}; }
   Mie<float> rounded() const {
     return {static_cast<float>(strength), static_cast<float>(sigma2), static_cast<float>(n),
             static_cast<float>(m)};

@@ -11,22 +11,6 @@
 namespace polhode {
 namespace {
 
-double mean_of(double a, double b, MixingRule rule) {
-  return rule == MixingRule::geometric ? std::sqrt(a * b) : (a + b) / 2;
-}
-
-/// Builds a law from σ, ε and the parameters that only this law has. Parameters that the law does
-/// not need are ignored.
-template <class Law>
-Law law_of(double sigma, double epsilon, const typename Law::Parameters& own) {
-  if constexpr (requires { Law::of(sigma, epsilon, own); })
-    return Law::of(sigma, epsilon, own);
-  else if constexpr (requires { Law::of(own); })
-    return Law::of(own);
-  else
-    return Law::of(sigma, epsilon);
-}
-
 /// Calls f with a null pointer to each law type of the list.
 template <class F, class... Laws>
 void each_law(const F& f, const std::variant<Laws...>*) {
@@ -49,7 +33,7 @@ ShortRange<double> short_range(double sigma, double epsilon, const ShortRangeLaw
   each_law(
       [&]<class Law>(Law*) {
         if (const auto* own = std::get_if<typename Law::Parameters>(&law))
-          result = ShortRange<double>(law_of<Law>(sigma, epsilon, *own));
+          result = ShortRange<double>(Law::of(sigma, epsilon, *own));
       },
       static_cast<const List*>(nullptr));
   return result;
@@ -57,7 +41,9 @@ ShortRange<double> short_range(double sigma, double epsilon, const ShortRangeLaw
 
 ShortRange<double> mix(const Site& a, const Site& b, MixingRule rule) {
   if (!a.has_short_range() || !b.has_short_range()) return {};
-  const auto mean = [rule](double x, double y) { return mean_of(x, y, rule); };
+  const auto mean = [rule](double x, double y) {
+    return rule == MixingRule::geometric ? std::sqrt(x * y) : (x + y) / 2;
+  };
   std::optional<ShortRangeLaw> mixed;
   each_law(
       [&]<class Law>(Law*) {

@@ -27,6 +27,13 @@ class ShortRange {
   bool is_lennard_jones() const { return std::holds_alternative<LennardJones<T>>(law_); }
   const Law& law() const { return law_; }
   bool is_zero() const { return is_lennard_jones() && lennard_jones().c12 == 0; }
+  /// The potential u(r/factor), in which all distances are multiplied by a factor, in double
+  /// precision.
+  /// @throws Error  if the factor of a tabulated potential is not 1
+  ShortRange scaled_by(double factor) const {
+    if (factor == 1) return *this;
+    return std::visit([&](const auto& law) { return ShortRange(law.scaled_by(factor)); }, law_);
+  }
   ShortRange<float> rounded() const {
     return std::visit([](const auto& law) { return ShortRange<float>(law.rounded()); }, law_);
   }
@@ -45,7 +52,8 @@ class ShortRange {
   Law law_;
 };
 
-/// The law with the parameters of a site, or of a pair.
+/// The law with the parameters of a site, or of a pair. A law ignores σ and ε if it has other
+/// parameters.
 ShortRange<double> short_range(double sigma, double epsilon, const ShortRangeLaw& law);
 
 /// The potential between two sites, mixed from the potentials of both sites. Either may be zero.

@@ -22,7 +22,6 @@ class SmoothPolynomial {
  public:
   static constexpr std::size_t max_degree = 25;  ///< highest power of y
 
-  /// Constructs the smooth part.
   /// @param cutoff  cutoff a [nm]
   /// @param terms   at least two coefficients, of 1, y, y², … in the smooth part multiplied by a
   SmoothPolynomial(double cutoff, const std::vector<double>& terms)

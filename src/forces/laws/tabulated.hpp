@@ -28,9 +28,14 @@ struct Tabulated {
   static std::optional<Parameters> mixed(const Parameters& x, const Parameters& y, const Mean&) {
     return x == y ? std::optional(x) : std::nullopt;
   }
-  static Tabulated of(const TabulatedLaw& law) {
+  static Tabulated of(double, double, const TabulatedLaw& law) {
     return {law.table, static_cast<T>(law.table->first()), static_cast<T>(1 / law.table->spacing()),
             static_cast<T>(law.table->intervals())};
+  }
+  /// @throws Error  always, because the scaled table would end before the cutoff
+  Tabulated scaled_by(double) const {
+    throw Error("the distances of table '" + table->name() +
+                "' cannot be scaled, because the table would end before the cutoff");
   }
   Tabulated<float> rounded() const {
     return {table, static_cast<float>(first), static_cast<float>(inverse_spacing),

@@ -8,7 +8,6 @@
 
 #include "base/instruction_set.hpp"
 #include "forces/mesh/mesh_grid.hpp"
-#include "forces/pairs/cache_lines.hpp"
 #include "math/pocketfft.hpp"
 
 namespace polhode {

@@ -9,11 +9,11 @@
 #include <optional>
 #include <vector>
 
-#include "force_times.hpp"
-
 #include "forces/laws/ewald_split.hpp"
 #include "forces/mesh/mesh_grid.hpp"
+#include "forces/pairs/centre_ranges.hpp"
 #include "forces/pairs/pair_table.hpp"
+#include "math/smooth_size.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {
@@ -65,7 +65,6 @@ class WaveTable {
   struct Value {
     double required, form;
   };
-  /// Constructs the table.
   /// @param unit  all k² are multiples of the square of this number; 0 if k² may have any value
   WaveTable(const ChargeDistribution& distribution, const CompactSplit& split, double unit)
       : distribution_(distribution), split_(split), per_unit2_(unit == 0 ? 0 : 1 / (unit * unit)) {}
@@ -138,12 +137,85 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
          volume;
 }
 
-/// Whether a number of points suits the transform: it has whole tiles and only small prime factors.
-bool is_fft_size(std::size_t n) {
-  if (n % mesh_multiple != 0) return false;
-  for (const std::size_t factor : {2u, 3u, 5u, 7u})
-    while (n % factor == 0) n /= factor;
-  return n == 1;
+double points_of(const MeshSettings& mesh) {
+  double points = 1;
+  for (const std::size_t n : mesh.points) points *= static_cast<double>(n);
+  return points;
+}
+
+/// The smallest suitable grid whose points are at most `spacing` apart: its edges have whole tiles
+/// and lengths that suit the transform.
+std::array<std::size_t, 3> grid_of(const Box& box, double spacing) {
+  std::array<std::size_t, 3> points{};
+  for (std::size_t d = 0; d < 3; ++d) {
+    points[d] = std::max<std::size_t>(8, static_cast<std::size_t>(box.edge[d] / spacing));
+    while (points[d] % mesh_multiple != 0 || !is_smooth_size(points[d]) ||
+           box.edge[d] > spacing * static_cast<double>(points[d]))
+      ++points[d];
+  }
+  return points;
+}
+
+/// The maximum number of grid points. Meshes for liquids have 10 to 100 points per charge. In a
+/// sparsely filled box, a longer cutoff is better than a finer mesh, because a longer cutoff allows
+/// a coarser mesh and adds few pairs.
+double max_points_for(double charges) { return std::max(0x1p21, 4096 * charges); }
+
+// The expected time of a force evaluation is a formula that does not depend on the processor, so
+// the chosen mesh is the same on all computers. The times were measured on one core in mixed
+// precision with AVX-512. The choice of the mesh depends only on ratios of the times. The ratios
+// are similar in double precision and with other instruction sets.
+constexpr double per_point = 1.3e-9;    // time per grid point for the transforms in both
+                                        // directions
+constexpr double per_charge = 9.5e-9;   // time per charge for the grid position and the weights
+constexpr double per_tile = 1.05e-9;    // time per charge for each grid tile to which it is spread
+constexpr double per_pair = 2.3e-9;     // time per pair of molecules for its records and sums
+constexpr double per_charges = 0.4e-9;  // time per pair of charges
+constexpr double per_short_range = 0.6e-9;  // time per pair of sites with a short-range potential
+
+/// Expected time of the mesh [s]. Without grid points, the result is the time to spread and gather
+/// charges.
+double expected_mesh_seconds(double charges, const MeshSettings& mesh) {
+  // Along an edge, a narrow spline overlaps with two tiles, and a wide spline with more tiles.
+  const double tiles = mesh.order <= 5 ? 2 : (mesh.order + 4) / 4.0;
+  return charges * (per_charge + per_tile * mesh.order * tiles * tiles) +
+         points_of(mesh) * per_point;
+}
+
+/// Expected time of the pairs [s], for a given cutoff of the charges [nm].
+double expected_pair_seconds(const Topology& topology, ForceSettings settings,
+                             double coulomb_cutoff, const Box& box) {
+  settings.mesh.reset();
+  settings.coulomb_cutoff = coulomb_cutoff;
+  double seconds = 0;
+  for (const auto& a : topology.parts)
+    for (const auto& b : topology.parts) {
+      const double range = centre_ranges(settings, a.molecule, b.molecule).largest + settings.skin;
+      const double sphere = 4 * units::pi / 3 * range * range * range;
+      const double pairs = static_cast<double>(a.count) * static_cast<double>(b.count) / 2 *
+                           std::min(1.0, sphere / box.volume());
+      const InteractionSites one(a.molecule), other(b.molecule);
+      seconds +=
+          pairs * (per_pair + per_charges * static_cast<double>(one.charged * other.charged) +
+                   per_short_range * static_cast<double>(one.dispersive * other.dispersive));
+    }
+  return seconds;
+}
+
+/// Grid spacings that are tried. The spacings form a geometric series, so that errors computed for
+/// other boxes can be reused.
+double spacing_of(int n) { return 0.25 * std::pow(1.03, -n); }
+int index_of(double spacing) {
+  return static_cast<int>(std::floor(std::log(0.25 / spacing) / std::log(1.03)));
+}
+
+/// Cutoffs of the short-range Coulomb interaction that are tried. The cutoffs are about 3 % apart,
+/// and multiples of 0.01 nm.
+double cutoff_of(int n) { return std::round(40 * std::pow(1.03, n)) / 100; }
+
+/// The longest cutoff that the neighbour list allows in a box.
+double max_cutoff(const Topology& topology, const Box& box) {
+  return std::min(box.shortest_edge() / 2, 0.99 * (box.shortest_edge() - 2 * topology.extent()));
 }
 
 }  // namespace
@@ -162,54 +234,6 @@ double typical_force(const Topology& topology, const Box& box) {
   return 0.75 * units::coulomb * distribution.mean_square() *
          std::pow(distribution.charges() / box.volume(), 2.0 / 3);
 }
-
-namespace {
-
-double points_of(const MeshSettings& mesh) {
-  double points = 1;
-  for (const std::size_t n : mesh.points) points *= static_cast<double>(n);
-  return points;
-}
-
-/// The smallest suitable grid whose points are at most `spacing` apart.
-std::array<std::size_t, 3> grid_of(const Box& box, double spacing) {
-  std::array<std::size_t, 3> points{};
-  for (std::size_t d = 0; d < 3; ++d) {
-    points[d] = std::max<std::size_t>(8, static_cast<std::size_t>(box.edge[d] / spacing));
-    while (!is_fft_size(points[d]) || box.edge[d] > spacing * static_cast<double>(points[d]))
-      ++points[d];
-  }
-  return points;
-}
-
-/// The maximum number of grid points. Meshes for liquids have 10 to 100 points per charge. In a
-/// sparsely filled box, a longer cutoff is better than a finer mesh, because a longer cutoff allows
-/// a coarser mesh and adds few pairs.
-double max_points_for(double charges) { return std::max(0x1p21, 4096 * charges); }
-
-}  // namespace
-
-namespace {
-
-/// Grid spacings that are tried. The spacings form a geometric series, so that errors computed for
-/// other boxes can be reused.
-double spacing_of(int n) { return 0.25 * std::pow(1.03, -n); }
-int index_of(double spacing) {
-  return static_cast<int>(std::floor(std::log(0.25 / spacing) / std::log(1.03)));
-}
-
-/// Cutoffs of the short-range Coulomb interaction that are tried. The cutoffs are about 3 % apart,
-/// and multiples of 0.01 nm.
-double cutoff_of(int n) { return std::round(40 * std::pow(1.03, n)) / 100; }
-
-/// The longest cutoff that the neighbour list allows in a box.
-double max_cutoff(const Topology& topology, const Box& box) {
-  double extent = 0;
-  for (const auto& part : topology.parts) extent = std::max(extent, part.molecule.extent());
-  return std::min(box.shortest_edge() / 2, 0.99 * (box.shortest_edge() - 2 * extent));
-}
-
-}  // namespace
 
 MeshChoice::MeshChoice(const Topology& topology, const ForceSettings& settings)
     : topology_(topology), settings_(settings) {
@@ -250,10 +274,11 @@ void MeshChoice::try_cutoff(double cutoff, Orders orders, const Box& box, Best& 
   constexpr double margin = 1.5;
   const double required = settings_.pme_accuracy * typical_force(topology_, box) / margin;
   const double required_in_unit_box = required * std::sqrt(box.volume());
-  const double pairs = expected_pair_seconds(topology_, settings_, cutoff, box);
+  const double pairs = expected_pair_seconds(topology_, settings_, cutoff, box),
+               charges = ChargeDistribution(topology_).charges();
   for (int order = orders.first; order <= orders.last; ++order) {
     MeshSettings mesh{{}, order, 0, cutoff};
-    if (pairs + expected_mesh_seconds(topology_, mesh) > best.seconds) continue;
+    if (pairs + expected_mesh_seconds(charges, mesh) > best.seconds) continue;
     // For each exponent, find the coarsest spacing that is accurate enough. As a function of the
     // exponent, the sufficient spacing has a single maximum.
     int coarse = std::numeric_limits<int>::max();
@@ -264,7 +289,7 @@ void MeshChoice::try_cutoff(double cutoff, Orders orders, const Box& box, Best& 
       coarse = spacing;
     }
     mesh.points = grid_of(box, spacing_of(coarse));
-    const double seconds = pairs + expected_mesh_seconds(topology_, mesh);
+    const double seconds = pairs + expected_mesh_seconds(charges, mesh);
     if (seconds < best.seconds) best = {mesh, seconds};
   }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "forces/mesh/mesh_grid.hpp"
 
-#include "forces/pairs/cache_lines.hpp"
 #include "polhode/forces/mesh/mesh_settings.hpp"
 
 namespace polhode {

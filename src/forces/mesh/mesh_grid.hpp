@@ -6,10 +6,19 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/blocks.hpp"
 #include "base/instruction_set.hpp"
 #include "polhode/base/column.hpp"
 
 namespace polhode {
+
+/// The stride for rows or planes of a given size: an odd number of cache lines. With an even number
+/// of lines, the same column of successive rows would map to few sets of the cache.
+template <class T>
+std::size_t odd_lines(std::size_t numbers) {
+  constexpr std::size_t line = pack_bytes / sizeof(T);
+  return (blocks(numbers, line) | 1) * line;
+}
 
 /// The shape of a tile. A tile is the set of grid points in a pack: `rows` rows along y, each with
 /// `columns` points along x, at the same z.

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "base/unroll.hpp"
 #include "math/b_spline.hpp"
 #include "math/pocketfft.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "base/blocks.hpp"
 #include "base/memory.hpp"
-#include "forces/mesh/self_interaction.hpp"
+#include "forces/laws/ewald_split.hpp"
 #include "fourier_loops.hpp"
 #include "mesh_influence.hpp"
 #include "polhode/base/error.hpp"
@@ -49,14 +49,6 @@ MeshTile current_tile() {
 }
 
 }  // namespace
-
-MeshConstant::MeshConstant(const Topology& topology, const CompactSplit& split, const Box& box) {
-  const SelfInteraction own(topology, split.polynomial());
-  self = own.self;
-  intramolecular = own.intramolecular;
-  background = -units::coulomb / 2 * own.net * own.net * split.integral() / box.volume();
-  for (std::size_t d = 0; d < 3; ++d) virial[d][d] = background;
-}
 
 template <class T>
 struct ParticleMesh<T>::Plans {

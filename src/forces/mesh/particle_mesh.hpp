@@ -8,7 +8,6 @@
 #include <memory>
 #include <vector>
 
-#include "forces/laws/ewald_split.hpp"
 #include "forces/mesh/mesh_charges.hpp"
 #include "polhode/base/workers.hpp"
 #include "polhode/forces/mesh/mesh_settings.hpp"
@@ -21,16 +20,6 @@ struct MeshLoad {
   double energy = 0;      ///< energy of the smooth part, summed over wave vectors [kJ/mol]
   Mat3<double> virial{};  ///< virial as in Load: −dE/dε for a strain that moves the centres of
                           ///< bodies [kJ/mol]
-};
-
-/// Corrections of the smooth part that do not depend on positions: self-energy, intramolecular
-/// exclusions, and the uniform background that neutralizes a net charge [kJ/mol].
-struct MeshConstant {
-  double self = 0, intramolecular = 0, background = 0;
-  Mat3<double> virial{};  ///< virial of the background
-  double energy() const { return self + intramolecular + background; }
-
-  MeshConstant(const Topology& topology, const CompactSplit& split, const Box& box);
 };
 
 /// The particle mesh, which computes the smooth part of the electrostatic energy.

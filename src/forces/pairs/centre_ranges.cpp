@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "forces/pairs/centre_ranges.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "forces/pairs/cutoff_treatment.hpp"
@@ -25,18 +26,17 @@ CentreRanges centre_ranges(const ForceSettings& settings, const Molecule& a, con
   CentreRanges ranges;
   ranges.inside = settings.cutoff;
   // Adds an interaction that has its full strength up to `whole` and is zero beyond `cutoff`.
-  const auto add = [&](const auto& has, double whole, double cutoff, double& range) {
+  const auto add = [&](const auto& has, double whole, double cutoff) {
     const auto of_a = extent(a, has), of_b = extent(b, has);
     if (!of_a || !of_b) return;
     const double apart = treatment == CutoffTreatment::molecule_switch ? 0 : *of_a + *of_b;
-    range = cutoff + apart;
+    ranges.largest = std::max(ranges.largest, cutoff + apart);
     ranges.inside = std::min(ranges.inside, whole - apart);
   };
   const double charges = cutoff_of_charges(settings);
   add([](const Site& site) { return site.charge != 0; },
-      treatment == CutoffTreatment::smooth ? charges : switched, charges, ranges.charges);
-  add([](const Site& site) { return site.has_short_range(); }, switched, settings.cutoff,
-      ranges.short_range);
+      treatment == CutoffTreatment::smooth ? charges : switched, charges);
+  add([](const Site& site) { return site.has_short_range(); }, switched, settings.cutoff);
   return ranges;
 }
 

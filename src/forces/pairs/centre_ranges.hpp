@@ -2,8 +2,6 @@
 // The maximum distances between the centres of two molecules for which sites interact.
 #pragma once
 
-#include <algorithm>
-
 #include "polhode/forces/laws/settings.hpp"
 #include "polhode/model/molecule.hpp"
 
@@ -11,11 +9,8 @@ namespace polhode {
 
 /// Ranges of the distance between the centres of two molecules [nm].
 struct CentreRanges {
-  double charges = 0, short_range = 0;  ///< range within which charges and short-range sites
-                                        ///< interact; 0 if they never do
-  double inside = 0;                    ///< range within which no interaction is truncated
-
-  double largest() const { return std::max(charges, short_range); }
+  double largest = 0;  ///< range within which sites interact; 0 if they never do
+  double inside = 0;   ///< range within which no interaction is truncated
 };
 
 /// Computes the ranges of two molecule types. If two sites are within the cutoff, their centres are

@@ -4,13 +4,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "base/stopwatch.hpp"
 #include "forces/pairs/centre_ranges.hpp"
-#include "forces/system_size.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {
@@ -26,8 +24,7 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
         "would interact with two images of another molecule; the maximum cutoff is {:.3f} nm",
         cutoff > settings.cutoff ? "coulomb_cutoff" : "cutoff", cutoff, shortest,
         round_down(shortest / 2)));
-  double extent = 0;
-  for (const auto& part : topology.parts) extent = std::max(extent, part.molecule.extent());
+  const double extent = topology.extent();
   if (settings.truncation != Truncation::molecule_switch && cutoff + 2 * extent > shortest)
     throw Error(
         fmt::format("cutoff {:.3f} nm and the largest molecule ({:.3f} nm from its centre to a "
@@ -98,10 +95,13 @@ void NeighbourList::set_box(const Topology& topology, const ForceSettings& setti
                             const Box& box) {
   check_edges(box);
   check_box(topology, settings, box);
+  std::vector<CentreRanges> ranges;
   double max_range = 0;
   for (const auto& a : topology.parts)
-    for (const auto& b : topology.parts)
-      max_range = std::max(max_range, centre_ranges(settings, a.molecule, b.molecule).largest());
+    for (const auto& b : topology.parts) {
+      ranges.push_back(centre_ranges(settings, a.molecule, b.molecule));
+      max_range = std::max(max_range, ranges.back().largest);
+    }
   // One periodic image in each direction is enough, provided that the range does not exceed the
   // shortest edge.
   const double skin = std::min(settings.skin, box.shortest_edge() - max_range);
@@ -111,13 +111,10 @@ void NeighbourList::set_box(const Topology& topology, const ForceSettings& setti
                     "edge ({:.3f} nm); use a larger box or a shorter cutoff",
                     std::max(settings.cutoff, cutoff_of_charges(settings)), box.shortest_edge()));
   ranges_.clear();
-  for (const auto& a : topology.parts)
-    for (const auto& b : topology.parts) {
-      const CentreRanges ranges = centre_ranges(settings, a.molecule, b.molecule);
-      const double listed = ranges.largest() + skin;
-      const double inside = std::max(0.0, ranges.inside - skin);
-      ranges_.push_back({listed * listed, inside * inside});
-    }
+  for (const CentreRanges& range : ranges) {
+    const double listed = range.largest + skin, inside = std::max(0.0, range.inside - skin);
+    ranges_.push_back({listed * listed, inside * inside});
+  }
   allowed2_ = skin * skin / 4;
   box_ = box;
   width_ = 0;

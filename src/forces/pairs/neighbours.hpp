@@ -96,6 +96,14 @@ constexpr std::optional<std::size_t> ghosts_of(std::size_t part, std::size_t own
   return own_parts + part < parts ? std::optional(own_parts + part) : std::nullopt;
 }
 
+/// Checks the number of molecules.
+/// @throws Error  if there are more molecules than the neighbour list can number
+void check_count(const Topology& topology);
+
+/// Checks the lengths of the box edges.
+/// @throws Error  if an edge is so long that positions in fixed point are too coarse
+void check_edges(const Box& box);
+
 class NeighbourList {
  public:
   /// @param topology     molecules, whose sites determine the extent of each molecule type

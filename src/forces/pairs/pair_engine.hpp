@@ -38,10 +38,8 @@ class PairEngine {
   /// must contain a mesh. Energy terms that do not depend on positions are not included.
   void operator()(const State& state, Load& load, bool energies);
 
-  /// Computes the derivative of forces and torques along a displacement of all bodies. Centres move
-  /// by dq [nm], and orientations rotate by dtheta [rad] in the body frame. Energies and virial are
-  /// set to 0. The list is reused. The mesh potential is reused if the state is the state of the
-  /// last evaluation.
+  /// Computes the derivative of forces and torques along a displacement of all bodies, see
+  /// ForceField::directional_derivative(). Energies and virial are set to 0.
   void derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta, Load& slope);
 
   const NeighbourList& neighbours() const { return list_; }

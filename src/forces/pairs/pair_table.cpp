@@ -4,9 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "forces/laws/resized.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 
@@ -29,18 +27,13 @@ InteractionSites::InteractionSites(const Molecule& molecule) {
                     molecule.name, sites.size(), max_sites));
 }
 
-namespace {
-
-bool names(const std::string& word, const Molecule& molecule, const Site& site) {
-  return word == molecule.name + '.' + site.name;
-}
-
-}  // namespace
-
 PairTable::PairTable(const Molecule& first, const Molecule& second, const Mixing& mixing) {
   const InteractionSites a(first), b(second);
   sites_a = a.size(), charged_a = a.charged, dispersive_a = a.dispersive;
   sites_b = b.size(), charged_b = b.charged, dispersive_b = b.dispersive;
+  const auto names = [](const std::string& word, const Molecule& molecule, const Site& site) {
+    return word == molecule.name + '.' + site.name;
+  };
   const auto law_of = [&](const Site& at_a, const Site& at_b) {
     for (const PairOverride& pair : mixing.pairs)
       if ((names(pair.first, first, at_a) && names(pair.second, second, at_b)) ||
@@ -52,7 +45,7 @@ PairTable::PairTable(const Molecule& first, const Molecule& second, const Mixing
   for (const Site& at_b : b.sites)
     for (const Site& at_a : a.sites) {
       any.charge.push_back(units::coulomb * at_a.charge * at_b.charge);
-      any.law.push_back(resized(law_of(at_a, at_b), at_a.size * at_b.size));
+      any.law.push_back(law_of(at_a, at_b).scaled_by(at_a.size * at_b.size));
       any_float.law.push_back(any.law.back().rounded());
     }
   any_float.charge.assign(any.charge.begin(), any.charge.end());

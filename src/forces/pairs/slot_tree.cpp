@@ -2,7 +2,6 @@
 #include "forces/pairs/slot_tree.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "base/blocks.hpp"

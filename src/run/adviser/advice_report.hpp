@@ -37,8 +37,7 @@ AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,
                          const std::string& prefix = "advice", const OutputOptions& options = {},
                          const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 
-/// The results of the adviser as a list, from which text, JSON, the table of points and the manual
-/// are made.
+/// The results of the adviser as a list, for text, JSON, the table of points and the manual.
 Quantities quantities(const AdviceReport& report);
 
 /// The test runs of a candidate at one step, as a point of a figure.

@@ -11,6 +11,29 @@
 #include "run/simulation/report/warning_rules.hpp"
 
 namespace polhode {
+namespace {
+
+void check_bias_known(const EnsembleSettings& ensemble) {
+  if (fixed_means(ensemble)) return;
+  if (ensemble.hybrid_monte_carlo)
+    throw Error(
+        "hybrid Monte Carlo has no time-step bias, so a bias cannot be bounded; bound R (\"0.5 "
+        "%\"), or choose the step and the trajectory length with --ensemble nvt");
+  throw Error(
+      "the time-step bias is not known in this ensemble; use constant energy, or type = "
+      "\"rescaling\" in [thermostat] with edges = [\"xyz\"] in a [barostat], or bound R (\"0.5 "
+      "%\")");
+}
+
+/// A confidence bound on the magnitude of a mean, for values that also have a common error.
+double bound_with_common_error(const std::vector<double>& values,
+                               const std::vector<double>& errors) {
+  constexpr double factor = 2;  // number of standard errors for the probability of the bound
+  const double size = std::abs(mean(values).value), common = factor * mean(errors).value;
+  return size + std::hypot(size_bound(values, guarantee_probability) - size, common);
+}
+
+}  // namespace
 
 Outcome outcome(const System& system, const Trajectory& trajectory) {
   Outcome run;
@@ -34,22 +57,6 @@ Outcome outcome(const System& system, const Trajectory& trajectory) {
   run.configurational = trajectory.statistics.configurational.values();
   return run;
 }
-
-namespace {
-
-void check_bias_known(const EnsembleSettings& ensemble) {
-  if (fixed_means(ensemble)) return;
-  if (ensemble.hybrid_monte_carlo)
-    throw Error(
-        "hybrid Monte Carlo has no time-step bias, so a bias cannot be bounded; bound R (\"0.5 "
-        "%\"), or choose the step and the trajectory length with --ensemble nvt");
-  throw Error(
-      "the time-step bias is not known in this ensemble; use constant energy, or type = "
-      "\"rescaling\" in [thermostat] with edges = [\"xyz\"] in a [barostat], or bound R (\"0.5 "
-      "%\")");
-}
-
-}  // namespace
 
 Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& ensemble) {
   if (requirement.of != RequiredOf::ratio) check_bias_known(ensemble);
@@ -80,18 +87,6 @@ void check_criterion(const Criterion& criterion, const Topology& topology) {
         "no molecule rotates, so there is no difference between the temperatures of rotation and "
         "translation; bound the bias of the energy (\"energy 0.01 kJ/mol\") or R (\"0.5 %\")");
 }
-
-namespace {
-
-/// A confidence bound on the magnitude of a mean, for values that also have a common error.
-double bound_with_common_error(const std::vector<double>& values,
-                               const std::vector<double>& errors) {
-  constexpr double factor = 2;  // number of standard errors for the probability of the bound
-  const double size = std::abs(mean(values).value), common = factor * mean(errors).value;
-  return size + std::hypot(size_bound(values, guarantee_probability) - size, common);
-}
-
-}  // namespace
 
 bool blew_up(const std::vector<Outcome>& runs) {
   return std::any_of(runs.begin(), runs.end(), [](auto& run) { return !run.failure.empty(); });

@@ -11,7 +11,6 @@
 
 #include "base/stopwatch.hpp"
 #include "forces/pairs/neighbours.hpp"
-#include "forces/system_size.hpp"
 #include "forces/timed_forces.hpp"
 #include "model/cell_list.hpp"
 #include "polhode/base/error.hpp"

@@ -56,14 +56,8 @@ std::string quoted_part(std::string_view line) {
   return begin < end ? std::string(line.substr(begin + 1, end - begin - 1)) : "";
 }
 
-std::optional<std::vector<double>> numbers_of(const std::vector<std::string>& fields) {
-  std::vector<double> row;
-  for (const std::string& field : fields) {
-    const auto value = parsed<double>(field);
-    if (!value) return std::nullopt;
-    row.push_back(*value);
-  }
-  return row;
+bool all_numbers(const std::vector<std::string>& fields) {
+  return std::ranges::all_of(fields, [](const auto& field) { return !!parsed<double>(field); });
 }
 
 /// Appends a row to the columns.
@@ -175,7 +169,7 @@ EngineLog read_lammps(Lines& lines) {
         log.columns.push_back({name, lammps_unit(name, state.system), {}});
       within = true;
       ++runs;
-    } else if (within && numbers_of(words)) {
+    } else if (within && all_numbers(words)) {
       add_row(log, lines, words);
     }
   }

@@ -23,21 +23,6 @@ namespace {
 /// known, so no reference measurement is needed.
 constexpr bool is_temperature(std::size_t quantity) { return quantity >= 1 && quantity <= 4; }
 
-/// The mean over the finite values; empty if there are fewer than two finite values.
-std::optional<Estimate> mean_of(std::vector<double> values) {
-  std::erase_if(values, [](double x) { return !std::isfinite(x); });
-  if (values.size() < 2) return std::nullopt;
-  return mean(values);
-}
-
-template <class Value>
-std::optional<Estimate> mean_over(const std::vector<CanonicalRun>& runs, const Value& value) {
-  std::vector<double> values;
-  for (const CanonicalRun& run : runs)
-    if (run.stable) values.push_back(value(run));
-  return mean_of(std::move(values));
-}
-
 /// The mean of a quantity over all methods of exact sampling, except for one method. For each
 /// initial configuration, the mean over the steps is computed first. The mean over the
 /// configurations is computed next, because runs from different configurations are independent.
@@ -53,7 +38,38 @@ std::optional<Estimate> exact_mean(const std::vector<CanonicalMethod>& methods,
   }
   std::vector<double> means;
   for (const auto& [start, values] : of_start) means.push_back(mean(values).value);
-  return mean_of(std::move(means));
+  return means.size() < 2 ? std::nullopt : std::optional(mean(means));
+}
+
+// Default steps [fs] for water: one list for schemes with one force evaluation per step, and one
+// for schemes with two or three. Schemes with more evaluations use longer steps at equal cost.
+std::vector<double> default_steps(const CanonicalMethod& method, bool coarse) {
+  std::vector<double> fs;
+  if (method.scheme.cost() <= 1)
+    fs = coarse ? std::vector<double>{2, 5} : std::vector<double>{2, 4, 6};
+  else
+    fs = coarse ? std::vector<double>{4, 7} : std::vector<double>{4, 6, 8};
+  const double stretch = std::max(1.0, method.scheme.cost() / 4);
+  for (double& h : fs) h *= stretch / units::fs_per_ps;
+  return fs;
+}
+
+CanonicalMethod method_of(const NamedScheme& given) {
+  const Scheme scheme = single_scheme_of(given);
+  const bool hybrid = !scheme.has(Flow::bath);
+  const std::string prefix = hybrid ? "hmc-" : "";
+  if (hybrid) check_hybrid(scheme);
+  return {.name = prefix + label_of(given),
+          .text = prefix + named_text_of(NestedScheme(scheme)),
+          .scheme = scheme,
+          .hybrid = hybrid};
+}
+
+/// Whether the schemes are the default schemes of a study of energy conservation, given explicitly
+/// or by the default run file.
+bool of_energy_study(const std::vector<NamedScheme>& schemes) {
+  return schemes == StudySettings{}.schemes ||
+         schemes == std::vector<NamedScheme>{"velocity-verlet", "hoa2", "gier4-fd"};
 }
 
 }  // namespace
@@ -109,13 +125,13 @@ std::vector<CanonicalPoint> canonical_points(const std::vector<CanonicalMethod>&
     point.runs = static_cast<int>(own.size());
     point.stable = std::all_of(own.begin(), own.end(), [](const auto& run) { return run.stable; });
     const auto over_runs = [&](const auto& value) {
-      return mean_over(own, value).value_or(Estimate{unknown, unknown});
+      return mean_of_runs(own, value).value_or(Estimate{unknown, unknown});
     };
     point.correlation_time = over_runs([](const auto& run) { return run.correlation_time; });
     point.acceptance = over_runs([](const auto& run) { return run.acceptance; });
     point.weight = over_runs([](const auto& run) { return run.weight; });
     for (std::size_t k = 0; k < canonical_quantities.size(); ++k) {
-      point.mean[k] = mean_over(own, [k](const auto& run) { return run.means[k]; });
+      point.mean[k] = mean_of_runs(own, [k](const auto& run) { return run.means[k]; });
       const std::optional<Estimate> exact =
           is_temperature(k) ? Estimate{temperature, 0} : exact_mean(methods, runs, method, k);
       if (point.mean[k] && exact)
@@ -126,41 +142,6 @@ std::vector<CanonicalPoint> canonical_points(const std::vector<CanonicalMethod>&
   }
   return points;
 }
-
-namespace {
-
-// Default steps [fs] for water: one list for schemes with one force evaluation per step, and one
-// for schemes with two or three. Schemes with more evaluations use longer steps at equal cost.
-std::vector<double> default_steps(const CanonicalMethod& method, bool coarse) {
-  std::vector<double> fs;
-  if (method.scheme.cost() <= 1)
-    fs = coarse ? std::vector<double>{2, 5} : std::vector<double>{2, 4, 6};
-  else
-    fs = coarse ? std::vector<double>{4, 7} : std::vector<double>{4, 6, 8};
-  const double stretch = std::max(1.0, method.scheme.cost() / 4);
-  for (double& h : fs) h *= stretch / units::fs_per_ps;
-  return fs;
-}
-
-CanonicalMethod method_of(const NamedScheme& given) {
-  const Scheme scheme = single_scheme_of(given);
-  const bool hybrid = !scheme.has(Flow::bath);
-  const std::string prefix = hybrid ? "hmc-" : "";
-  if (hybrid) check_hybrid(scheme);
-  return {.name = prefix + label_of(given),
-          .text = prefix + named_text_of(NestedScheme(scheme)),
-          .scheme = scheme,
-          .hybrid = hybrid};
-}
-
-/// Whether the schemes are the default schemes of a study of energy conservation, given explicitly
-/// or by the default run file.
-bool of_energy_study(const std::vector<NamedScheme>& schemes) {
-  return schemes == StudySettings{}.schemes ||
-         schemes == std::vector<NamedScheme>{"velocity-verlet", "hoa2", "gier4-fd"};
-}
-
-}  // namespace
 
 std::vector<NamedScheme> canonical_schemes() {
   return {"obabo",      "baoab",        "aboba",         "hoa2-ends",       "hoa2-middle",

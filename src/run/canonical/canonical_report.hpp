@@ -50,20 +50,13 @@ struct CanonicalReport {
   CanonicalReport(const Config& config, const std::vector<CanonicalPoint>& points);
 };
 
-/// Performs a canonical study and writes its record, tables and figure. An interrupted study
-/// resumes: runs in an existing record are not repeated, unless the user asked to replace existing
-/// files.
-/// @param record  existing record, whose tables and figure are made without new runs; empty to
-///   perform the study
-/// @param prefix  prefix of the output files
-/// @throws Error  before anything is computed, if a setting is invalid, outputs of another study
-///   exist, or the given record does not exist
+/// Performs a canonical study, or makes the tables and the figure of an existing record, with the
+/// arguments and under the conditions of run_study(). Only this version's records can be read.
 CanonicalReport run_canonical_study(const Config& config, const std::string& record,
                                     const std::string& prefix, const OutputOptions& options,
                                     const Callbacks& callbacks, Workers& workers);
 
-/// The results of a canonical study as a list, from which text, JSON, the table of points and the
-/// manual are made.
+/// The results of a canonical study as a list, for text, JSON, the table of points and the manual.
 Quantities quantities(const CanonicalReport& report);
 
 /// Conclusions for a criterion: a sentence for each scheme, and a sentence on the cheapest sample.

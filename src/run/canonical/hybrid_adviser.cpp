@@ -33,8 +33,9 @@ constexpr std::array<double, 6> step_parts = {0.12, 0.17, 0.24, 0.34, 0.48, 0.68
 constexpr std::array<std::size_t, 4> step_counts = {4, 8, 16, 32};
 constexpr double discarded = 0.2;  // fraction of each run that is discarded at its beginning
 
-/// The results of a run.
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+/// The results of a run.
 struct HybridRun {
   double acceptance = no_value, weight = no_value;
   std::vector<double> potential{};  // potential energy at the ends of trajectories; empty if the

@@ -10,7 +10,6 @@
 #include "io/files/draft.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
-#include "polhode/run/simulation/system/system.hpp"
 #include "run/output_files.hpp"
 
 namespace polhode {
@@ -75,8 +74,6 @@ Written write_frames(FrameReader& reader, const std::string& path, const Convers
 }
 
 }  // namespace
-
-Topology molecules_of_run(const Config& config) { return build_system(config).topology; }
 
 ConversionResult convert(const Conversion& c, const OutputOptions& options,
                          const Callbacks& callbacks) {

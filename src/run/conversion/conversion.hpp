@@ -31,9 +31,6 @@ struct ConversionResult {
                              ///< written
 };
 
-/// The molecules of a run file, for use as Conversion::particles.
-Topology molecules_of_run(const Config& config);
-
 /// Writes the selected frames to a file, completely or not at all. A message warns if velocities
 /// are lost.
 /// @throws Error  if a format is not known or lacks names that the other format needs, if no frame

@@ -95,7 +95,7 @@ void set_energy(System& system, double mean_total, Workers& workers) {
 
 /// A warning if the volume still changes by more than 0.5 %.
 std::optional<Warning> density_warning(const Drift& slope, double length, double volume) {
-  constexpr double min_change = 0.005, significance_level = 0.001;
+  constexpr double min_change = 0.005;
   const double change = slope.rate.value * length / volume;
   const bool known = slope.known == Known::yes;
   if ((known && slope.p_value > significance_level) || !(std::abs(change) >= min_change))

@@ -12,10 +12,6 @@
 namespace polhode {
 namespace {
 
-Estimate operator*(double factor, const Estimate& x) {
-  return {factor * x.value, factor * x.error};
-}
-
 const Curve* find(const std::vector<Curve>& curves, const std::string& scheme) {
   const auto it = std::find_if(curves.begin(), curves.end(),
                                [&](const Curve& c) { return c.scheme == scheme; });
@@ -124,7 +120,7 @@ std::vector<Claim> paper_claims(const std::vector<Curve>& curves) {
       "same cost)",
       std::nullopt, Verdict::undecided};
   if (const auto found = crossover(*gier4, *hoa2)) {
-    crossing.value = 100 * found->ratio;
+    crossing.value = {100 * found->ratio.value, 100 * found->ratio.error};
     crossing.verdict = rounds_to(*crossing.value, found->degrees_of_freedom, 0.4, 0.05);
   }
   claims.push_back(crossing);

@@ -80,6 +80,38 @@ Values newton_step(const std::vector<ErrorTerms>& s, const Metric& metric, const
           (-gradient[1] * xx + gradient[0] * xy) / determinant};
 }
 
+/// Minimizes the variance for error terms relative to `from` (Levenberg-Marquardt).
+Values minimum(const ErrorCovariance& c, const SchemeFamily& family, const ErrorTerms& from) {
+  const Metric metric(c);
+  const auto change = [&](const Values& at) { return error_terms(family.at(at)) - from; };
+  // The variance is infinite if the text of the scheme cannot be evaluated, as for the root of a
+  // negative number.
+  const auto cost = [&](const Values& at) {
+    try {
+      const ErrorTerms d = change(at);
+      return metric(d, d) - 2 * (d.alpha * c.Ea + d.beta * c.Eb);
+    } catch (const Error&) {
+      return std::numeric_limits<double>::infinity();
+    }
+  };
+  Values at = values_of(family.parameters());
+  double damping = 1e-3;
+  constexpr int max_iterations = 200;  // about ten are needed
+  for (int i = 0; i < max_iterations && damping < 1e12; ++i) {
+    const std::vector<ErrorTerms> s = slopes(family, at);
+    const ErrorTerms d = change(at);
+    Values gradient;
+    for (const ErrorTerms& slope : s)
+      gradient.push_back(metric(slope, d) - slope.alpha * c.Ea - slope.beta * c.Eb);
+    Values next = newton_step(s, metric, gradient, damping);
+    for (std::size_t k = 0; k < at.size(); ++k) next[k] += at[k];
+    const bool better = cost(next) < cost(at);
+    if (better) at = next;
+    damping *= better ? 0.1 : 10;
+  }
+  return at;
+}
+
 }  // namespace
 
 SchemeFamily::SchemeFamily(const NamedScheme& scheme, const std::string& label)
@@ -162,42 +194,6 @@ ErrorCovariance error_covariance(std::span<const BracketSample> samples, double 
   }
   return c;
 }
-
-namespace {
-
-/// Minimizes the variance for error terms relative to `from` (Levenberg-Marquardt).
-Values minimum(const ErrorCovariance& c, const SchemeFamily& family, const ErrorTerms& from) {
-  const Metric metric(c);
-  const auto change = [&](const Values& at) { return error_terms(family.at(at)) - from; };
-  // The variance is infinite if the text of the scheme cannot be evaluated, as for the root of a
-  // negative number.
-  const auto cost = [&](const Values& at) {
-    try {
-      const ErrorTerms d = change(at);
-      return metric(d, d) - 2 * (d.alpha * c.Ea + d.beta * c.Eb);
-    } catch (const Error&) {
-      return std::numeric_limits<double>::infinity();
-    }
-  };
-  Values at = values_of(family.parameters());
-  double damping = 1e-3;
-  constexpr int max_iterations = 200;  // about ten are needed
-  for (int i = 0; i < max_iterations && damping < 1e12; ++i) {
-    const std::vector<ErrorTerms> s = slopes(family, at);
-    const ErrorTerms d = change(at);
-    Values gradient;
-    for (const ErrorTerms& slope : s)
-      gradient.push_back(metric(slope, d) - slope.alpha * c.Ea - slope.beta * c.Eb);
-    Values next = newton_step(s, metric, gradient, damping);
-    for (std::size_t k = 0; k < at.size(); ++k) next[k] += at[k];
-    const bool better = cost(next) < cost(at);
-    if (better) at = next;
-    damping *= better ? 0.1 : 10;
-  }
-  return at;
-}
-
-}  // namespace
 
 Values best_parameters(const ErrorCovariance& covariance, const SchemeFamily& family) {
   return minimum(covariance, family, error_terms(family.reference()));

@@ -97,6 +97,40 @@ void add_point(std::vector<StudyPoint>& points, const StudyPoint& point) {
   points.push_back(point);
 }
 
+/// Adds mean differences of temperatures over the runs in which both are known.
+void add_excesses(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
+  for (std::size_t k = 0; k < point.excess.size(); ++k)
+    point.excess[k] = mean_of_runs(runs, [k](const StudyRun& run) -> std::optional<double> {
+      if (!run.parts || !(run.parts->rotation[k] > 0 && run.parts->translation > 0)) return {};
+      return run.parts->rotation[k] - run.parts->translation;
+    });
+  for (std::size_t k = 0; k < point.configurational_excess.size(); ++k)
+    point.configurational_excess[k] =
+        mean_of_runs(runs, [k](const StudyRun& run) -> std::optional<double> {
+          if (!run.configurational || !run.parts || (*run.configurational)[k] == 0) return {};
+          const Temperatures& T = *run.parts;
+          return (*run.configurational)[k] - (k == 0 ? T.translation : T.rotation[k - 1]);
+        });
+}
+
+/// Adds means over the runs that did not blow up.
+void add_means(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
+  const auto stable = [&](double StudyRun::*member) {
+    std::vector<double> values;
+    for (const StudyRun& run : runs)
+      if (run.stable) values.push_back(run.*member);
+    return values;
+  };
+  const std::vector<double> ratios = stable(&StudyRun::ratio);
+  point.stable = ratios.size() == runs.size();
+  if (ratios.empty()) return;
+  point.ratio = mean(ratios);
+  point.total = mean(stable(&StudyRun::total)).value;
+  point.drift = drift_of_series(stable(&StudyRun::drift));
+  point.temperature = mean(stable(&StudyRun::temperature)).value;
+  point.rounding = mean(stable(&StudyRun::rounding)).value;
+}
+
 }  // namespace
 
 double EfficiencyPoint::relative_drift() const {
@@ -172,56 +206,6 @@ void perform_study_runs(const Config& config, const std::vector<StudyRun>& known
     return one_run(start, index, point, config, near_weights.at(point.name), callbacks);
   });
 }
-
-namespace {
-
-/// The mean difference of two temperatures over the runs in which both are known; empty if there
-/// are fewer than two such runs.
-template <class Difference>
-std::optional<Estimate> mean_difference(const std::vector<StudyRun>& runs,
-                                        const Difference& difference) {
-  std::vector<double> values;
-  for (const StudyRun& run : runs)
-    if (const std::optional<double> value = run.stable ? difference(run) : std::nullopt)
-      values.push_back(*value);
-  if (values.size() < 2) return std::nullopt;
-  return mean(values);
-}
-
-void add_excesses(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
-  for (std::size_t k = 0; k < point.excess.size(); ++k)
-    point.excess[k] = mean_difference(runs, [k](const StudyRun& run) -> std::optional<double> {
-      if (!run.parts || !(run.parts->rotation[k] > 0 && run.parts->translation > 0)) return {};
-      return run.parts->rotation[k] - run.parts->translation;
-    });
-  for (std::size_t k = 0; k < point.configurational_excess.size(); ++k)
-    point.configurational_excess[k] =
-        mean_difference(runs, [k](const StudyRun& run) -> std::optional<double> {
-          if (!run.configurational || !run.parts || (*run.configurational)[k] == 0) return {};
-          const Temperatures& T = *run.parts;
-          return (*run.configurational)[k] - (k == 0 ? T.translation : T.rotation[k - 1]);
-        });
-}
-
-/// Adds means over the runs that did not blow up.
-void add_means(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
-  const auto stable = [&](double StudyRun::*member) {
-    std::vector<double> values;
-    for (const StudyRun& run : runs)
-      if (run.stable) values.push_back(run.*member);
-    return values;
-  };
-  const std::vector<double> ratios = stable(&StudyRun::ratio);
-  point.stable = ratios.size() == runs.size();
-  if (ratios.empty()) return;
-  point.ratio = mean(ratios);
-  point.total = mean(stable(&StudyRun::total)).value;
-  point.drift = drift_of_series(stable(&StudyRun::drift));
-  point.temperature = mean(stable(&StudyRun::temperature)).value;
-  point.rounding = mean(stable(&StudyRun::rounding)).value;
-}
-
-}  // namespace
 
 std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& points,
                                                const std::vector<StudyRun>& runs, double length) {

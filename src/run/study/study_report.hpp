@@ -53,8 +53,7 @@ struct StudyReport {
 StudyReport run_study(const Config& config, const std::string& record, const std::string& prefix,
                       const OutputOptions& options, const Callbacks& callbacks, Workers& workers);
 
-/// The results of a study as a list, from which text, JSON, the table of points and the manual are
-/// made.
+/// The results of a study as a list, for text, JSON, the table of points and the manual.
 Quantities quantities(const StudyReport& report);
 
 }  // namespace polhode

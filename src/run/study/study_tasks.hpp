@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "polhode/base/workers.hpp"
+#include "polhode/math/fit.hpp"
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 
@@ -26,6 +28,20 @@ std::vector<Run> runs_of(const std::string& scheme, double step, const std::vect
     if (run.scheme == scheme && same_step(run.step, step)) own.push_back(run);
   std::sort(own.begin(), own.end(), [](const Run& a, const Run& b) { return a.start < b.start; });
   return own;
+}
+
+/// The mean of a number over the runs that did not blow up; empty if fewer than two runs have the
+/// number.
+/// @param number  function that returns the number of a run; empty or NaN if it is not known
+template <class Run, class Number>
+std::optional<Estimate> mean_of_runs(const std::vector<Run>& runs, const Number& number) {
+  std::vector<double> values;
+  for (const Run& run : runs) {
+    if (!run.stable) continue;
+    const std::optional<double> value = number(run);
+    if (value && std::isfinite(*value)) values.push_back(*value);
+  }
+  return values.size() < 2 ? std::nullopt : std::optional(mean(values));
 }
 
 /// Performs the remaining runs of a study, as many at a time as there are workers.

@@ -8,9 +8,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
+#include <string_view>
 #include <utility>
 
+#include "io/files/split_words.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {
@@ -64,15 +65,11 @@ void integrate(TopTrajectory& trajectory, const Vec3<double>& J, const Vec3<doub
   }
 }
 
-std::vector<std::string> cells(std::string line) {
-  if (!line.empty() && line.back() == '\r') line.pop_back();
-  std::vector<std::string> out;
-  std::stringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) {
-    const auto first = cell.find_first_not_of(" \t"), last = cell.find_last_not_of(" \t");
-    out.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
-  }
-  return out;
+/// The cells of a line; a comma at the end of a line adds no cell.
+std::vector<std::string_view> cells(std::string_view line) {
+  std::vector<std::string_view> parts = parts_of(line, ',');
+  if (parts.back().empty()) parts.pop_back();
+  return parts;
 }
 
 }  // namespace
@@ -162,13 +159,12 @@ Quantities quantities(const TopTrajectory& top) {
 std::string rotate_table(const std::string& file, RotorMethod method) {
   std::ifstream in(file);
   if (!in) throw Error("the table cannot be opened; check its name and permissions", file);
-  std::string line;
-  if (!std::getline(in, line))
+  std::string head, line;
+  if (!std::getline(in, head))
     throw Error(
         "the table is empty; its first line must contain the column names I1,I2,I3,L1,L2,L3,t",
         file);
-  if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
-  const std::vector<std::string> names = cells(line);
+  const std::vector<std::string_view> names = cells(without_mark(head));
   constexpr std::array<const char*, 7> columns{"I1", "I2", "I3", "L1", "L2", "L3", "t"};
   std::array<std::size_t, 7> column{};
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -182,7 +178,7 @@ std::string rotate_table(const std::string& file, RotorMethod method) {
   }
   std::string text = "P11,P12,P13,P21,P22,P23,P31,P32,P33,qw,qx,qy,qz,Lf1,Lf2,Lf3\n";
   for (int number = 2; std::getline(in, line); ++number) {
-    const std::vector<std::string> row = cells(line);
+    const std::vector<std::string_view> row = cells(line);
     if (row.empty() || (row.size() == 1 && row[0].empty())) continue;
     const std::string where = fmt::format("{}:{}", file, number);
     std::array<double, 7> value{};
@@ -191,7 +187,7 @@ std::string rotate_table(const std::string& file, RotorMethod method) {
         throw Error(fmt::format("the row has {} columns, but {} is column {}; complete the row",
                                 row.size(), columns[k], column[k] + 1),
                     where);
-      const std::string& cell = row[column[k]];
+      const std::string cell(row[column[k]]);
       char* end = nullptr;
       value[k] = std::strtod(cell.c_str(), &end);
       if (cell.empty() || *end != '\0')

@@ -94,34 +94,20 @@ std::vector<Curve> family(const Vec3<double>& J, double twice_E) {
   return curves;
 }
 
-/// Writes the points of curves in three columns. Curves are separated by a blank line, and blocks
-/// by two blank lines.
-class Points {
- public:
-  explicit Points(std::ostream& out) : out_(out) {}
-  void add(const Vec3<double>& w) { fmt::print(out_, "{:.7g} {:.7g} {:.7g}\n", w.x, w.y, w.z); }
-  void add(const Curve& curve) {
-    for (const Vec3<double>& w : curve) add(w);
-    end_curve();
-  }
-  void end_curve() { out_ << '\n'; }
-  void end_block() { out_ << '\n'; }
-
- private:
-  std::ostream& out_;
-};
-
-void add_ellipsoid(Points& points, const Vec3<double>& radius) {
+/// The circles of latitude of an ellipsoid.
+std::vector<Curve> ellipsoid(const Vec3<double>& radius) {
   constexpr int rings = 64, sectors = 128;
+  std::vector<Curve> circles;
   for (int i = 0; i <= rings; ++i) {
     const double a = pi * i / rings;
+    Curve& circle = circles.emplace_back();
     for (int j = 0; j <= sectors; ++j) {
       const double b = 2 * pi * j / sectors;
-      points.add(
+      circle.push_back(
           scaled(radius, {std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)}));
     }
-    points.end_curve();
   }
+  return circles;
 }
 
 void write_data(std::ostream& out, const std::string& command, const Vec3<double>& J,
@@ -132,17 +118,22 @@ void write_data(std::ostream& out, const std::string& command, const Vec3<double
       "# omega1 omega2 omega3; blocks: 0 ellipsoid, 1 polhodes of the same energy, 2 of this "
       "top,\n# 3 its omega\n",
       version(), printable(command));
-  Points points(out);
-  add_ellipsoid(points,
-                {std::sqrt(twice_E / J.x), std::sqrt(twice_E / J.y), std::sqrt(twice_E / J.z)});
-  points.end_block();
-  points.add({std::nan(""), 0, 0});  // gnuplot needs a point in every block
-  points.end_curve();
-  for (const Curve& curve : family(J, twice_E)) points.add(curve);
-  points.end_block();
-  points.add(polhode_of(J, L));
-  points.end_block();
-  points.add(Curve{{L.x / J.x, L.y / J.y, L.z / J.z}});
+  std::vector<Curve> same_energy = family(J, twice_E);
+  same_energy.insert(same_energy.begin(),
+                     Curve{{std::nan(""), 0, 0}});  // gnuplot needs a point in every block
+  const std::vector<Curve> blocks[] = {
+      ellipsoid({std::sqrt(twice_E / J.x), std::sqrt(twice_E / J.y), std::sqrt(twice_E / J.z)}),
+      same_energy,
+      {polhode_of(J, L)},
+      {Curve{{L.x / J.x, L.y / J.y, L.z / J.z}}}};
+  // A blank line ends a curve, and two blank lines separate blocks.
+  for (const std::vector<Curve>& block : blocks) {
+    if (&block != blocks) out << '\n';
+    for (const Curve& curve : block) {
+      for (const Vec3<double>& w : curve) fmt::print(out, "{:.7g} {:.7g} {:.7g}\n", w.x, w.y, w.z);
+      out << '\n';
+    }
+  }
 }
 
 }  // namespace

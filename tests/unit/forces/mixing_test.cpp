@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "../errors.hpp"
-#include "forces/pairs/reference.hpp"
 #include "polhode/forces/force_field.hpp"
+#include "reference_forces.hpp"
 
 using namespace polhode;
 

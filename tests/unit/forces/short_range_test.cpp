@@ -8,7 +8,6 @@
 
 #include "../errors.hpp"
 #include "forces/laws/law_range.hpp"
-#include "forces/laws/resized.hpp"
 #include "math/dual.hpp"
 #include "polhode/base/error.hpp"
 
@@ -62,17 +61,17 @@ TEST_CASE("a potential with scaled distances is the potential at scaled distance
       for (double r = 0.3; r < 1.1; r += 0.0371) {
         CAPTURE(k);
         CAPTURE(r);
-        const PairValue<double> scaled = at(resized(laws[k], factor), factor * r);
+        const PairValue<double> scaled = at(laws[k].scaled_by(factor), factor * r);
         const PairValue<double> plain = at(laws[k], r);
         const double scale = 1e-13 * at(ShortRange<double>(LennardJones<>::of(0.34, 1)), 0.26).u;
         CHECK(std::abs(scaled.u - plain.u) < scale);
         CHECK(std::abs(scaled.s * factor * factor - plain.s) < 12 * scale / (r * r));
       }
-  CHECK(std::isnan(at(resized(laws[2], 0.5),
+  CHECK(std::isnan(at(laws[2].scaled_by(0.5),
                       0.5 * 0.99 * std::sqrt(std::get<Buckingham<>>(laws[2].law()).inner_limit2))
                        .u));
-  CHECK(at(resized(laws[3], 1), 0.5).u == at(laws[3], 0.5).u);
-  CHECK_THROWS_AS(resized(laws[3], 0.5), Error);
+  CHECK(at(laws[3].scaled_by(1), 0.5).u == at(laws[3], 0.5).u);
+  CHECK_THROWS_AS(laws[3].scaled_by(0.5), Error);
 }
 
 // exp(n/2 ln(σ²/r²)) errs by some n |ln(σ/r)| + 2 roundings of 2⁻⁵³, here below 20 of the larger
@@ -109,7 +108,7 @@ TEST_CASE("a tabulated Lennard-Jones law errs as a cubic spline does") {
   const double u4 = 4 * epsilon * (32760 * x * x) / std::pow(first, 4);
   double before = 0;
   for (const double h : {0.004, 0.002, 0.001}) {
-    const auto table = Tabulated<>::of(lennard_jones_table(sigma, epsilon, h));
+    const auto table = Tabulated<>::of(0, 0, lennard_jones_table(sigma, epsilon, h));
     double worst = 0;
     for (double r = first; r < 1.19; r += 0.137 * h) {
       worst = std::max(worst, std::abs(at(table, r).u - at(lj, r).u));
@@ -123,7 +122,7 @@ TEST_CASE("a tabulated Lennard-Jones law errs as a cubic spline does") {
 
 // Class C²: the slope of s is the same on both sides of a point of the table.
 TEST_CASE("a tabulated law is of class C² and stays finite beyond its end") {
-  const auto law = Tabulated<>::of(lennard_jones_table(0.34, 1, 0.01));
+  const auto law = Tabulated<>::of(0, 0, lennard_jones_table(0.34, 1, 0.01));
   const auto slope = [&](double r) {
     const Dual<double> x(r, 1.0);
     return law(InversePowers<Dual<double>>(x * x), x * x).s.slope;
@@ -138,7 +137,7 @@ TEST_CASE("a tabulated law is of class C² and stays finite beyond its end") {
 
 TEST_CASE("below its inner limit a law is not a number") {
   const double r = inner_limit(argon);
-  const auto law = Buckingham<>::of(argon);
+  const auto law = Buckingham<>::of(0, 0, argon);
   CHECK(r > 0.05);
   CHECK(r < 0.1);
   // u is largest there: s changes sign, and what is below is cut off.
@@ -146,7 +145,7 @@ TEST_CASE("below its inner limit a law is not a number") {
   CHECK(at(law, 1.000001 * r).s > 0);
   CHECK(std::isnan(at(law, 0.9999 * r).u));
   CHECK(std::isnan(at(law, 0.9999 * r).s));
-  const auto table = Tabulated<>::of(lennard_jones_table(0.34, 1, 0.002));
+  const auto table = Tabulated<>::of(0, 0, lennard_jones_table(0.34, 1, 0.002));
   CHECK(std::isnan(at(table, 0.2499).u));
   CHECK(std::isfinite(at(table, 0.2501).u));
   CHECK(std::isnan(at(table, 0.0).u));

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "../errors.hpp"
-#include "forces/system_size.hpp"
+#include "forces/pairs/neighbours.hpp"
 #include "model/cell_list.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/measure/radial_distribution.hpp"

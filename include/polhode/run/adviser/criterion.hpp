@@ -97,9 +97,9 @@ double optimistic_bound(const std::vector<Outcome>& runs, double part);
 /// result is true for an energy drift or a bias, which a part of a run does not determine.
 bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, double part);
 
-/// Whether a run blew up, or the energies of the runs drift with a p-value below
-/// `significance_level`, as in a study.
+/// Whether the energies of the runs drift with a p-value below `significance_level`, as in a study.
 bool drifts(const std::vector<Outcome>& runs, double significance_level = significance);
+/// Whether a run blew up.
 bool blew_up(const std::vector<Outcome>& runs);
 
 /// Runs of the same scheme and step, one run for each initial configuration.

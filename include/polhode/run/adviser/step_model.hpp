@@ -43,7 +43,7 @@ class StepModel {
   /// The local exponent d log R/d log h = p + 2 c h².
   double exponent(double step) const;
 
-  /// The largest step, up to `longest`, whose prediction bound is at most `ratio`.
+  /// The largest step, up to `limit`, whose prediction bound is at most `ratio`.
   double max_step(double ratio, double probability, double limit) const;
 
  private:

@@ -9,8 +9,8 @@
 
 #include "base/memory.hpp"
 #include "base/version.hpp"
+#include "forces/pairs/neighbours.hpp"
 #include "forces/pairs/overlap.hpp"
-#include "forces/system_size.hpp"
 #include "model/initial_state.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
