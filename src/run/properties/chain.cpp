@@ -134,19 +134,20 @@ void scale_to(State& state, double volume) {
   state.box = Box{factor * state.box.edge};
 }
 
-void scale_to_mean(Chain& chain, const Replica& replica, std::size_t from) {
+void scale_to_mean(Chain& chain, const Replica& replica) {
   if (chain.settings().at.constant_volume()) return;
+  const std::size_t from = equilibrated(replica);
   double V = 0;
   for (std::size_t k = from; k < replica.averages.size(); ++k)
     V += replica.averages[k].sums.sum[volume] / replica.averages[k].sums.weight;
   scale_to(chain.system().state, V / static_cast<double>(replica.averages.size() - from));
 }
 
-bool begin_copies(Chain& chain, const Replica& replica, std::size_t from,
-                  const std::optional<State>& last, void (*make)(System&), std::uint64_t stream) {
+bool begin_copies(Chain& chain, const Replica& replica, const std::optional<State>& last,
+                  void (*make)(System&), std::uint64_t stream) {
   constexpr std::size_t steps = 5000;
   State& state = chain.system().state = replica.state;
-  if (!last) scale_to_mean(chain, replica, from);
+  if (!last) scale_to_mean(chain, replica);
   make(chain.system());
   if (last) {
     state = *last;

@@ -39,11 +39,11 @@ std::optional<BlockMeans::Block> heat_flux(Chain& chain, double whole_step, std:
 
 }  // namespace
 
-bool add_conduction(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
+bool add_conduction(Replica& replica, const ReplicaSettings& settings) {
   DynamicsChain& conduction = replica.conduction;
   Chain chain(settings, replica, conduction.meshes);
   chain.system().state = conduction.state.value_or(replica.state);
-  if (!conduction.state) scale_to_mean(chain, replica, from);
+  if (!conduction.state) scale_to_mean(chain, replica);
   return extend(conduction, chain, replica.step, conducting, conduction_pairing, heat_flux);
 }
 

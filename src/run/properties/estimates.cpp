@@ -243,7 +243,7 @@ std::optional<std::array<double, 2>> MeasuredProperty::interval(double probabili
 MeasuredProperty estimate(const RequestedProperty& request, const PointData& data) {
   MeasuredProperty m{.request = request, .value = {std::nan("")}};
   const MeasuredIn kind = request.property->measured_in;
-  if (chain_of(Replica{}, kind) != nullptr && !have_one_step(data.replicas)) {
+  if (is_dynamics(kind) && !have_one_step(data.replicas)) {
     m.obstacle =
         "replicas have different time steps, because their shards had separate pilots; give all "
         "shards the record of one pilot before they start";
@@ -254,29 +254,11 @@ MeasuredProperty estimate(const RequestedProperty& request, const PointData& dat
     estimate_pair(m, data);
     return m;
   }
+  using Estimator = void (*)(MeasuredProperty&, const Contributions&, const PointData&);
+  constexpr PerKind<Estimator> estimate_of{{estimate_average, estimate_dynamics, estimate_orthoboxy,
+                                            estimate_coupling, estimate_slab, estimate_conduction}};
   const Contributions contributions(data, kind);
-  switch (kind) {
-    case MeasuredIn::averages:
-      estimate_average(m, contributions, data);
-      break;
-    case MeasuredIn::dynamics:
-      estimate_dynamics(m, contributions, data);
-      break;
-    case MeasuredIn::elongated:
-      estimate_orthoboxy(m, contributions, data);
-      break;
-    case MeasuredIn::coupling:
-      estimate_coupling(m, contributions, data);
-      break;
-    case MeasuredIn::slab:
-      estimate_slab(m, contributions, data);
-      break;
-    case MeasuredIn::conduction:
-      estimate_conduction(m, contributions, data);
-      break;
-    case MeasuredIn::pair:
-      break;
-  }
+  estimate_of[kind](m, contributions, data);
   m.contributions = contributions.text();
   if (m.obstacle.empty() && contributions.not_in_equilibrium > 0) m.obstacle = no_equilibrium;
   if (m.obstacle.empty() && m.value.known != Known::yes) m.obstacle = too_short;

@@ -131,6 +131,15 @@ bool relax(Chain& chain, Replica& replica) {
   return true;
 }
 
+/// Calls a function with the list of the segments of a kind of run.
+template <class AnyReplica, class F>
+auto with_segments(AnyReplica& replica, MeasuredIn kind, const F& f) {
+  if (auto* const chain = chain_of(replica, kind)) return f(chain->segments);
+  if (kind == MeasuredIn::coupling) return f(replica.coupled.segments);
+  if (kind == MeasuredIn::slab) return f(replica.slab.segments);
+  return f(replica.averages);
+}
+
 /// How far a run of averages at some step is beyond the bounds of R and of the predicted bias of
 /// the potential energy. Hybrid Monte Carlo has no bias, but it must accept most trajectories:
 /// energies at their ends differ by √2 rms deviations, and an rms difference of 1 kT is accepted in
@@ -258,32 +267,18 @@ Config configuration_of(const ReplicaSettings& settings) {
 }
 
 DynamicsChain* chain_of(Replica& replica, MeasuredIn kind) {
-  switch (kind) {
-    case MeasuredIn::dynamics:
-      return &replica.dynamics;
-    case MeasuredIn::elongated:
-      return &replica.elongated;
-    case MeasuredIn::conduction:
-      return &replica.conduction;
-    default:
-      return nullptr;
-  }
+  if (!is_dynamics(kind)) return nullptr;
+  return kind == MeasuredIn::dynamics    ? &replica.dynamics
+         : kind == MeasuredIn::elongated ? &replica.elongated
+                                         : &replica.conduction;
 }
 
 std::size_t length_of(const Replica& replica, MeasuredIn kind) {
-  if (const DynamicsChain* const chain = chain_of(replica, kind)) return chain->segments.size();
-  if (kind == MeasuredIn::averages) return replica.averages.size();
-  if (kind == MeasuredIn::coupling) return replica.coupled.segments.size();
-  if (kind == MeasuredIn::slab) return replica.slab.segments.size();
-  return 0;
+  return with_segments(replica, kind, [](const auto& list) { return list.size(); });
 }
 
 void shorten(Replica& replica, MeasuredIn kind, std::size_t segments) {
-  const auto cut = [&](auto& list) { list.resize(std::min(list.size(), segments)); };
-  if (DynamicsChain* const chain = chain_of(replica, kind)) cut(chain->segments);
-  if (kind == MeasuredIn::averages) cut(replica.averages);
-  if (kind == MeasuredIn::coupling) cut(replica.coupled.segments);
-  if (kind == MeasuredIn::slab) cut(replica.slab.segments);
+  with_segments(replica, kind, [&](auto& list) { list.resize(std::min(list.size(), segments)); });
 }
 
 bool prepare(Replica& replica, const ReplicaSettings& settings) {
@@ -347,19 +342,18 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings) {
   return true;
 }
 
-bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
+bool add_dynamics(Replica& replica, const ReplicaSettings& settings) {
   Chain chain(settings, replica, replica.meshes);
   DynamicsChain& dynamics = replica.dynamics;
   chain.system().state = dynamics.state.value_or(replica.state);
-  if (!dynamics.state) scale_to_mean(chain, replica, from);
+  if (!dynamics.state) scale_to_mean(chain, replica);
   return extend(dynamics, chain, replica.step, moving, pairing, correlations);
 }
 
-bool add_elongated(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
+bool add_elongated(Replica& replica, const ReplicaSettings& settings) {
   DynamicsChain& elongated = replica.elongated;
   Chain chain(settings, replica, elongated.meshes);
-  if (!begin_copies(chain, replica, from, elongated.state, elongate, relaxing_elongated))
-    return false;
+  if (!begin_copies(chain, replica, elongated.state, elongate, relaxing_elongated)) return false;
   return extend(elongated, chain, replica.step, elongating, elongated_pairing, displacements);
 }
 

@@ -185,19 +185,15 @@ bool prepare(Replica& replica, const ReplicaSettings& settings);
 /// Adds a segment of averages.
 /// @throws RunError  as prepare(), and if the molecules do not move as in a liquid
 bool add_averages(Replica& replica, const ReplicaSettings& settings);
-/// Adds a segment of dynamics.
-/// @param from  first segment of averages that is in equilibrium; the first segment of dynamics has
-///   the mean volume from this segment on
-bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t from);
-
+/// Adds a segment of dynamics. The first one has the mean volume of the averages in equilibrium.
+bool add_dynamics(Replica& replica, const ReplicaSettings& settings);
 /// Adds a segment of dynamics in the long box. The first segment begins with three copies of the
 /// system at its mean volume, one above the other, which are scaled to the shape of the box and
 /// relaxed.
-/// @param from  first segment of averages that is in equilibrium
-bool add_elongated(Replica& replica, const ReplicaSettings& settings, std::size_t from);
+bool add_elongated(Replica& replica, const ReplicaSettings& settings);
 /// Adds a segment of dynamics with its heat flux, from the same start as the first segment of
 /// dynamics.
-bool add_conduction(Replica& replica, const ReplicaSettings& settings, std::size_t from);
+bool add_conduction(Replica& replica, const ReplicaSettings& settings);
 /// The chain of a kind of dynamics; nothing for other kinds of run.
 DynamicsChain* chain_of(Replica& replica, MeasuredIn kind);
 inline const DynamicsChain* chain_of(const Replica& replica, MeasuredIn kind) {
