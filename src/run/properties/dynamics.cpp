@@ -43,17 +43,16 @@ PartOfSums CorrelationsOfDynamics::distances() const {
 }
 
 std::vector<BlockMeans> dynamics_of(const Contributions& contributions, const PartOfSums& part) {
+  const auto segments_of = [&](const Contribution& c) -> const std::vector<BlockMeans::Block>& {
+    return chain_of(*c.replica, contributions.what)->segments;
+  };
   std::size_t size = std::numeric_limits<std::size_t>::max();
-  for (const auto& [replica, from] : contributions.all)
-    for (const BlockMeans::Block& segment : chain_of(*replica, contributions.what)->segments)
+  for (const Contribution& contribution : contributions.all)
+    for (const BlockMeans::Block& segment : segments_of(contribution))
       size = std::min(size, part(segment.sum).size());
-  std::vector<std::vector<BlockMeans::Block>> runs;
-  for (const auto& [replica, from] : contributions.all) {
-    std::vector<BlockMeans::Block>& run = runs.emplace_back();
-    for (const BlockMeans::Block& segment : chain_of(*replica, contributions.what)->segments)
-      run.push_back(selected(segment, part, size));
-  }
-  return separate_or_joined(std::move(runs));
+  return separate_or_joined(
+      runs_of(contributions, segments_of,
+              [&](const BlockMeans::Block& segment) { return selected(segment, part, size); }));
 }
 
 std::vector<StepPair> pairs_of(const Contributions& contributions, const PartOfSums& part,

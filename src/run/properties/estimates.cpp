@@ -30,6 +30,10 @@ constexpr const char* no_equilibrium =
     "a replica has not reached equilibrium; if longer runs do not help, the system is a crystal, a "
     "glass or a coexistence of two phases";
 
+std::span<const AveragesSegment> averages_in_equilibrium(const Contribution& c) {
+  return std::span(c.replica->averages).subspan(c.from);
+}
+
 void estimate_average(MeasuredProperty& m, const Contributions& contributions,
                       const PointData& data) {
   const PropertyConditions conditions{
@@ -39,10 +43,12 @@ void estimate_average(MeasuredProperty& m, const Contributions& contributions,
       .degrees_of_freedom = degrees_of_freedom(data.topology, TotalMomentum::free).all()};
   const Property& property = *m.request.property;
   const auto statistic = [&](Means means) { return property.value(means, conditions); };
-  m.value = pooled_estimate(averages_of(contributions), statistic);
+  m.value = pooled_estimate(runs_of(contributions, averages_in_equilibrium, &AveragesSegment::sums),
+                            statistic);
   if (m.value.known != Known::yes) return;
-  subtract_bias(m, step_bias(responses_of(contributions), degrees_of_freedom(data.topology).all(),
-                             data.fixed_means(), statistic));
+  subtract_bias(
+      m, step_bias(responses_of(contributions, averages_in_equilibrium, &AveragesSegment::response),
+                   degrees_of_freedom(data.topology).all(), data.fixed_means(), statistic));
 }
 
 /// The correlation functions of the dynamics of all replicas.
