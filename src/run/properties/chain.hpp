@@ -67,6 +67,11 @@ class Chain {
 
 /// Scales the state of a chain to the mean volume of a replica in equilibrium at constant pressure.
 void scale_to_mean(Chain& chain, const Replica& replica);
+/// Stacks copies of a system along z.
+void stack(System& system, std::size_t copies);
+/// Stacks `elongated_copies` of a system along z, and scales them to the shape of the long box of
+/// OrthoBoXY at the same density.
+void elongate(System& system);
 /// Makes stacked copies of the system of a replica. Their state is the last one of their segments.
 /// Before the first segment, copies of the state at the mean volume are relaxed, with different
 /// momenta.

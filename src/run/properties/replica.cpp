@@ -24,7 +24,6 @@
 #include "run/prepare/compressibility.hpp"
 #include "run/properties/chain.hpp"
 #include "run/properties/distances.hpp"
-#include "run/properties/elongate.hpp"
 #include "run/properties/low_frequency_spectrum.hpp"
 #include "run/properties/phases.hpp"
 #include "run/simulation/system/relaxation.hpp"

@@ -157,6 +157,9 @@ inline constexpr std::size_t first_averages = 24;
 /// One segment of dynamics in eight is repeated at half of the step, which is a quarter more work.
 inline constexpr std::size_t paired_every = 8;
 
+/// Copies of the system in the long box of OrthoBoXY.
+inline constexpr std::size_t elongated_copies = 3;
+
 /// Settings that all replicas of a state point share.
 struct ReplicaSettings {
   Config config;  ///< molecules, forces, temperature, and the seed of all replicas

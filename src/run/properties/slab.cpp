@@ -14,7 +14,6 @@
 #include "polhode/base/units.hpp"
 #include "polhode/forces/molecular_virials.hpp"
 #include "run/properties/chain.hpp"
-#include "run/properties/elongate.hpp"
 
 namespace polhode {
 namespace {

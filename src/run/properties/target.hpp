@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "run/properties/coupling.hpp"
-#include "run/properties/elongate.hpp"
 #include "run/properties/replica.hpp"
 #include "run/properties/slab.hpp"
 
