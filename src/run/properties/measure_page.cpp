@@ -206,7 +206,7 @@ void replace(std::string& text, const std::string& mark, const std::string& by) 
   text.replace(text.find(mark), mark.size(), by);
 }
 
-std::string of_missing(const std::vector<MissingPoint>& points) {
+std::string not_measured(const std::vector<MissingPoint>& points) {
   if (points.empty()) return "";
   std::string text = "<h2>Not measured</h2>\n<ul>\n";
   for (const MissingPoint& point : points)
@@ -235,7 +235,7 @@ std::string measure_page(const MeasureReport& report, const std::string& command
                                  html(report.system), html(command));
   body += of_curves(report);
   for (const MeasuredPoint& point : report.points) body += section_of(point);
-  body += of_missing(report.missing);
+  body += not_measured(report.missing);
   body += fmt::format(
       "<footer>polhode {}. Errors are standard errors; intervals are by Student's t. Cite van Zon, "
       "Omelyan, Schofield, J. Chem. Phys. 128, 136102 (2008) for the scheme, and the sources that "
