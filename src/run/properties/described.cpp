@@ -69,7 +69,7 @@ MeasuredCurve spectrum_of_pressure(const Contributions& contributions,
 
 std::vector<MeasuredCurve> spectrum_of_heat_flux(const PointData& data) {
   const Contributions contributions(data, MeasuredIn::conduction);
-  const std::vector<BlockMeans> runs = dynamics_of(contributions, [](auto all) { return all; });
+  const std::vector<BlockMeans> runs = dynamics_of(contributions, all_sums);
   if (runs.front().empty()) return {};
   const double factor = conductivity_per_spectrum(data.at.temperature);
   return {spectrum_of("spectrum of the heat flux: at zero frequency it is the thermal conductivity",

@@ -149,7 +149,7 @@ class Dynamics {
   }
   /// A bound of the time-step bias of a statistic, from the paired segments.
   std::optional<StepBound> bound(const Statistic& statistic) const {
-    return step_bound(step_difference(pairs_of(contributions_, which_.functions()), statistic));
+    return step_bound(step_difference(contributions_, which_.functions(), statistic));
   }
   BlockMeans function(std::size_t which) const {
     std::vector<BlockMeans::Block> blocks;
@@ -187,9 +187,9 @@ void coordination(MeasuredProperty& m, const Contributions& contributions, const
   }
   m.value = peak->shell->coordination;
   m.remark = fmt::format("first minimum of g(r) at {}", text_of(peak->shell->end, "nm"));
-  const std::vector<StepPair> pairs = pairs_of(contributions, part, means.size());
-  const auto difference =
-      distances.first_peak(0, means, [&](const Statistic& f) { return step_difference(pairs, f); });
+  const auto difference = distances.first_peak(0, means, [&](const Statistic& f) {
+    return step_difference(contributions, part, f, means.size());
+  });
   m.step_bound = step_bound(difference->shell->coordination);
 }
 

@@ -240,7 +240,7 @@ struct ReplicaTask {
   std::size_t point = 0;      ///< index of the state point in the settings
   std::uint64_t replica = 0;  ///< number of the replica
   /// Numbers of segments that the replica must have after the task: of averages, dynamics, the long
-  /// box of OrthoBoXY, a coupling, and a slab.
+  /// box of OrthoBoXY, a coupling, a slab, and dynamics with the heat flux.
   std::vector<std::size_t> segments{};
   double step = 0;       ///< time step of all replicas [ps]; 0 for a pilot run, which chooses the
                          ///< step
