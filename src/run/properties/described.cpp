@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -139,13 +138,11 @@ MeasuredPoint described(const PointData& data) {
       .at = data.at,
       .molecules = data.topology.size(),
       .replicas = data.replicas.size(),
-      .step_min = std::numeric_limits<double>::infinity(),
       .edge = std::cbrt(box_of(Contributions(data, MeasuredIn::dynamics)).volume())};
   for (const Replica& replica : data.replicas) {
     if (!replica.prepared()) continue;
     const double segment = replica.step * static_cast<double>(steps_of_averages);
     const auto discarded = static_cast<double>(equilibrated(replica));
-    point.step_min = std::min(point.step_min, replica.step);
     point.step_max = std::max(point.step_max, replica.step);
     point.equilibration_max = std::max(point.equilibration_max, discarded * segment);
     point.length_of_averages +=

@@ -134,7 +134,7 @@ struct MeasuredPoint {
   std::size_t molecules = 0;
   std::uint64_t replicas = 0;
   std::string scheme{};               ///< with the sampling, in words
-  double step_min = 0, step_max = 0;  ///< smallest and largest time step of the replicas [ps]
+  double step_max = 0;                ///< largest time step of the replicas [ps]
   double equilibration_max = 0;       ///< discarded equilibration time, maximum over all replicas
                                       ///< [ps]
   double length_of_averages = 0;      ///< total length of all replicas at constant pressure or
