@@ -15,7 +15,6 @@
 #include "polhode/integrate/with_bath.hpp"
 #include "polhode/math/random.hpp"
 #include "run/simulation/system/relaxation.hpp"
-#include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {
 namespace {
@@ -88,10 +87,6 @@ std::optional<Trajectory> Chain::run(const TrajectorySettings& t, Watch watch) {
   if (done.stopped) return std::nullopt;
   check_acceptance(done.ensemble.hybrid, settings_.at);
   return done;
-}
-
-double Chain::max_stable_step(const TrajectorySettings& t) {
-  return polhode::max_stable_step(*system_, system_->state, t);
 }
 
 TrajectorySettings segment_of_dynamics(const Chain& chain, double whole_step, std::size_t parts,

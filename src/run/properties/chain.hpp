@@ -54,7 +54,6 @@ class Chain {
   /// @return  the trajectory; empty if it was stopped
   /// @throws RunError  if it blows up, or if hybrid Monte Carlo rejects nearly all trajectories
   std::optional<Trajectory> run(const TrajectorySettings& t, Watch watch = {});
-  double max_stable_step(const TrajectorySettings& t);
   /// The force settings of a run, with the mesh for the box of the state.
   ForceSettings force_settings();
 

@@ -18,7 +18,7 @@ bool is_in_equilibrium(std::size_t before, std::size_t all) { return 2 * before 
 
 }  // namespace
 
-std::size_t equilibrium_of(const std::vector<double>& parts, std::size_t parts_of_segment) {
+std::size_t equilibrium_of(const std::vector<double>& parts) {
   // The effort grows as n² √n with the number n of parts, so parts of a long series are joined.
   constexpr std::size_t max_parts = 600;
   const std::size_t joined = parts.size() / max_parts + 1;
@@ -29,7 +29,7 @@ std::size_t equilibrium_of(const std::vector<double>& parts, std::size_t parts_o
   if (std::ranges::all_of(series, [&](double x) { return x == series.front(); }))
     return 0;  // the volume, where it is constant
   const std::size_t start = joined * equilibrium_start(series);
-  return (start + parts_of_segment - 1) / parts_of_segment;
+  return (start + parts_of_averages - 1) / parts_of_averages;
 }
 
 std::size_t equilibrated(const Replica& replica) {
@@ -38,7 +38,7 @@ std::size_t equilibrated(const Replica& replica) {
     std::vector<double> all;
     for (const AveragesSegment& segment : replica.averages)
       all.insert(all.end(), (segment.*member).begin(), (segment.*member).end());
-    start = std::max(start, equilibrium_of(all, parts_of_averages));
+    start = std::max(start, equilibrium_of(all));
   }
   return start;
 }

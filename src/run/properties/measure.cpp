@@ -25,7 +25,6 @@
 #include "run/properties/property.hpp"
 #include "run/properties/replica.hpp"
 #include "run/properties/replica_file.hpp"
-#include "run/properties/replica_task.hpp"
 #include "run/properties/schedule.hpp"
 #include "run/properties/second_virial.hpp"
 #include "run/properties/target.hpp"

@@ -27,6 +27,7 @@
 #include "run/properties/low_frequency_spectrum.hpp"
 #include "run/properties/phases.hpp"
 #include "run/simulation/system/relaxation.hpp"
+#include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {
 namespace {
@@ -121,7 +122,7 @@ bool relax(Chain& chain, Replica& replica) {
     if (&stage == &stages.back()) check_one_phase(waves, system.state.size(), settings.at);
     // In a dilute gas the forces give no information about collisions, so the step does not grow
     // any more.
-    const double stable = rounded(chain.max_stable_step(t) / 4);
+    const double stable = rounded(max_stable_step(system, system.state, t) / 4);
     step = stream == preparing + 1 ? stable : std::min(step, stable);
   }
   // A large guess makes the volume relax quickly. With it, volume moves of longer steps would
@@ -165,7 +166,7 @@ bool choose_step(Chain& chain, Replica& replica) {
   const State start = chain.system().state;
   const double compressibility = compressibility_of_moves(replica, chain.settings().at);
   const TrajectorySettings probe = averages_of(chain, compressibility, first_step, 1, 0);
-  double step = rounded(chain.max_stable_step(probe) / 2);
+  double step = rounded(max_stable_step(chain.system(), start, probe) / 2);
   for (std::uint64_t k = 1; k <= trials; ++k) {
     replica.step = step;
     const TrajectorySettings trial =

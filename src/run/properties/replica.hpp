@@ -210,7 +210,7 @@ void shorten(Replica& replica, MeasuredIn kind, std::size_t segments);
 /// equilibrium.
 std::size_t equilibrated(const Replica& replica);
 /// The first segment in equilibrium, from a quantity in parts of segments.
-std::size_t equilibrium_of(const std::vector<double>& parts, std::size_t parts_of_segment);
+std::size_t equilibrium_of(const std::vector<double>& parts);
 
 /// The interval between lags of correlation functions of dynamics [ps].
 inline double lag_interval(const Replica& replica) {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "run/properties/replica_task.hpp"
-
+// The next pieces of work of a replica.
 #include <algorithm>
 
-#include "run/properties/coupling.hpp"
 #include "run/properties/point_system.hpp"
 #include "run/properties/replica_file.hpp"
-#include "run/properties/slab.hpp"
+#include "run/properties/target.hpp"
 
 namespace polhode {
 

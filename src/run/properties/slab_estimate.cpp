@@ -23,7 +23,7 @@ std::span<const SlabSegment> slab_in_equilibrium(const Contribution& c) {
   std::vector<double> all;
   for (const SlabSegment& segment : segments)
     all.insert(all.end(), segment.potentials.begin(), segment.potentials.end());
-  return all.empty() ? segments : segments.subspan(equilibrium_of(all, parts_of_averages));
+  return all.empty() ? segments : segments.subspan(equilibrium_of(all));
 }
 
 /// Segments in equilibrium, with a run for each replica, or as one run if they are too short.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The lengths of the chains of a replica, and the work for them.
+// The lengths of the chains of a replica, the work for them, and its next pieces.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <string>
 
 #include "run/properties/coupling.hpp"
 #include "run/properties/replica.hpp"
@@ -88,6 +89,7 @@ inline double steps_at(const Target& target, const ReplicaSettings& settings) {
   for (const MeasuredIn kind : kinds_of_run) sum += steps_of_kind(kind, target[kind], settings);
   return sum;
 }
+
 /// Steps that a replica lacks until it reaches a target.
 inline double steps_missing(const Replica& replica, const Target& target,
                             const ReplicaSettings& settings) {
@@ -96,5 +98,14 @@ inline double steps_missing(const Replica& replica, const Target& target,
     end[kind] = std::max(target[kind], length_of(replica, kind));
   return std::max(0.0, steps_at(end, settings) - steps_of(replica));
 }
+
+/// Performs the next piece of work of a replica that lacks something.
+/// @return  false if it was stopped
+bool extend_by_one(Replica& replica, const Target& target, const ReplicaSettings& settings);
+
+/// The next task of a replica that lacks something, for an executor: a few segments, so that little
+/// is lost if the executor is killed. Its state point is not set.
+ReplicaTask next_task(const Replica& replica, const Target& target, const ReplicaSettings& settings,
+                      const std::string& identity);
 
 }  // namespace polhode
