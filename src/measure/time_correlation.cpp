@@ -15,41 +15,20 @@ constexpr std::size_t chunks_per_window = 4;  // more chunks need more transform
 
 using Modes = Column<std::complex<double>>;
 
-bool is_displacement(Product product) {
-  return product == Product::displacement_x || product == Product::displacement_y ||
-         product == Product::displacement_z;
-}
+bool is_displacement(Product product) { return product >= Product::displacement_x; }
 
 // The number of functions of a vector whose products add up to a Product of two vectors.
 std::size_t terms(Product product) {
-  switch (product) {
-    case Product::dot:
-      return 3;
-    case Product::dot_squared:
-      return 6;
-    default:
-      return 1;
-  }
+  return product == Product::dot ? 3 : product == Product::dot_squared ? 6 : 1;
 }
 
 // (a · b)² = Σ a_i a_j b_i b_j consists of three squares and of three mixed terms that occur twice.
 double term(Product product, std::size_t k, const Vec3<double>& a) {
-  switch (product) {
-    case Product::dot:
-      return a[k];
-    case Product::dot_squared:
-      return k < 3 ? a[k] * a[k] : std::sqrt(2.0) * a[k % 3] * a[(k + 1) % 3];
-    case Product::x:
-    case Product::displacement_x:
-      return a.x;
-    case Product::y:
-    case Product::displacement_y:
-      return a.y;
-    case Product::z:
-    case Product::displacement_z:
-      return a.z;
-  }
-  return 0;
+  if (product == Product::dot) return a[k];
+  if (product == Product::dot_squared)
+    return k < 3 ? a[k] * a[k] : std::sqrt(2.0) * a[k % 3] * a[(k + 1) % 3];
+  const Product first = is_displacement(product) ? Product::displacement_x : Product::x;
+  return a[static_cast<std::size_t>(product) - static_cast<std::size_t>(first)];
 }
 
 }  // namespace
