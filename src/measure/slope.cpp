@@ -17,8 +17,7 @@ namespace {
 struct NoiseSpectrum {
   double prior = 0;      ///< prior probability
   double amplitude = 0;  ///< amplitude of the correlated noise, relative to white noise
-  double time = 0;       ///< correlation time of the correlated noise, divided by the length of the
-                         ///< run
+  double time = 0;       ///< correlation time of this noise, divided by the length of the run
   double walk = 0;       ///< variance of a random walk in the slowest mode, relative to white noise
 };
 
@@ -46,8 +45,7 @@ std::vector<double> powers(const NoiseSpectrum& spectrum, const SlowModes& modes
 
 /// Sums over the modes, in which each mode is divided by its variance relative to white noise.
 struct WeightedSums {
-  double line = 0, product = 0, values = 0;  ///< sums of line², line · value and value² over the
-                                             ///< modes
+  double line = 0, product = 0, values = 0;  ///< sums of line², line · value and value²
   double log_variances = 0;
 
   WeightedSums(const SlowModes& modes, const std::vector<double>& power, double known) {
@@ -74,8 +72,7 @@ Hypothesis hypothesis(const SlowModes& modes, const NoiseSpectrum& spectrum, dou
                       double scale) {
   constexpr int iterations = 20;
   constexpr double precision = 0.01;
-  constexpr double min_share = 1e-3;  // smallest relevant fraction of white noise in the fastest
-                                      // mode
+  constexpr double min_share = 1e-3;  // smallest relevant share of white noise in the fastest mode
   const std::vector<double> power = powers(spectrum, modes);
   const auto degrees_of_freedom = static_cast<double>(modes.count() - 1);
   const double floor = std::max(min_share * scale / static_cast<double>(modes.count()) *

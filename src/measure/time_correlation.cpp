@@ -10,8 +10,7 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t max_groups = 32;
-constexpr std::size_t chunks_per_window = 4;  // more chunks need more transforms, fewer chunks give
-                                              // fewer blocks
+constexpr std::size_t chunks_per_window = 4;  // more need more transforms, fewer give fewer blocks
 
 using Modes = Column<std::complex<double>>;
 
@@ -89,8 +88,7 @@ void TimeCorrelation::sum_up(std::size_t group) {
     const Product product = products_[p];
     const bool displacement = is_displacement(product);
     Modes correlation(transform_.modes());
-    std::vector<double> squares(held + 1, 0.0);  // sums Σ |a|² over the group and the preceding
-                                                 // frames
+    std::vector<double> squares(held + 1, 0.0);  // Σ |a|² over the group and earlier frames
     for (std::size_t i = group; i < bodies_; i += groups_) {
       const double* const x = &history_[3 * i * row];
       const auto vector = [&](std::size_t t) {

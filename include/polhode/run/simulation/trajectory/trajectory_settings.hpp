@@ -26,8 +26,7 @@ struct TrajectorySettings {
   double configurational_sample = 0;   ///< time between samples of configurational temperatures
                                        ///< [ps]; 0: none
   std::uint64_t seed = 0;              ///< seed of the random signs of configurational temperatures
-  double stretch = 0;           ///< length of the parts for which R is also computed [ps]; 0 for no
-                                ///< parts
+  double stretch = 0;           ///< length of the parts for which R is also computed [ps]; 0: none
   EnsembleSettings ensemble{};  ///< settings of the ensemble; the default is constant energy
   bool processed = false;       ///< whether samples are read through a postprocessor
 
