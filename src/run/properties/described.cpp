@@ -86,8 +86,7 @@ std::vector<MeasuredCurve> curves_of(const PointData& data) {
   const auto curve = [&](std::string title, std::string in, std::size_t correlation,
                          double factor) {
     MeasuredCurve c{std::move(title), "lag (ps)", std::move(in), {}, {}};
-    constexpr std::size_t every = 8;  // every eighth lag is kept, because a figure cannot show more
-                                      // points
+    constexpr std::size_t every = 8;  // a figure cannot show more points
     for (std::size_t k = 0; k < lags; k += every) {
       c.x.push_back(static_cast<double>(k) * interval);
       c.value.push_back(

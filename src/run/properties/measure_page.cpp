@@ -34,8 +34,7 @@ std::string html(const std::string& text) {
 /// A curve of a small line figure as SVG, with which the page needs no other file.
 struct SvgCurve {
   std::vector<double> x, y;
-  std::vector<double> error{};  ///< half-width of the error band at each point; empty if there is
-                                ///< no band
+  std::vector<double> error{};  ///< half-width of the error band, if there is a band
 };
 
 struct SvgFigure {

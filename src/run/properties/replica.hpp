@@ -33,8 +33,7 @@ inline const ModeBins& pressure_bins() {
 
 /// A segment of the run at constant temperature and pressure.
 struct AveragesSegment {
-  BlockMeans::Block sums;  ///< sums of the averages in the order of AverageOf, and the number of
-                           ///< samples
+  BlockMeans::Block sums;  ///< sums in the order of AverageOf, and the number of samples
   /// Means of U and V in parts of the segment. They determine the end of equilibration.
   std::vector<double> potentials{}, volumes{};
   StepResponse response;  ///< time-step response of the same averages, in one block

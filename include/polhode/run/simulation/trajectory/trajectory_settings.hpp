@@ -34,8 +34,7 @@ struct TrajectorySettings {
   /// The number of steps in a time [ps], rounded to the nearest integer. With hybrid Monte Carlo,
   /// the number is rounded up to whole trajectories.
   std::size_t steps_in(double time) const;
-  std::size_t steps_per_trajectory() const;  ///< steps per trajectory of hybrid Monte Carlo; 1
-                                             ///< without hybrid Monte Carlo
+  std::size_t steps_per_trajectory() const;  ///< steps per trajectory of hybrid Monte Carlo, or 1
   std::size_t steps_per_move() const;        ///< number of steps per move of a barostat
   double move_interval() const;              ///< time of steps_per_move() [ps]
   std::size_t steps_per_sample() const;
