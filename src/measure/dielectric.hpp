@@ -30,8 +30,7 @@ class TotalDipole {
 
   struct Result {
     SeriesEstimate constant;  ///< dielectric constant ε
-    SeriesEstimate kirkwood;  ///< Kirkwood g factor (⟨M²⟩ − ⟨M⟩²)/Σ μ², which is 1 for uncorrelated
-                              ///< dipoles
+    SeriesEstimate kirkwood;  ///< Kirkwood g factor (⟨M²⟩ − ⟨M⟩²)/Σ μ²; 1 for uncorrelated dipoles
     Convergence convergence;  ///< convergence of both quantities
     double mean_over_rms = 0;  ///< ratio |⟨M⟩|/√⟨M²⟩, which is small for a sufficiently long run
     std::vector<SeriesEstimate> stages;  ///< ε from the first block, from the first two blocks, and

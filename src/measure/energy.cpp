@@ -15,8 +15,7 @@ POLHODE_DECLARE_LOOPS(KineticSums kinetic_sums(const State&, const Bodies&, std:
 
 namespace {
 
-constexpr std::size_t block = 2048;  // bodies per block, which take about 2 µs with the widest
-                                     // packs
+constexpr std::size_t block = 2048;  // bodies per block: about 2 µs with the widest packs
 
 }  // namespace
 

@@ -18,9 +18,8 @@ struct OrderMeasurement {
     double error;  ///< maximum of |E − E₀| over the run, divided by the initial kinetic energy
   };
   std::vector<Point> points;  ///< measurements, each with half the step of the previous one
-  double order = 0;        ///< log₂ of the ratio of the last two errors that are not affected by
-                           ///< round-off
-  double uncertainty = 0;  ///< change of the order at the last halving of the step
+  double order = 0;           ///< log₂ of the ratio of the last two errors above round-off
+  double uncertainty = 0;     ///< change of the order at the last halving of the step
 };
 
 OrderMeasurement measure_order(const NestedScheme& scheme, double lambda = 1e-4);

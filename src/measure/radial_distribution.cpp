@@ -30,6 +30,19 @@ bool names(const std::string& word, const Molecule& molecule, const Site& site) 
   return name == site.name || name == without_digits(site.name);
 }
 
+// The number of selected sites of a molecule.
+double count_sites(const std::string& word, const Molecule& molecule) {
+  return static_cast<double>(std::ranges::count_if(
+      molecule.sites, [&](const Site& site) { return names(word, molecule, site); }));
+}
+
+double count_sites(const std::string& word, const Topology& topology) {
+  double count = 0;
+  for (const auto& [molecule, molecules] : topology.parts)
+    count += static_cast<double>(molecules) * count_sites(word, molecule);
+  return count;
+}
+
 // A site of a frame, wrapped into the box.
 struct WrappedSite {
   Vec3<double> r;
@@ -164,28 +177,20 @@ std::size_t checked_bins(const RadialSettings& settings) {
 
 std::vector<std::string> molecules_with(const Topology& topology, const std::string& selection) {
   std::vector<std::string> found;
-  for (const auto& part : topology.parts) {
-    const Molecule& molecule = part.molecule;
-    if (std::ranges::any_of(molecule.sites,
-                            [&](const Site& site) { return names(selection, molecule, site); }) &&
+  for (const auto& [molecule, count] : topology.parts)
+    if (count_sites(selection, molecule) > 0 &&
         std::ranges::find(found, molecule.name) == found.end())
       found.push_back(molecule.name);
-  }
   return found;
 }
 
 double count_pairs(const Topology& topology, const SitePair& pair) {
-  double first = 0, second = 0, within = 0;
-  for (const Topology::Part& part : topology.parts) {
-    const Molecule& molecule = part.molecule;
-    const auto selected = [&molecule](const std::string& word) {
-      return static_cast<double>(std::ranges::count_if(
-          molecule.sites, [&](const Site& site) { return names(word, molecule, site); }));
-    };
-    const double a = selected(pair[0]), b = selected(pair[1]), n = static_cast<double>(part.count);
-    first += n * a, second += n * b, within += n * a * b;
-  }
-  return (first * second - within) / (pair[0] == pair[1] ? 2 : 1);
+  double within = 0;
+  for (const auto& [molecule, count] : topology.parts)
+    within += static_cast<double>(count) * count_sites(pair[0], molecule) *
+              count_sites(pair[1], molecule);
+  return (count_sites(pair[0], topology) * count_sites(pair[1], topology) - within) /
+         (pair[0] == pair[1] ? 2 : 1);
 }
 
 std::vector<SitePair> site_pairs(const Topology& topology) {
@@ -243,16 +248,10 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
         const std::uint32_t times = like ? there : there + back;
         if (times > 0) counts_[a][b].push_back({p, times});
       }
-  for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    double first = 0, second = 0;
-    for (std::size_t part = 0; part < sites_.size(); ++part)
-      for (const auto& [r, kind] : sites_[part]) {
-        const auto n = static_cast<double>(bodies_[part]);
-        first += kinds[kind][2 * p] ? n : 0, second += kinds[kind][2 * p + 1] ? n : 0;
-      }
-    pairs_of_sites_.push_back(count_pairs(topology, pairs_[p]));
-    sites_of_first_.push_back(first);
-    sites_of_second_.push_back(second);
+  for (const SitePair& pair : pairs_) {
+    pairs_of_sites_.push_back(count_pairs(topology, pair));
+    sites_of_first_.push_back(count_sites(pair[0], topology));
+    sites_of_second_.push_back(count_sites(pair[1], topology));
   }
 }
 

@@ -39,8 +39,7 @@ class Shifts {
   std::span<const double> mean_;
   std::size_t averages_;
   double kT_ = 0;
-  double warmer_ = 0;    // relative shift of the temperature that removes the shift of the kinetic
-                         // energy
+  double warmer_ = 0;    // relative shift of T that removes the shift of the kinetic energy
   double pressure_ = 0;  // bias of the pressure at constant volume, to which the volume responds
 };
 

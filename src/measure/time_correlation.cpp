@@ -10,46 +10,24 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t max_groups = 32;
-constexpr std::size_t chunks_per_window = 4;  // more chunks need more transforms, fewer chunks give
-                                              // fewer blocks
+constexpr std::size_t chunks_per_window = 4;  // more need more transforms, fewer give fewer blocks
 
 using Modes = Column<std::complex<double>>;
 
-bool is_displacement(Product product) {
-  return product == Product::displacement_x || product == Product::displacement_y ||
-         product == Product::displacement_z;
-}
+bool is_displacement(Product product) { return product >= Product::displacement_x; }
 
 // The number of functions of a vector whose products add up to a Product of two vectors.
 std::size_t terms(Product product) {
-  switch (product) {
-    case Product::dot:
-      return 3;
-    case Product::dot_squared:
-      return 6;
-    default:
-      return 1;
-  }
+  return product == Product::dot ? 3 : product == Product::dot_squared ? 6 : 1;
 }
 
 // (a · b)² = Σ a_i a_j b_i b_j consists of three squares and of three mixed terms that occur twice.
 double term(Product product, std::size_t k, const Vec3<double>& a) {
-  switch (product) {
-    case Product::dot:
-      return a[k];
-    case Product::dot_squared:
-      return k < 3 ? a[k] * a[k] : std::sqrt(2.0) * a[k % 3] * a[(k + 1) % 3];
-    case Product::x:
-    case Product::displacement_x:
-      return a.x;
-    case Product::y:
-    case Product::displacement_y:
-      return a.y;
-    case Product::z:
-    case Product::displacement_z:
-      return a.z;
-  }
-  return 0;
+  if (product == Product::dot) return a[k];
+  if (product == Product::dot_squared)
+    return k < 3 ? a[k] * a[k] : std::sqrt(2.0) * a[k % 3] * a[(k + 1) % 3];
+  const Product first = is_displacement(product) ? Product::displacement_x : Product::x;
+  return a[static_cast<std::size_t>(product) - static_cast<std::size_t>(first)];
 }
 
 }  // namespace
@@ -110,8 +88,7 @@ void TimeCorrelation::sum_up(std::size_t group) {
     const Product product = products_[p];
     const bool displacement = is_displacement(product);
     Modes correlation(transform_.modes());
-    std::vector<double> squares(held + 1, 0.0);  // sums Σ |a|² over the group and the preceding
-                                                 // frames
+    std::vector<double> squares(held + 1, 0.0);  // Σ |a|² over the group and earlier frames
     for (std::size_t i = group; i < bodies_; i += groups_) {
       const double* const x = &history_[3 * i * row];
       const auto vector = [&](std::size_t t) {

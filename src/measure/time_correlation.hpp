@@ -67,8 +67,7 @@ class TimeCorrelation {
   std::size_t before_ = 0;  // number of older frames, which have been used as origins for all lags
   std::size_t fresh_ = 0;   // number of newer frames that have not been summed yet
   std::size_t frames_ = 0;  // total number of frames
-  std::vector<std::vector<std::vector<double>>> sums_;  // sums of new frames, by
-                                                        // [group][product][lag]
+  std::vector<std::vector<std::vector<double>>> sums_;  // of new frames, by [group][product][lag]
   std::vector<TimeBlocks> blocks_;  // for each product: its sum at each lag, then the counts
 };
 

@@ -29,6 +29,14 @@ Quantities without_labels(Quantities list);
 SeriesEstimate nested(const Estimate& estimate);
 std::optional<SeriesEstimate> nested(const std::optional<Estimate>& estimate);
 
+/// A group of quantities for each element of a list.
+template <class List, class Of>
+std::vector<Quantities> groups_of(const List& list, const Of& of) {
+  std::vector<Quantities> groups;
+  for (const auto& element : list) groups.push_back(of(element));
+  return groups;
+}
+
 /// Adds quantities to a list.
 void append(Quantities& list, Quantities more);
 

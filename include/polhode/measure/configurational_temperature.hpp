@@ -17,8 +17,7 @@ namespace polhode {
 /// squared_force divided by the mean of curvature.
 struct ConfigurationalSample {
   ByMotion<double> squared_force{};  ///< contribution of each kind of motion to W [kJ/mol/ps²]
-  ByMotion<double> curvature{};  ///< unbiased estimate of tr M⁻¹∇∇V for each kind of motion
-                                 ///< [1/ps²]
+  ByMotion<double> curvature{};  ///< unbiased estimate of tr M⁻¹∇∇V for each motion [1/ps²]
 };
 
 /// Takes a sample for the configurational temperature. The cost is one directional derivative of
@@ -32,8 +31,7 @@ ConfigurationalSample configurational_sample(const State& state, const Bodies& b
 /// Sums over samples along a trajectory, in blocks of time.
 struct ConfigurationalStatistics {
   TimeBlocks blocks;
-  StepResponse response;  ///< response of the sums to the time step, from samples with a known
-                          ///< time-step error
+  StepResponse response;  ///< response to the time step, from samples with a known time-step error
 
   void add(const ConfigurationalSample& sample, const std::optional<StepError>& error = {});
   /// The configurational temperature ⟨squared_force⟩/(k_B ⟨curvature⟩) of each kind of motion

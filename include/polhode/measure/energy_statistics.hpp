@@ -63,10 +63,8 @@ struct EnergyStatistics {
   SeriesEstimate pressure() const;
   SeriesEstimate volume() const;                    ///< mean volume [nm³]
   SeriesEstimate inverse_volume() const;            ///< mean of 1/V [1/nm³]
-  SeriesEstimate relative_volume_variance() const;  ///< variance of the volume divided by its mean
-                                                    ///< [nm³]
-  Drift volume_drift() const;                       ///< slope of the volume as a function of time
-                                                    ///< [nm³/ps]
+  SeriesEstimate relative_volume_variance() const;  ///< variance of V divided by its mean [nm³]
+  Drift volume_drift() const;                       ///< slope of the volume in time [nm³/ps]
   /// The drift of the conserved energy [kJ/mol/ps].
   /// @param walks  possible variances per time of the random walk of the energy [(kJ/mol)²/ps]
   Drift drift(std::span<const WalkStrength> walks = {}) const;

@@ -78,8 +78,7 @@ class RadialDistribution {
   struct Peak {
     SeriesEstimate position;     ///< position of the maximum [nm]
     SeriesEstimate height;       ///< value of g at the maximum [1]
-    std::optional<Shell> shell;  ///< empty if g has no minimum between the peak and the largest
-                                 ///< distance
+    std::optional<Shell> shell;  ///< empty if g has no minimum after the peak
   };
   /// Finds the first peak of g. The peak begins where g first exceeds 75 % of its largest value,
   /// and ends where g falls to half of the peak height. The maximum of a least-squares cubic gives

@@ -46,8 +46,7 @@ struct ShadowStatistics {
   TimeBlocks blocks;
 
   void add(double time, double shadow);
-  SeriesEstimate fluctuation() const;  ///< rms deviation of the shadow energy from its mean
-                                       ///< [kJ/mol]
+  SeriesEstimate fluctuation() const;  ///< rms deviation of the shadow energy [kJ/mol]
   /// The drift of the shadow energy [kJ/mol/ps]. The drift is tested against a random walk of
   /// unknown strength. This random walk is caused by round-off and by the remaining discontinuities
   /// of the forces (docs/statistics.md).

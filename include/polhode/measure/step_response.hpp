@@ -40,8 +40,7 @@ std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings);
 /// The data of a sample from which the time-step bias of any average is computed: energies,
 /// pressure and volume.
 struct StepError {
-  double error = 0;     ///< difference H̃ − H of shadow energy and energy, up to a constant
-                        ///< [kJ/mol]
+  double error = 0;  ///< difference H̃ − H of shadow energy and energy, up to a constant [kJ/mol]
   double total = 0;     ///< total energy H [kJ/mol]
   double kinetic = 0;   ///< kinetic energy [kJ/mol]
   double pressure = 0;  ///< pressure that a barostat controls [kJ/mol/nm³]

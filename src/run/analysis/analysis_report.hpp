@@ -14,11 +14,9 @@ namespace polhode {
 /// The input of an analysis, and where the curves are written.
 struct AnalysisInput {
   std::string trajectory;  ///< path of the trajectory; the extension selects the format
-  std::string names;       ///< coordinate file with the names of the atoms; empty if it is not
-                           ///< needed
+  std::string names;       ///< coordinate file with the names of the atoms; empty if not needed
   Topology topology;       ///< molecules of the frames
-  std::string origin;      ///< text from which the topology was made, for the headers of the
-                           ///< outputs
+  std::string origin;      ///< text that gave the topology, for the headers of the outputs
   std::uint64_t seed = 0;  ///< seed of the run, for the headers of the outputs
   AnalysisSettings settings;
   SummarySettings summary;

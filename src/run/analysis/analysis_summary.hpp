@@ -48,8 +48,7 @@ struct AnalysisSummary {
                                       ///< velocities", "of the run file", or ""
   Quantities quantities;              ///< quantities in text and JSON
   std::vector<AnalysisFile> files;    ///< files with curves
-  std::vector<std::string> notes;     ///< notes of the analysis, and on results that could not be
-                                      ///< computed
+  std::vector<std::string> notes;     ///< notes of the analysis, and on missing results
 };
 
 AnalysisSummary summary(const Analysis& analysis, const SummarySettings& settings,

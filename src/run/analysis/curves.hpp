@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -55,5 +56,33 @@ std::string title_of_part(const Analysis& analysis, std::size_t part);
 
 /// The name of a quantity of one part. If there is only one kind of molecule, its name is omitted.
 std::string of_part(const Analysis& analysis, std::size_t part, const std::string& what);
+
+/// An observable that follows from correlations in time.
+/// @tparam Correlations  collects the frames, such as Displacement
+template <class Correlations>
+class Correlated : public Observable {
+ public:
+  using Results = ObservableResults (*)(Correlations& correlations, const AllFrames& all);
+  Correlated(const FirstFrames& first, Results results)
+      : correlations_(first.analysis.topology, first.lags), results_(results) {}
+  void add(const State& state, const std::optional<StepError>&, Workers& workers) override {
+    correlations_.add(state, workers);
+  }
+  ObservableResults results(const AllFrames& all) override { return results_(correlations_, all); }
+
+ private:
+  Correlations correlations_;
+  Results results_;
+};
+
+/// The entry of such an observable in the list of observables.
+template <class Correlations>
+ObservableKind correlated(const std::string& name, const std::vector<std::string>& files,
+                          std::string (*why_not)(const FirstFrames&),
+                          typename Correlated<Correlations>::Results results) {
+  return {name, files, true, why_not, [results](const FirstFrames& first) {
+            return std::make_unique<Correlated<Correlations>>(first, results);
+          }};
+}
 
 }  // namespace polhode

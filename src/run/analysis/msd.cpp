@@ -129,46 +129,32 @@ Quantities quantities_of(const std::string& molecule, const SeriesEstimate& D,
   return list;
 }
 
-class Msd : public Observable {
- public:
-  explicit Msd(const FirstFrames& f) : displacement_(f.analysis.topology, f.lags) {}
-  void add(const State& state, const std::optional<StepError>&, Workers& workers) override {
-    displacement_.add(state, workers);
-  }
-  ObservableResults results(const AllFrames& frames) override;
-
- private:
-  void note_long_steps(const AllFrames& all) const;
-  Quantities add_part(AnalysisFile& file, std::size_t part, const FitWindow& fit,
-                      const Correction& correction, const AllFrames& all);
-
-  Displacement displacement_;
-};
-
-void Msd::note_long_steps(const AllFrames& all) const {
-  if (displacement_.max_step() > safe_step)
+void note_long_steps(const Displacement& displacement, const AllFrames& all) {
+  if (displacement.max_step() > safe_step)
     all.notes.push_back(fmt::format(
         "between frames centres of mass moved by up to {:.2f} box edges; above {:g} box edges, "
         "displacements across periodic boundaries may be too short, so write frames more often",
-        displacement_.max_step(), safe_step));
+        displacement.max_step(), safe_step));
 }
 
-Quantities Msd::add_part(AnalysisFile& file, std::size_t part, const FitWindow& fit,
-                         const Correction& correction, const AllFrames& all) {
+/// Adds the mean-square displacements of one kind of molecule.
+Quantities add_displacements(AnalysisFile& file, Displacement& displacement, std::size_t part,
+                             const FitWindow& fit, const Correction& correction,
+                             const AllFrames& all) {
   const Analysis& a = all.analysis;
   const auto& [molecule, count] = a.topology.parts[part];
-  const BlockMeans means = displacement_.mean_square(part, all.workers);
+  const BlockMeans means = displacement.mean_square(part, all.workers);
   const std::vector<SeriesEstimate> squared = series_estimates(means);
   CurvesFigure::Panel panel{title_of_part(a, part), {}};
-  draw(panel, "MSD", polhode::add(file.table, of_part(a, part, "msd"), "nm2", squared), squared);
+  draw(panel, "MSD", add(file.table, of_part(a, part, "msd"), "nm2", squared), squared);
   Quantities list;
   const SeriesEstimate D = scaled(diffusion(means, a.interval, fit), in_1e9_m2_per_s);
   if (count > 0 && !std::isnan(D.value)) {
     AxisEstimates along;
     for (std::size_t axis = 0; axis < along.size(); ++axis)
-      along[axis] = scaled(diffusion_along(displacement_.mean_square_along(axis, part, all.workers),
-                                           a.interval, fit),
-                           in_1e9_m2_per_s);
+      along[axis] = scaled(
+          diffusion_along(displacement.mean_square_along(axis, part, all.workers), a.interval, fit),
+          in_1e9_m2_per_s);
     const Convergence convergence = diffusion_convergence(means, a.interval, fit);
     panel.lines.push_back(fitted_line(D, convergence, means, a.interval, fit));
     list = quantities_of(molecule.name, D, along, convergence, fit, correction);
@@ -182,10 +168,10 @@ Quantities Msd::add_part(AnalysisFile& file, std::size_t part, const FitWindow& 
   return list;
 }
 
-ObservableResults Msd::results(const AllFrames& all) {
+ObservableResults displacement_results(Displacement& displacement, const AllFrames& all) {
   const Analysis& a = all.analysis;
-  note_long_steps(all);
-  const std::size_t lags = displacement_.mean_square(0, all.workers).mean().size();
+  note_long_steps(displacement, all);
+  const std::size_t lags = displacement.mean_square(0, all.workers).mean().size();
   const double max_lag = static_cast<double>(lags - 1) * a.interval;
   const FitWindow fit = all.settings.fit.value_or(FitWindow{max_lag / 5, max_lag});
   const Correction c = correction(all);
@@ -202,7 +188,7 @@ ObservableResults Msd::results(const AllFrames& all) {
   }
   ObservableResults results{.quantities = {{"diffusion", "", std::move(about)}}};
   for (std::size_t part = 0; part < a.topology.parts.size(); ++part)
-    results.parts.push_back(add_part(file, part, fit, c, all));
+    results.parts.push_back(add_displacements(file, displacement, part, fit, c, all));
   finish(file.figure, true);
   results.files.push_back(std::move(file));
   return results;
@@ -211,9 +197,7 @@ ObservableResults Msd::results(const AllFrames& all) {
 }  // namespace
 
 ObservableKind msd() {
-  return {"msd", {"msd"}, true, why_no_displacements, [](const FirstFrames& f) {
-            return std::make_unique<Msd>(f);
-          }};
+  return correlated<Displacement>("msd", {"msd"}, why_no_displacements, displacement_results);
 }
 
 }  // namespace polhode

@@ -30,39 +30,26 @@ std::string text_of(const std::optional<RelaxationTimes>& t) {
                      short_text(t->integral), short_text(t->exponential), t->from, t->to);
 }
 
-class Rotation : public Observable {
- public:
-  explicit Rotation(const FirstFrames& f) : reorientation_(f.analysis.topology, f.lags) {}
-  void add(const State& state, const std::optional<StepError>&, Workers& workers) override {
-    reorientation_.add(state, workers);
-  }
-  ObservableResults results(const AllFrames& frames) override;
-
- private:
-  Quantities add_part(AnalysisFile& file, std::size_t part, const AllFrames& all);
-
-  Reorientation reorientation_;
-};
-
 /// Adds the correlation functions P₁ and P₂ of one kind of molecule, side by side.
-Quantities Rotation::add_part(AnalysisFile& file, std::size_t part, const AllFrames& all) {
+Quantities add_reorientations(AnalysisFile& file, Reorientation& reorientation, std::size_t part,
+                              const AllFrames& all) {
   const Analysis& a = all.analysis;
   const auto& [molecule, count] = a.topology.parts[part];
   std::array<CurvesFigure::Panel, 2> panels{
       {{of_part(a, part, "P₁"), {}}, {of_part(a, part, "P₂"), {}}}};
   Quantities axes, rows;
-  for (std::size_t axis = 0; axis < reorientation_.axes(part).size(); ++axis) {
-    const std::string& name = reorientation_.axes(part)[axis].name;
+  for (std::size_t axis = 0; axis < reorientation.axes(part).size(); ++axis) {
+    const std::string& name = reorientation.axes(part)[axis].name;
     Quantities ranks;
     for (const int rank : {1, 2}) {
-      const BlockMeans C = reorientation_.legendre(part, axis, rank, all.workers);
+      const BlockMeans C = reorientation.legendre(part, axis, rank, all.workers);
       const std::vector<SeriesEstimate> P = series_estimates(C);
       if (file.name.empty())
         file = file_of_lags("rotation", P.size(), a.interval,
                             {{}, "reorientation of body axes", "lag  (ps)", "P₁, P₂"});
       const std::string label = fmt::format("P{}", rank);
       draw(panels[static_cast<std::size_t>(rank - 1)], name,
-           polhode::add(file.table, of_part(a, part, label + " " + name), "1", P), P);
+           add(file.table, of_part(a, part, label + " " + name), "1", P), P);
       if (count == 0) continue;
       const std::optional<RelaxationTimes> times = relaxation_times(C, a.interval);
       ranks.push_back({label, "", quantities_of(times)});
@@ -75,11 +62,11 @@ Quantities Rotation::add_part(AnalysisFile& file, std::size_t part, const AllFra
   return rows;
 }
 
-ObservableResults Rotation::results(const AllFrames& all) {
+ObservableResults rotation_results(Reorientation& reorientation, const AllFrames& all) {
   ObservableResults results;
   AnalysisFile file;
   for (std::size_t part = 0; part < all.analysis.topology.parts.size(); ++part)
-    results.parts.push_back(add_part(file, part, all));
+    results.parts.push_back(add_reorientations(file, reorientation, part, all));
   file.figure.across = 2;
   finish(file.figure, false);
   results.files.push_back(std::move(file));
@@ -89,11 +76,8 @@ ObservableResults Rotation::results(const AllFrames& all) {
 }  // namespace
 
 ObservableKind rotation() {
-  return {"rotation",
-          {"rotation"},
-          true,
-          [](const FirstFrames&) { return ""; },
-          [](const FirstFrames& f) { return std::make_unique<Rotation>(f); }};
+  return correlated<Reorientation>(
+      "rotation", {"rotation"}, [](const FirstFrames&) { return std::string(); }, rotation_results);
 }
 
 }  // namespace polhode

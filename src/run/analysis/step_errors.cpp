@@ -69,8 +69,7 @@ void StepErrors::check(const EnergyRow& row, const State& frame, bool has_veloci
                     frame.time, what, here, unit, settings_.energies, there, unit));
   };
   const Energies& e = row.energies;
-  constexpr double of_volume = 1e-4;  // relative tolerance of the volume: edges have at least five
-                                      // digits
+  constexpr double of_volume = 1e-4;  // relative tolerance: edges have at least five digits
   const double volume = frame.box.volume();
   if (!(std::abs(volume - e.volume) <= of_volume * e.volume))
     refuse("volume", volume, e.volume, "nm3");

@@ -18,6 +18,10 @@ constexpr double wavenumber = 1e12 / 29979245800.0;  // conversion of 1/ps to wa
 constexpr double max_interval = 0.02;                // maximum interval between frames for spectra
                                                      // [ps]
 
+std::string why_no_velocities(const FirstFrames& f) {
+  return f.analysis.has_velocities ? "" : "the frames have no velocities";
+}
+
 struct NamedCorrelation {
   std::size_t part;
   std::string name;
@@ -25,28 +29,15 @@ struct NamedCorrelation {
   bool linear;
 };
 
-class Velocity : public Observable {
- public:
-  explicit Velocity(const FirstFrames& f) : velocity_(f.analysis.topology, f.lags) {}
-  void add(const State& state, const std::optional<StepError>&, Workers& workers) override {
-    velocity_.add(state, workers);
-  }
-  ObservableResults results(const AllFrames& frames) override;
-
- private:
-  std::vector<NamedCorrelation> correlations(const AllFrames& all);
-
-  VelocityCorrelation velocity_;
-};
-
-std::vector<NamedCorrelation> Velocity::correlations(const AllFrames& all) {
+std::vector<NamedCorrelation> named_correlations(VelocityCorrelation& velocity,
+                                                 const AllFrames& all) {
   std::vector<NamedCorrelation> curves;
   for (std::size_t part = 0; part < all.analysis.topology.parts.size(); ++part) {
-    curves.push_back({part, "v", velocity_.linear(part, all.workers), true});
-    for (const std::size_t axis : velocity_.turning_axes(part))
+    curves.push_back({part, "v", velocity.linear(part, all.workers), true});
+    for (const std::size_t axis : velocity.turning_axes(part))
       curves.push_back({part,
-                        velocity_.linear_body(part) ? "omega" : fmt::format("omega {}", axis + 1),
-                        velocity_.angular(part, axis, all.workers), false});
+                        velocity.linear_body(part) ? "omega" : fmt::format("omega {}", axis + 1),
+                        velocity.angular(part, axis, all.workers), false});
   }
   return curves;
 }
@@ -104,14 +95,14 @@ Quantities green_kubo(const BlockMeans& C, double interval, const std::string& m
                                       : "from velocities: " + not_converged(c, max_lag))};
 }
 
-ObservableResults Velocity::results(const AllFrames& all) {
+ObservableResults velocity_results(VelocityCorrelation& velocity, const AllFrames& all) {
   const Analysis& a = all.analysis;
   if (a.interval > max_interval)
     all.notes.push_back(
         fmt::format("velocities of light molecules reverse within 20 fs, so an interval of {:g} fs "
                     "between frames is too long: spectra are aliased above {:.3g} THz",
                     units::fs_per_ps * a.interval, 0.5 / a.interval));
-  const std::vector<NamedCorrelation> curves = correlations(all);
+  const std::vector<NamedCorrelation> curves = named_correlations(velocity, all);
   ObservableResults results;
   results.parts.resize(a.topology.parts.size());
   for (const NamedCorrelation& one : curves) {
@@ -126,13 +117,8 @@ ObservableResults Velocity::results(const AllFrames& all) {
 }  // namespace
 
 ObservableKind velocity() {
-  return {"velocity",
-          {"velocity", "spectrum"},
-          true,
-          [](const FirstFrames& f) {
-            return f.analysis.has_velocities ? "" : "the frames have no velocities";
-          },
-          [](const FirstFrames& f) { return std::make_unique<Velocity>(f); }};
+  return correlated<VelocityCorrelation>("velocity", {"velocity", "spectrum"}, why_no_velocities,
+                                         velocity_results);
 }
 
 }  // namespace polhode

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <utility>
 
+#include "measure/finite_size.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/with_bath.hpp"
 #include "polhode/math/random.hpp"
 #include "run/simulation/system/relaxation.hpp"
-#include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {
 namespace {
@@ -89,10 +89,6 @@ std::optional<Trajectory> Chain::run(const TrajectorySettings& t, Watch watch) {
   return done;
 }
 
-double Chain::max_stable_step(const TrajectorySettings& t) {
-  return polhode::max_stable_step(*system_, system_->state, t);
-}
-
 TrajectorySettings segment_of_dynamics(const Chain& chain, double whole_step, std::size_t parts,
                                        std::uint64_t stream) {
   TrajectorySettings t = chain.trajectory(
@@ -134,19 +130,50 @@ void scale_to(State& state, double volume) {
   state.box = Box{factor * state.box.edge};
 }
 
-void scale_to_mean(Chain& chain, const Replica& replica, std::size_t from) {
+void scale_to_mean(Chain& chain, const Replica& replica) {
   if (chain.settings().at.constant_volume()) return;
+  const std::size_t from = equilibrated(replica);
   double V = 0;
   for (std::size_t k = from; k < replica.averages.size(); ++k)
     V += replica.averages[k].sums.sum[volume] / replica.averages[k].sums.weight;
   scale_to(chain.system().state, V / static_cast<double>(replica.averages.size() - from));
 }
 
-bool begin_copies(Chain& chain, const Replica& replica, std::size_t from,
-                  const std::optional<State>& last, void (*make)(System&), std::uint64_t stream) {
+void stack(System& system, std::size_t copies) {
+  const State one = system.state;
+  Box box = one.box;
+  box.edge.z *= static_cast<double>(copies);
+  State& all = system.state = State(copies * one.size(), box);
+  std::size_t first = 0, to = 0;
+  for (auto& [molecule, count] : system.topology.parts) {
+    for (std::size_t copy = 0; copy < copies; ++copy)
+      for (std::size_t i = first; i < first + count; ++i, ++to) {
+        const double up = static_cast<double>(copy) * one.box.edge.z;
+        all.q.set(to, one.q[i] + Vec3<double>{0, 0, up});
+        all.orientation.set(to, one.orientation[i]);
+      }
+    first += count;
+    count *= copies;
+  }
+  system.bodies = Bodies(system.topology);
+}
+
+void elongate(System& system) {
+  stack(system, elongated_copies);
+  State& state = system.state;
+  const Vec3<double> before = state.box.edge;
+  const double side = std::cbrt(state.box.volume() / orthoboxy_ratio);
+  const Vec3<double> edge{side, side, orthoboxy_ratio * side};
+  const Vec3<double> factor{edge.x / before.x, edge.y / before.y, edge.z / before.z};
+  for (std::size_t i = 0; i < state.size(); ++i) state.q.set(i, scaled(factor, state.q[i]));
+  state.box = Box{edge};
+}
+
+bool begin_copies(Chain& chain, const Replica& replica, const std::optional<State>& last,
+                  void (*make)(System&), std::uint64_t stream) {
   constexpr std::size_t steps = 5000;
   State& state = chain.system().state = replica.state;
-  if (!last) scale_to_mean(chain, replica, from);
+  if (!last) scale_to_mean(chain, replica);
   make(chain.system());
   if (last) {
     state = *last;

@@ -54,7 +54,6 @@ class Chain {
   /// @return  the trajectory; empty if it was stopped
   /// @throws RunError  if it blows up, or if hybrid Monte Carlo rejects nearly all trajectories
   std::optional<Trajectory> run(const TrajectorySettings& t, Watch watch = {});
-  double max_stable_step(const TrajectorySettings& t);
   /// The force settings of a run, with the mesh for the box of the state.
   ForceSettings force_settings();
 
@@ -65,17 +64,21 @@ class Chain {
   std::optional<System> system_;
 };
 
-/// Scales the state of a chain to the mean volume of a replica at constant pressure.
-/// @param from  first segment of averages that is in equilibrium
-void scale_to_mean(Chain& chain, const Replica& replica, std::size_t from);
+/// Scales the state of a chain to the mean volume of a replica in equilibrium at constant pressure.
+void scale_to_mean(Chain& chain, const Replica& replica);
+/// Stacks copies of a system along z.
+void stack(System& system, std::size_t copies);
+/// Stacks `elongated_copies` of a system along z, and scales them to the shape of the long box of
+/// OrthoBoXY at the same density.
+void elongate(System& system);
 /// Makes stacked copies of the system of a replica. Their state is the last one of their segments.
 /// Before the first segment, copies of the state at the mean volume are relaxed, with different
 /// momenta.
 /// @param last   state at the end of the last segment; empty before the first
 /// @param make   stacks the copies
 /// @return  false if it was stopped
-bool begin_copies(Chain& chain, const Replica& replica, std::size_t from,
-                  const std::optional<State>& last, void (*make)(System&), std::uint64_t stream);
+bool begin_copies(Chain& chain, const Replica& replica, const std::optional<State>& last,
+                  void (*make)(System&), std::uint64_t stream);
 
 /// The trajectory of a segment of dynamics.
 /// @param parts  of each step of the replica

@@ -39,11 +39,11 @@ std::optional<BlockMeans::Block> heat_flux(Chain& chain, double whole_step, std:
 
 }  // namespace
 
-bool add_conduction(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
+bool add_conduction(Replica& replica, const ReplicaSettings& settings) {
   DynamicsChain& conduction = replica.conduction;
   Chain chain(settings, replica, conduction.meshes);
   chain.system().state = conduction.state.value_or(replica.state);
-  if (!conduction.state) scale_to_mean(chain, replica, from);
+  if (!conduction.state) scale_to_mean(chain, replica);
   return extend(conduction, chain, replica.step, conducting, conduction_pairing, heat_flux);
 }
 
@@ -53,8 +53,7 @@ double conductivity_per_spectrum(double temperature) {
 
 void estimate_conduction(MeasuredProperty& m, const Contributions& contributions,
                          const PointData& data) {
-  const PartOfSums all = [](auto sums) { return sums; };
-  const std::vector<BlockMeans> runs = dynamics_of(contributions, all);
+  const std::vector<BlockMeans> runs = dynamics_of(contributions, all_sums);
   if (runs.front().empty()) return;
   double segments = 0;
   for (const BlockMeans& run : runs) segments += static_cast<double>(run.blocks().size());
@@ -66,7 +65,7 @@ void estimate_conduction(MeasuredProperty& m, const Contributions& contributions
   if (data.topology.size() < min_molecules)
     m.remark = fmt::format("with fewer than {} molecules, the value depends on their number",
                            min_molecules);
-  m.step_bound = step_bound(step_difference(pairs_of(contributions, all), value));
+  m.step_bound = step_bound(step_difference(contributions, all_sums, value));
   if (m.value.known != Known::yes || spectrum.is_resolved()) return;
   m.longer_helps = false;
   m.obstacle =

@@ -16,18 +16,9 @@ namespace {
 /// Whether a replica with `all` segments has at least as many in equilibrium as before it.
 bool is_in_equilibrium(std::size_t before, std::size_t all) { return 2 * before <= all; }
 
-/// A run of a replica: the responses of segments, relative to their first sample.
-StepResponse response_of(const std::vector<const StepResponse*>& segments) {
-  StepResponse run{.first = segments.front()->first, .blocks = {}};
-  for (const StepResponse* segment : segments)
-    run.blocks.blocks.push_back(segment->blocks.blocks.front());
-  run.blocks.samples_per_block = run.blocks.blocks[0].weight;
-  return run;
-}
-
 }  // namespace
 
-std::size_t equilibrium_of(const std::vector<double>& parts, std::size_t parts_of_segment) {
+std::size_t equilibrium_of(const std::vector<double>& parts) {
   // The effort grows as n² √n with the number n of parts, so parts of a long series are joined.
   constexpr std::size_t max_parts = 600;
   const std::size_t joined = parts.size() / max_parts + 1;
@@ -38,7 +29,7 @@ std::size_t equilibrium_of(const std::vector<double>& parts, std::size_t parts_o
   if (std::ranges::all_of(series, [&](double x) { return x == series.front(); }))
     return 0;  // the volume, where it is constant
   const std::size_t start = joined * equilibrium_start(series);
-  return (start + parts_of_segment - 1) / parts_of_segment;
+  return (start + parts_of_averages - 1) / parts_of_averages;
 }
 
 std::size_t equilibrated(const Replica& replica) {
@@ -47,7 +38,7 @@ std::size_t equilibrated(const Replica& replica) {
     std::vector<double> all;
     for (const AveragesSegment& segment : replica.averages)
       all.insert(all.end(), (segment.*member).begin(), (segment.*member).end());
-    start = std::max(start, equilibrium_of(all, parts_of_averages));
+    start = std::max(start, equilibrium_of(all));
   }
   return start;
 }
@@ -80,48 +71,14 @@ std::string Contributions::text() const {
   return fmt::format("from {} of {} replicas{}", all.size(), replicas, why);
 }
 
-std::vector<BlockMeans> averages_of(const Contributions& contributions) {
-  std::vector<BlockMeans> runs;
-  for (const auto& [replica, from] : contributions.all) {
-    std::vector<BlockMeans::Block> blocks;
-    for (std::size_t k = from; k < replica->averages.size(); ++k)
-      blocks.push_back(replica->averages[k].sums);
-    runs.emplace_back(std::move(blocks));
-  }
-  return runs;
-}
-
-std::vector<BlockMeans> separate_or_joined(std::vector<std::vector<BlockMeans::Block>> runs) {
-  std::vector<BlockMeans> separate;
+std::vector<BlockMeans> separate_or_joined(std::vector<BlockMeans> runs) {
+  const bool are_long = std::ranges::all_of(
+      runs, [](const BlockMeans& run) { return run.blocks().size() >= min_samples; });
+  if (are_long && !runs.empty()) return runs;
   std::vector<BlockMeans::Block> all;
-  bool is_long = true;
-  for (std::vector<BlockMeans::Block>& run : runs) {
-    all.insert(all.end(), run.begin(), run.end());
-    is_long = is_long && run.size() >= min_samples;
-    separate.emplace_back(std::move(run));
-  }
-  if (is_long && !separate.empty()) return separate;
+  for (const BlockMeans& run : runs)
+    all.insert(all.end(), run.blocks().begin(), run.blocks().end());
   return {BlockMeans(std::move(all))};
-}
-
-std::vector<StepResponse> responses_of(const Contributions& contributions, const ResponsesOf& of) {
-  std::vector<StepResponse> runs;
-  for (const Contribution& contribution : contributions.all) {
-    const std::vector<const StepResponse*> segments = of(contribution);
-    if (segments.empty() || segments.front()->first.empty()) continue;
-    const StepResponse run = response_of(segments);
-    runs.push_back(runs.empty() ? run : run.relative_to(runs.front().first));
-  }
-  return runs;
-}
-
-std::vector<StepResponse> responses_of(const Contributions& contributions) {
-  return responses_of(contributions, [](const Contribution& c) {
-    std::vector<const StepResponse*> segments;
-    for (std::size_t k = c.from; k < c.replica->averages.size(); ++k)
-      segments.push_back(&c.replica->averages[k].response);
-    return segments;
-  });
 }
 
 void subtract_bias(MeasuredProperty& m, const SeriesEstimate& bias) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "polhode/measure/step_response.hpp"
@@ -51,16 +52,44 @@ struct Contributions {
   std::string text() const;
 };
 
-/// One run for each replica, or a single run if a replica is too short for an error.
-std::vector<BlockMeans> separate_or_joined(std::vector<std::vector<BlockMeans::Block>> runs);
-/// The averages in equilibrium, with a run for each replica.
-std::vector<BlockMeans> averages_of(const Contributions& contributions);
-/// The responses of segments of a replica, relative to their first sample.
-using ResponsesOf = std::function<std::vector<const StepResponse*>(const Contribution&)>;
+/// The sums of segments, with a run for each replica.
+/// @param segments_of  gives the segments of a contribution
+/// @param sums_of      gives the sums of a segment
+template <class SegmentsOf, class SumsOf>
+std::vector<BlockMeans> runs_of(const Contributions& contributions, const SegmentsOf& segments_of,
+                                const SumsOf& sums_of) {
+  std::vector<BlockMeans> runs;
+  for (const Contribution& contribution : contributions.all) {
+    std::vector<BlockMeans::Block> run;
+    for (const auto& segment : segments_of(contribution))
+      run.push_back(std::invoke(sums_of, segment));
+    runs.emplace_back(std::move(run));
+  }
+  return runs;
+}
+/// The runs, or all of them as a single run if one is too short for an error.
+std::vector<BlockMeans> separate_or_joined(std::vector<BlockMeans> runs);
 /// The step responses of runs, relative to a common first sample. Hybrid Monte Carlo has none.
-std::vector<StepResponse> responses_of(const Contributions& contributions, const ResponsesOf& of);
-/// The same, of the averages in equilibrium.
-std::vector<StepResponse> responses_of(const Contributions& contributions);
+/// @param response_of  gives the response of a segment, in one block
+template <class SegmentsOf, class ResponseOf>
+std::vector<StepResponse> responses_of(const Contributions& contributions,
+                                       const SegmentsOf& segments_of,
+                                       const ResponseOf& response_of) {
+  std::vector<StepResponse> runs;
+  for (const Contribution& contribution : contributions.all) {
+    StepResponse run;
+    for (const auto& segment : segments_of(contribution)) {
+      const StepResponse& response = std::invoke(response_of, segment);
+      if (response.first.empty()) break;
+      if (run.blocks.blocks.empty()) run.first = response.first;
+      run.blocks.blocks.push_back(response.blocks.blocks.front());
+    }
+    if (run.first.empty()) continue;
+    run.blocks.samples_per_block = run.blocks.blocks.front().weight;
+    runs.push_back(runs.empty() ? run : run.relative_to(runs.front().first));
+  }
+  return runs;
+}
 /// Subtracts a time-step bias from a value, if both are known.
 void subtract_bias(MeasuredProperty& m, const SeriesEstimate& bias);
 /// The box of the dynamics with its mean edges, or at constant pressure without dynamics. The edges

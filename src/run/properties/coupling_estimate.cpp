@@ -40,8 +40,8 @@ BlockMeans::Block joined(const std::vector<StageSegment>& segment) {
 
 /// The segments of a coupling in equilibrium: those from which on the free energy of all stages is
 /// stationary.
-std::span<const std::vector<StageSegment>> coupling_in_equilibrium(const Replica& replica) {
-  const std::span<const std::vector<StageSegment>> segments = replica.coupled.segments;
+std::span<const std::vector<StageSegment>> coupling_in_equilibrium(const Contribution& c) {
+  const std::span<const std::vector<StageSegment>> segments = c.replica->coupled.segments;
   if (segments.empty()) return {};
   const std::size_t stages = segments.front().size();
   std::vector<BlockMeans::Block> blocks;
@@ -60,33 +60,17 @@ std::span<const std::vector<StageSegment>> coupling_in_equilibrium(const Replica
   return segments.subspan(equilibrium_start(series));
 }
 
-/// Segments in equilibrium, with a run for each replica, or as one run if they are too short.
-std::vector<BlockMeans> runs_of(const Contributions& contributions) {
-  std::vector<std::vector<BlockMeans::Block>> runs;
-  for (const auto& [replica, from] : contributions.all) {
-    std::vector<BlockMeans::Block>& run = runs.emplace_back();
-    for (const auto& segment : coupling_in_equilibrium(*replica)) run.push_back(joined(segment));
-  }
-  return separate_or_joined(std::move(runs));
-}
-
-/// The step responses of a stage, relative to a common first sample.
-std::vector<StepResponse> responses_at(const Contributions& contributions, std::size_t stage) {
-  return responses_of(contributions, [stage](const Contribution& c) {
-    std::vector<const StepResponse*> of_stage;
-    for (const auto& segment : coupling_in_equilibrium(*c.replica))
-      of_stage.push_back(&segment[stage].response);
-    return of_stage;
-  });
-}
-
 /// The time-step bias of the free energy [kT]. The stages are independent runs.
 SeriesEstimate bias_of(const Contributions& contributions, std::size_t stages, FixedMeans fixed,
                        double degrees_of_freedom) {
   SeriesEstimate sum{0, 0, Known::yes, 0};
   for (std::size_t k = 0; k < stages; ++k) {
-    const SeriesEstimate one = step_bias(responses_at(contributions, k), degrees_of_freedom, fixed,
-                                         [&](Means means) { return part_of(means, k, stages); });
+    const auto response_of = [&](const std::vector<StageSegment>& segment) -> const StepResponse& {
+      return segment[k].response;
+    };
+    const SeriesEstimate one = step_bias(
+        responses_of(contributions, coupling_in_equilibrium, response_of), degrees_of_freedom,
+        fixed, [&](Means means) { return part_of(means, k, stages); });
     if (one.known != Known::yes) return one;
     sum.value += one.value;
     sum.error = std::hypot(sum.error, one.error);
@@ -171,7 +155,8 @@ void estimate_coupling(MeasuredProperty& m, const Contributions& contributions,
                        const PointData& data) {
   constexpr double min_overlap = 0.03;
   if (contributions.all.empty()) return;
-  const std::vector<BlockMeans> runs = runs_of(contributions);
+  const std::vector<BlockMeans> runs =
+      separate_or_joined(runs_of(contributions, coupling_in_equilibrium, joined));
   if (runs.front().empty()) return;
   const CouplingPath& path = contributions.all.front().replica->coupled.path;
   if (std::ranges::any_of(contributions.all,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -69,7 +68,7 @@ MeasuredCurve spectrum_of_pressure(const Contributions& contributions,
 
 std::vector<MeasuredCurve> spectrum_of_heat_flux(const PointData& data) {
   const Contributions contributions(data, MeasuredIn::conduction);
-  const std::vector<BlockMeans> runs = dynamics_of(contributions, [](auto all) { return all; });
+  const std::vector<BlockMeans> runs = dynamics_of(contributions, all_sums);
   if (runs.front().empty()) return {};
   const double factor = conductivity_per_spectrum(data.at.temperature);
   return {spectrum_of("spectrum of the heat flux: at zero frequency it is the thermal conductivity",
@@ -87,8 +86,7 @@ std::vector<MeasuredCurve> curves_of(const PointData& data) {
   const auto curve = [&](std::string title, std::string in, std::size_t correlation,
                          double factor) {
     MeasuredCurve c{std::move(title), "lag (ps)", std::move(in), {}, {}};
-    constexpr std::size_t every = 8;  // every eighth lag is kept, because a figure cannot show more
-                                      // points
+    constexpr std::size_t every = 8;  // a figure cannot show more points
     for (std::size_t k = 0; k < lags; k += every) {
       c.x.push_back(static_cast<double>(k) * interval);
       c.value.push_back(
@@ -139,13 +137,11 @@ MeasuredPoint described(const PointData& data) {
       .at = data.at,
       .molecules = data.topology.size(),
       .replicas = data.replicas.size(),
-      .step_min = std::numeric_limits<double>::infinity(),
       .edge = std::cbrt(box_of(Contributions(data, MeasuredIn::dynamics)).volume())};
   for (const Replica& replica : data.replicas) {
     if (!replica.prepared()) continue;
     const double segment = replica.step * static_cast<double>(steps_of_averages);
     const auto discarded = static_cast<double>(equilibrated(replica));
-    point.step_min = std::min(point.step_min, replica.step);
     point.step_max = std::max(point.step_max, replica.step);
     point.equilibration_max = std::max(point.equilibration_max, discarded * segment);
     point.length_of_averages +=

@@ -7,8 +7,8 @@
 namespace polhode {
 namespace {
 
-constexpr double cutoff = 1.2, width = 0.004;  // range and bins of g(r) [nm]
-constexpr std::size_t max_pairs = 16;          // limits the size of records of large molecules
+constexpr double cutoff = 1.2, bin_width = 0.004;  // range and bins of g(r) [nm]
+constexpr std::size_t max_pairs = 16;              // limits the size of records of large molecules
 constexpr const char* centre = "centre of mass";
 
 /// The molecules with their centres as another site.
@@ -41,11 +41,11 @@ std::vector<SitePair> pairs_of(const Topology& topology) {
 
 Distances::Distances(const Topology& topology, std::size_t bins)
     : pairs_(pairs_of(topology)),
-      radial_(with_centres(topology), {pairs_, width * static_cast<double>(bins), width}) {}
+      radial_(with_centres(topology), {pairs_, bin_width * static_cast<double>(bins), bin_width}) {}
 
 Distances Distances::within(const Topology& topology, const Box& box) {
   const double range = std::min(cutoff, box.shortest_edge() / 2);
-  return {topology, static_cast<std::size_t>(range / width)};
+  return {topology, static_cast<std::size_t>(range / bin_width)};
 }
 
 Distances Distances::of_sums(const Topology& topology, std::size_t size) {

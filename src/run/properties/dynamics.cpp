@@ -43,30 +43,16 @@ PartOfSums CorrelationsOfDynamics::distances() const {
 }
 
 std::vector<BlockMeans> dynamics_of(const Contributions& contributions, const PartOfSums& part) {
+  const auto segments_of = [&](const Contribution& c) -> const std::vector<BlockMeans::Block>& {
+    return chain_of(*c.replica, contributions.what)->segments;
+  };
   std::size_t size = std::numeric_limits<std::size_t>::max();
-  for (const auto& [replica, from] : contributions.all)
-    for (const BlockMeans::Block& segment : chain_of(*replica, contributions.what)->segments)
+  for (const Contribution& contribution : contributions.all)
+    for (const BlockMeans::Block& segment : segments_of(contribution))
       size = std::min(size, part(segment.sum).size());
-  std::vector<std::vector<BlockMeans::Block>> runs;
-  for (const auto& [replica, from] : contributions.all) {
-    std::vector<BlockMeans::Block>& run = runs.emplace_back();
-    for (const BlockMeans::Block& segment : chain_of(*replica, contributions.what)->segments)
-      run.push_back(selected(segment, part, size));
-  }
-  return separate_or_joined(std::move(runs));
-}
-
-std::vector<StepPair> pairs_of(const Contributions& contributions, const PartOfSums& part,
-                               std::size_t size) {
-  std::vector<StepPair> pairs;
-  for (const auto& [replica, from] : contributions.all) {
-    const DynamicsChain& chain = *chain_of(*replica, contributions.what);
-    for (const auto& [of, half_step] : chain.paired)
-      if (of < chain.segments.size())
-        pairs.push_back(
-            {selected(chain.segments[of], part, size), selected(half_step, part, size)});
-  }
-  return pairs;
+  return separate_or_joined(
+      runs_of(contributions, segments_of,
+              [&](const BlockMeans::Block& segment) { return selected(segment, part, size); }));
 }
 
 std::vector<double> overall(std::span<const BlockMeans> runs) {
@@ -92,14 +78,19 @@ double slope_between(Means correlation, double interval, const FitWindow& window
   return t.size() < 2 ? std::nan("") : slope(t, y).value;
 }
 
-SeriesEstimate step_difference(const std::vector<StepPair>& pairs, const Statistic& statistic) {
+SeriesEstimate step_difference(const Contributions& contributions, const PartOfSums& part,
+                               const Statistic& statistic, std::size_t size) {
   constexpr std::size_t min_pairs = 3;
-  if (pairs.size() < min_pairs) return {std::nan("")};
   std::vector<BlockMeans::Block> whole, half;
-  for (const StepPair& pair : pairs) {
-    whole.push_back(pair.whole);
-    half.push_back(pair.half);
+  for (const auto& [replica, from] : contributions.all) {
+    const DynamicsChain& chain = *chain_of(*replica, contributions.what);
+    for (const auto& [of, half_step] : chain.paired) {
+      if (of >= chain.segments.size()) continue;
+      whole.push_back(selected(chain.segments[of], part, size));
+      half.push_back(selected(half_step, part, size));
+    }
   }
+  if (whole.size() < min_pairs) return {std::nan("")};
   const BlockMeans::Block all = BlockMeans(whole).sum(), all_half = BlockMeans(half).sum();
   const auto value_of = [&](const BlockMeans::Block& sum, const BlockMeans::Block& without) {
     std::vector<double> means;
@@ -108,12 +99,12 @@ SeriesEstimate step_difference(const std::vector<StepPair>& pairs, const Statist
     return statistic(means);
   };
   std::vector<double> others;
-  for (const auto& [step, half_step] : pairs)
-    others.push_back(value_of(all, step) - value_of(all_half, half_step));
+  for (std::size_t k = 0; k < whole.size(); ++k)
+    others.push_back(value_of(all, whole[k]) - value_of(all_half, half[k]));
   const double value = statistic(BlockMeans(whole).mean()) - statistic(BlockMeans(half).mean());
   const double error = jackknife_error(others);
   if (!std::isfinite(value) || !std::isfinite(error)) return {std::nan("")};
-  return {value, error, Known::yes, static_cast<double>(pairs.size()) - 1};
+  return {value, error, Known::yes, static_cast<double>(whole.size()) - 1};
 }
 
 std::optional<StepBound> step_bound(const SeriesEstimate& difference) {

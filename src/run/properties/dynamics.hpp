@@ -18,13 +18,8 @@ namespace polhode {
 /// are short, all segments are a single run. Sums of different sizes are cut to the smallest size.
 std::vector<BlockMeans> dynamics_of(const Contributions& contributions, const PartOfSums& part);
 
-/// A segment of dynamics, and the same at half of the step.
-struct StepPair {
-  BlockMeans::Block whole, half;
-};
-/// The paired segments with the selected sums, which are cut to a size.
-std::vector<StepPair> pairs_of(const Contributions& contributions, const PartOfSums& part,
-                               std::size_t size = std::numeric_limits<std::size_t>::max());
+/// All sums of a segment.
+inline std::span<const double> all_sums(std::span<const double> sums) { return sums; }
 
 /// The means over all runs.
 std::vector<double> overall(std::span<const BlockMeans> runs);
@@ -33,9 +28,12 @@ using Means = std::span<const double>;
 using Statistic = std::function<double(Means)>;
 
 /// The difference of a statistic between the step and its half, with its error by the jackknife
-/// over pairs; pairs are independent, because dynamics forget their start. It is not known with
-/// fewer than three pairs.
-SeriesEstimate step_difference(const std::vector<StepPair>& pairs, const Statistic& statistic);
+/// over paired segments; pairs are independent, because dynamics forget their start. It is not
+/// known with fewer than three pairs.
+/// @param part  selects the sums, which are then cut to a size
+SeriesEstimate step_difference(const Contributions& contributions, const PartOfSums& part,
+                               const Statistic& statistic,
+                               std::size_t size = std::numeric_limits<std::size_t>::max());
 /// A bound of the time-step bias from the difference between the step and half of it.
 std::optional<StepBound> step_bound(const SeriesEstimate& difference);
 

@@ -30,6 +30,10 @@ constexpr const char* no_equilibrium =
     "a replica has not reached equilibrium; if longer runs do not help, the system is a crystal, a "
     "glass or a coexistence of two phases";
 
+std::span<const AveragesSegment> averages_in_equilibrium(const Contribution& c) {
+  return std::span(c.replica->averages).subspan(c.from);
+}
+
 void estimate_average(MeasuredProperty& m, const Contributions& contributions,
                       const PointData& data) {
   const PropertyConditions conditions{
@@ -39,10 +43,12 @@ void estimate_average(MeasuredProperty& m, const Contributions& contributions,
       .degrees_of_freedom = degrees_of_freedom(data.topology, TotalMomentum::free).all()};
   const Property& property = *m.request.property;
   const auto statistic = [&](Means means) { return property.value(means, conditions); };
-  m.value = pooled_estimate(averages_of(contributions), statistic);
+  m.value = pooled_estimate(runs_of(contributions, averages_in_equilibrium, &AveragesSegment::sums),
+                            statistic);
   if (m.value.known != Known::yes) return;
-  subtract_bias(m, step_bias(responses_of(contributions), degrees_of_freedom(data.topology).all(),
-                             data.fixed_means(), statistic));
+  subtract_bias(
+      m, step_bias(responses_of(contributions, averages_in_equilibrium, &AveragesSegment::response),
+                   degrees_of_freedom(data.topology).all(), data.fixed_means(), statistic));
 }
 
 /// The correlation functions of the dynamics of all replicas.
@@ -143,7 +149,7 @@ class Dynamics {
   }
   /// A bound of the time-step bias of a statistic, from the paired segments.
   std::optional<StepBound> bound(const Statistic& statistic) const {
-    return step_bound(step_difference(pairs_of(contributions_, which_.functions()), statistic));
+    return step_bound(step_difference(contributions_, which_.functions(), statistic));
   }
   BlockMeans function(std::size_t which) const {
     std::vector<BlockMeans::Block> blocks;
@@ -181,9 +187,9 @@ void coordination(MeasuredProperty& m, const Contributions& contributions, const
   }
   m.value = peak->shell->coordination;
   m.remark = fmt::format("first minimum of g(r) at {}", text_of(peak->shell->end, "nm"));
-  const std::vector<StepPair> pairs = pairs_of(contributions, part, means.size());
-  const auto difference =
-      distances.first_peak(0, means, [&](const Statistic& f) { return step_difference(pairs, f); });
+  const auto difference = distances.first_peak(0, means, [&](const Statistic& f) {
+    return step_difference(contributions, part, f, means.size());
+  });
   m.step_bound = step_bound(difference->shell->coordination);
 }
 
@@ -243,7 +249,7 @@ std::optional<std::array<double, 2>> MeasuredProperty::interval(double probabili
 MeasuredProperty estimate(const RequestedProperty& request, const PointData& data) {
   MeasuredProperty m{.request = request, .value = {std::nan("")}};
   const MeasuredIn kind = request.property->measured_in;
-  if (chain_of(Replica{}, kind) != nullptr && !have_one_step(data.replicas)) {
+  if (is_dynamics(kind) && !have_one_step(data.replicas)) {
     m.obstacle =
         "replicas have different time steps, because their shards had separate pilots; give all "
         "shards the record of one pilot before they start";
@@ -254,29 +260,11 @@ MeasuredProperty estimate(const RequestedProperty& request, const PointData& dat
     estimate_pair(m, data);
     return m;
   }
+  using Estimator = void (*)(MeasuredProperty&, const Contributions&, const PointData&);
+  constexpr PerKind<Estimator> estimate_of{{estimate_average, estimate_dynamics, estimate_orthoboxy,
+                                            estimate_coupling, estimate_slab, estimate_conduction}};
   const Contributions contributions(data, kind);
-  switch (kind) {
-    case MeasuredIn::averages:
-      estimate_average(m, contributions, data);
-      break;
-    case MeasuredIn::dynamics:
-      estimate_dynamics(m, contributions, data);
-      break;
-    case MeasuredIn::elongated:
-      estimate_orthoboxy(m, contributions, data);
-      break;
-    case MeasuredIn::coupling:
-      estimate_coupling(m, contributions, data);
-      break;
-    case MeasuredIn::slab:
-      estimate_slab(m, contributions, data);
-      break;
-    case MeasuredIn::conduction:
-      estimate_conduction(m, contributions, data);
-      break;
-    case MeasuredIn::pair:
-      break;
-  }
+  estimate_of[kind](m, contributions, data);
   m.contributions = contributions.text();
   if (m.obstacle.empty() && contributions.not_in_equilibrium > 0) m.obstacle = no_equilibrium;
   if (m.obstacle.empty() && m.value.known != Known::yes) m.obstacle = too_short;

@@ -25,7 +25,6 @@
 #include "run/properties/property.hpp"
 #include "run/properties/replica.hpp"
 #include "run/properties/replica_file.hpp"
-#include "run/properties/replica_task.hpp"
 #include "run/properties/schedule.hpp"
 #include "run/properties/second_virial.hpp"
 #include "run/properties/target.hpp"
@@ -75,6 +74,9 @@ class PointMeasurement {
   std::string file_of(std::uint64_t k) const {
     const std::string number = k == pilot ? "pilot" : fmt::format("r{}", k);
     return fmt::format("{}-{}-{}.replica", settings_.prefix, at().file_text(), number);
+  }
+  bool all_have(const Target& target) const {
+    return std::ranges::all_of(replicas_, [&](const Replica& r) { return has(r, target); });
   }
   void leave_out_missing();
   std::optional<double> choose_step();
@@ -370,8 +372,7 @@ void PointMeasurement::show_time(const std::vector<MeasuredProperty>& values,
 /// Extends the averages until the other kinds of run may begin with their volume, or until the time
 /// limit hardly allows their first lengths.
 void PointMeasurement::begin(Target& target) {
-  const auto has_begun = [&](const Replica& r) { return has(r, without_averages(target)); };
-  while (!stopped() && !std::ranges::all_of(replicas_, has_begun)) {
+  while (!stopped() && !all_have(without_averages(target))) {
     const Target averages = averages_alone(target);
     extend(averages);
     const std::vector<Replica> replicas = first_of(averages);
@@ -381,9 +382,7 @@ void PointMeasurement::begin(Target& target) {
     if (stopped() || reason.empty() || (allowed().is_limit && allowed().seconds < 2 * needed))
       return;
     target[MeasuredIn::averages] = longer(target[MeasuredIn::averages]);
-    if (!std::ranges::all_of(replicas_,
-                             [&](const Replica& r) { return has(r, averages_alone(target)); }))
-      callbacks_.note("  averages continue: " + reason);
+    if (!all_have(averages_alone(target))) callbacks_.note("  averages continue: " + reason);
   }
 }
 
@@ -397,8 +396,7 @@ bool PointMeasurement::extend_to(Target& target) {
   const bool equilibrium = in_equilibrium(data(replicas));
   const Target reached = target;
   if (!schedule_.next(target, values, equilibrium)) return false;
-  if (std::ranges::all_of(replicas_, [&](const Replica& r) { return has(r, target); }))
-    return true;  // computed in an earlier call
+  if (all_have(target)) return true;  // computed in an earlier call
   show(values, reached, equilibrium);
   show_time(values, reached);
   return true;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <string_view>
 
@@ -11,11 +14,148 @@
 #include "polhode/base/error.hpp"
 #include "polhode/run/properties/measure.hpp"
 #include "run/properties/property.hpp"
-#include "run/properties/svg_figure.hpp"
 #include "run/quantity_lists.hpp"
 
 namespace polhode {
 namespace {
+
+/// Escapes the special characters of HTML in a text.
+std::string html(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    out += c == '&'   ? "&amp;"
+           : c == '<' ? "&lt;"
+           : c == '>' ? "&gt;"
+           : c == '"' ? "&quot;"
+                      : std::string(1, c);
+  return out;
+}
+
+/// A curve of a small line figure as SVG, with which the page needs no other file.
+struct SvgCurve {
+  std::vector<double> x, y;
+  std::vector<double> error{};  ///< half-width of the error band, if there is a band
+};
+
+struct SvgFigure {
+  std::string title, x_label, y_label;
+  std::vector<SvgCurve> curves;
+  std::vector<double> marks{};  ///< x positions of vertical lines
+  bool from_zero = true;        ///< whether the axis of x begins at zero
+};
+
+constexpr double width = 480, height = 260, left = 70, right = 20, top = 10, bottom = 40;
+
+/// A range of numbers with a small margin.
+struct Span {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  void include(double x) {
+    if (!std::isfinite(x)) return;
+    low = std::min(low, x), high = std::max(high, x);
+  }
+  bool empty() const { return !(low <= high); }
+  void widen(double share) {
+    const double by = high > low ? share * (high - low) : std::max(1e-3, 0.01 * std::abs(low));
+    low -= by, high += by;
+  }
+};
+
+/// The distance between ticks: 1, 2 or 5 times a power of ten.
+double tick_of(const Span& span) {
+  const double rough = (span.high - span.low) / 5,
+               power = std::pow(10, std::floor(std::log10(rough)));
+  for (const double nice : {1.0, 2.0, 5.0})
+    if (nice * power >= rough) return nice * power;
+  return 10 * power;
+}
+
+class Canvas {
+ public:
+  explicit Canvas(const SvgFigure& figure) : figure_(figure) {
+    for (const SvgCurve& curve : figure.curves)
+      for (std::size_t k = 0; k < curve.x.size(); ++k) {
+        if (!std::isfinite(curve.y[k])) continue;
+        const double error = curve.error.empty() ? 0 : curve.error[k];
+        x_.include(curve.x[k]);
+        y_.include(curve.y[k] - error);
+        y_.include(curve.y[k] + error);
+      }
+    if (empty()) return;
+    if (figure.from_zero) x_.include(0);
+    x_.widen(figure.from_zero ? 0 : 0.03);
+    y_.widen(0.05);
+  }
+  bool empty() const { return x_.empty() || y_.empty(); }
+
+  std::string text() const {
+    std::string out = axes();
+    for (const SvgCurve& curve : figure_.curves) out += band(curve) + line(curve);
+    for (const double mark : figure_.marks)
+      out +=
+          fmt::format("<line class=\"mark\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"/>",
+                      px(mark), top, height - bottom);
+    return out;
+  }
+
+ private:
+  double px(double x) const {
+    return left + (x - x_.low) / (x_.high - x_.low) * (width - left - right);
+  }
+  double py(double y) const {
+    return height - bottom - (y - y_.low) / (y_.high - y_.low) * (height - top - bottom);
+  }
+  std::string axes() const {
+    std::string out =
+        fmt::format("<rect class=\"axis\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", left,
+                    top, width - left - right, height - top - bottom);
+    for (double step = tick_of(x_), x = std::ceil(x_.low / step) * step; x <= x_.high; x += step)
+      out += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{:g}</text>", px(x),
+                         height - bottom + 16, std::abs(x) < step / 2 ? 0 : x);
+    for (double step = tick_of(y_), y = std::ceil(y_.low / step) * step; y <= y_.high; y += step)
+      out += fmt::format("<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{:g}</text>", left - 6,
+                         py(y) + 4, std::abs(y) < step / 2 ? 0 : y);
+    return out +
+           fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                       (left + width - right) / 2, height - 6, html(figure_.x_label)) +
+           fmt::format(
+               "<text transform=\"translate(14 {}) rotate(-90)\" "
+               "text-anchor=\"middle\">{}</text>",
+               (top + height - bottom) / 2, html(figure_.y_label));
+  }
+  std::string points(const SvgCurve& curve, double share, bool backwards = false) const {
+    std::string out;
+    for (std::size_t n = 0; n < curve.x.size(); ++n) {
+      const std::size_t k = backwards ? curve.x.size() - 1 - n : n;
+      if (!std::isfinite(curve.y[k])) continue;
+      const double error = curve.error.empty() ? 0 : curve.error[k];
+      out += fmt::format("{:.1f},{:.1f} ", px(curve.x[k]), py(curve.y[k] + share * error));
+    }
+    return out;
+  }
+  std::string line(const SvgCurve& curve) const {
+    return fmt::format("<polyline class=\"curve\" points=\"{}\"/>", points(curve, 0));
+  }
+  std::string band(const SvgCurve& curve) const {
+    return curve.error.empty() ? ""
+                               : fmt::format("<polygon class=\"band\" points=\"{}{}\"/>",
+                                             points(curve, 1), points(curve, -1, true));
+  }
+
+  const SvgFigure& figure_;
+  Span x_, y_;
+};
+
+/// The figure as an `svg` element with its caption, in a `figure` element. It is empty if no point
+/// is finite.
+std::string svg(const SvgFigure& figure) {
+  const Canvas canvas(figure);
+  if (canvas.empty()) return "";
+  return fmt::format(
+      "<figure><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">{}</svg>"
+      "<figcaption>{}</figcaption></figure>\n",
+      width, height, html(figure.title), canvas.text(), html(figure.title));
+}
 
 std::string value_cell(const MeasuredProperty& m) {
   if (m.value.known != Known::yes) return "not known";
@@ -206,7 +346,7 @@ void replace(std::string& text, const std::string& mark, const std::string& by) 
   text.replace(text.find(mark), mark.size(), by);
 }
 
-std::string of_missing(const std::vector<MissingPoint>& points) {
+std::string not_measured(const std::vector<MissingPoint>& points) {
   if (points.empty()) return "";
   std::string text = "<h2>Not measured</h2>\n<ul>\n";
   for (const MissingPoint& point : points)
@@ -235,7 +375,7 @@ std::string measure_page(const MeasureReport& report, const std::string& command
                                  html(report.system), html(command));
   body += of_curves(report);
   for (const MeasuredPoint& point : report.points) body += section_of(point);
-  body += of_missing(report.missing);
+  body += not_measured(report.missing);
   body += fmt::format(
       "<footer>polhode {}. Errors are standard errors; intervals are by Student's t. Cite van Zon, "
       "Omelyan, Schofield, J. Chem. Phys. 128, 136102 (2008) for the scheme, and the sources that "

@@ -118,8 +118,6 @@ Quantities of_distribution(const MeasuredDistribution& d) {
 }
 
 Quantities of_point(const MeasuredPoint& point) {
-  std::vector<Quantities> properties;
-  for (const MeasuredProperty& m : point.properties) properties.push_back(of_property(m));
   Quantities list = of_state(point.at);
   append(list, {{"molecules", "", static_cast<std::int64_t>(point.molecules),
                  "number of molecules of each replica"},
@@ -139,22 +137,17 @@ Quantities of_point(const MeasuredPoint& point) {
                 {"slab_length", "ps", point.length_of_slab,
                  "total time simulated for the slabs, by all replicas"},
                 {"edge", "nm", point.edge, "box edge"},
-                {"properties", "", std::move(properties), "properties measured at this state point",
-                 point.at.text()}});
-  std::vector<Quantities> distributions;
-  if (point.wants_distributions())
-    for (const MeasuredDistribution& d : point.distributions)
-      distributions.push_back(of_distribution(d));
-  list.push_back({"radial_distributions", "", std::move(distributions),
-                  "radial distribution functions of molecular centres and of sites, with their "
-                  "first peaks; if `coordination-number` is requested",
-                  "radial distribution functions"});
-  std::vector<Quantities> profiles;
-  for (const MeasuredCurve& curve : point.profiles) profiles.push_back(of_profile(curve));
-  list.push_back(
-      {"slab_profiles", "", std::move(profiles),
-       "density, normal minus tangential pressure, and its integral, along the normal of "
-       "a slab; empty without a slab"});
+                {"properties", "", groups_of(point.properties, of_property),
+                 "properties measured at this state point", point.at.text()},
+                {"radial_distributions", "",
+                 point.wants_distributions() ? groups_of(point.distributions, of_distribution)
+                                             : std::vector<Quantities>(),
+                 "radial distribution functions of molecular centres and of sites, with their "
+                 "first peaks; if `coordination-number` is requested",
+                 "radial distribution functions"},
+                {"slab_profiles", "", groups_of(point.profiles, of_profile),
+                 "density, normal minus tangential pressure, and its integral, along the normal of "
+                 "a slab; empty without a slab"}});
   if (const std::string how = point.conditions("\n  "); !how.empty())
     list.push_back(row("", "  " + how));
   return list;
@@ -205,19 +198,6 @@ Quantities of_slope(const SlopeValue& s) {
   return list;
 }
 
-/// What several state points give together.
-void append_curves(Quantities& list, const StateCurves& curves) {
-  std::vector<Quantities> maxima, slopes;
-  for (const DensityMaximum& m : curves.maxima) maxima.push_back(of_maximum(m));
-  for (const SlopeValue& s : curves.slopes) slopes.push_back(of_slope(s));
-  list.push_back({"density_maxima", "", std::move(maxima),
-                  "temperature of maximum density at each pressure with three temperatures or more",
-                  "temperature of maximum density"});
-  list.push_back({"slopes", "", std::move(slopes),
-                  "properties as slopes over state points, next to their values from fluctuations",
-                  "slopes over state points"});
-}
-
 }  // namespace
 
 std::string MeasuredPoint::conditions(const std::string& line_break) const {
@@ -243,19 +223,19 @@ bool MeasureReport::reached() const {
 }
 
 Quantities quantities(const MeasureReport& report) {
-  Quantities list{{"system", "", report.system, "molecules and their counts"}};
-  std::vector<Quantities> points;
-  for (const MeasuredPoint& point : report.points) points.push_back(of_point(point));
-  list.push_back({"points", "", std::move(points), "state points with their properties"});
-  std::vector<Quantities> missing;
-  for (const MissingPoint& point : report.missing) missing.push_back(of_missing(point));
-  list.push_back(
-      {"missing_points", "", std::move(missing), "state points without results", "not measured"});
-  append_curves(list, report.curves);
-  list.push_back({"reached", "", report.reached(),
-                  "whether all requested errors were reached, at all state points"});
-  list.push_back({"files", "", report.files, "names of the record files of the replicas"});
-  return list;
+  return {{"system", "", report.system, "molecules and their counts"},
+          {"points", "", groups_of(report.points, of_point), "state points with their properties"},
+          {"missing_points", "", groups_of(report.missing, of_missing),
+           "state points without results", "not measured"},
+          {"density_maxima", "", groups_of(report.curves.maxima, of_maximum),
+           "temperature of maximum density at each pressure with three temperatures or more",
+           "temperature of maximum density"},
+          {"slopes", "", groups_of(report.curves.slopes, of_slope),
+           "properties as slopes over state points, next to their values from fluctuations",
+           "slopes over state points"},
+          {"reached", "", report.reached(),
+           "whether all requested errors were reached, at all state points"},
+          {"files", "", report.files, "names of the record files of the replicas"}};
 }
 
 }  // namespace polhode

@@ -12,8 +12,6 @@
 namespace polhode {
 namespace {
 
-Means all_of(Means sums) { return sums; }
-
 /// The diffusion coefficients along the axes [nm²/ps].
 Vec3<double> diffusion_of(Means all, double interval, const FitWindow& fit) {
   const auto D = [&](std::size_t axis) {
@@ -35,7 +33,7 @@ Vec3<double> edges_of(const Contributions& contributions) {
 
 void estimate_orthoboxy(MeasuredProperty& m, const Contributions& contributions,
                         const PointData& data) {
-  const std::vector<BlockMeans> runs = dynamics_of(contributions, all_of);
+  const std::vector<BlockMeans> runs = dynamics_of(contributions, all_sums);
   if (runs.front().empty()) return;
   const double interval = lag_interval(*contributions.all.front().replica);
   const bool viscosity = std::string_view(m.request.property->name) == "viscosity-orthoboxy";
@@ -49,8 +47,8 @@ void estimate_orthoboxy(MeasuredProperty& m, const Contributions& contributions,
   };
   const FitWindow window = fit_window(interval);
   estimate_slope(m, runs, interval, value);
-  m.step_bound = step_bound(step_difference(pairs_of(contributions, all_of),
-                                            [&](Means all) { return value(all, window); }));
+  m.step_bound = step_bound(
+      step_difference(contributions, all_sums, [&](Means all) { return value(all, window); }));
 }
 
 }  // namespace polhode

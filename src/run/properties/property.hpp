@@ -64,6 +64,12 @@ enum class MeasuredIn {
   conduction,  ///< dynamics with the heat flux
   pair         ///< no run: an integral over two molecules
 };
+/// Whether a kind of run is dynamics. Such runs keep the mean volume of the averages, so its error
+/// is one of the property.
+constexpr bool is_dynamics(MeasuredIn kind) {
+  return kind == MeasuredIn::dynamics || kind == MeasuredIn::elongated ||
+         kind == MeasuredIn::conduction;
+}
 
 /// The state points at which a property is defined.
 enum class DefinedAt { any, constant_pressure, constant_volume };

@@ -24,10 +24,10 @@
 #include "run/prepare/compressibility.hpp"
 #include "run/properties/chain.hpp"
 #include "run/properties/distances.hpp"
-#include "run/properties/elongate.hpp"
 #include "run/properties/low_frequency_spectrum.hpp"
 #include "run/properties/phases.hpp"
 #include "run/simulation/system/relaxation.hpp"
+#include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {
 namespace {
@@ -122,13 +122,22 @@ bool relax(Chain& chain, Replica& replica) {
     if (&stage == &stages.back()) check_one_phase(waves, system.state.size(), settings.at);
     // In a dilute gas the forces give no information about collisions, so the step does not grow
     // any more.
-    const double stable = rounded(chain.max_stable_step(t) / 4);
+    const double stable = rounded(max_stable_step(system, system.state, t) / 4);
     step = stream == preparing + 1 ? stable : std::min(step, stable);
   }
   // A large guess makes the volume relax quickly. With it, volume moves of longer steps would
   // overshoot.
   if (!is_known) replica.compressibility = first_compressibility;
   return true;
+}
+
+/// Calls a function with the list of the segments of a kind of run.
+template <class AnyReplica, class F>
+auto with_segments(AnyReplica& replica, MeasuredIn kind, const F& f) {
+  if (auto* const chain = chain_of(replica, kind)) return f(chain->segments);
+  if (kind == MeasuredIn::coupling) return f(replica.coupled.segments);
+  if (kind == MeasuredIn::slab) return f(replica.slab.segments);
+  return f(replica.averages);
 }
 
 /// How far a run of averages at some step is beyond the bounds of R and of the predicted bias of
@@ -157,7 +166,7 @@ bool choose_step(Chain& chain, Replica& replica) {
   const State start = chain.system().state;
   const double compressibility = compressibility_of_moves(replica, chain.settings().at);
   const TrajectorySettings probe = averages_of(chain, compressibility, first_step, 1, 0);
-  double step = rounded(chain.max_stable_step(probe) / 2);
+  double step = rounded(max_stable_step(chain.system(), start, probe) / 2);
   for (std::uint64_t k = 1; k <= trials; ++k) {
     replica.step = step;
     const TrajectorySettings trial =
@@ -258,32 +267,18 @@ Config configuration_of(const ReplicaSettings& settings) {
 }
 
 DynamicsChain* chain_of(Replica& replica, MeasuredIn kind) {
-  switch (kind) {
-    case MeasuredIn::dynamics:
-      return &replica.dynamics;
-    case MeasuredIn::elongated:
-      return &replica.elongated;
-    case MeasuredIn::conduction:
-      return &replica.conduction;
-    default:
-      return nullptr;
-  }
+  if (!is_dynamics(kind)) return nullptr;
+  return kind == MeasuredIn::dynamics    ? &replica.dynamics
+         : kind == MeasuredIn::elongated ? &replica.elongated
+                                         : &replica.conduction;
 }
 
 std::size_t length_of(const Replica& replica, MeasuredIn kind) {
-  if (const DynamicsChain* const chain = chain_of(replica, kind)) return chain->segments.size();
-  if (kind == MeasuredIn::averages) return replica.averages.size();
-  if (kind == MeasuredIn::coupling) return replica.coupled.segments.size();
-  if (kind == MeasuredIn::slab) return replica.slab.segments.size();
-  return 0;
+  return with_segments(replica, kind, [](const auto& list) { return list.size(); });
 }
 
 void shorten(Replica& replica, MeasuredIn kind, std::size_t segments) {
-  const auto cut = [&](auto& list) { list.resize(std::min(list.size(), segments)); };
-  if (DynamicsChain* const chain = chain_of(replica, kind)) cut(chain->segments);
-  if (kind == MeasuredIn::averages) cut(replica.averages);
-  if (kind == MeasuredIn::coupling) cut(replica.coupled.segments);
-  if (kind == MeasuredIn::slab) cut(replica.slab.segments);
+  with_segments(replica, kind, [&](auto& list) { list.resize(std::min(list.size(), segments)); });
 }
 
 bool prepare(Replica& replica, const ReplicaSettings& settings) {
@@ -347,19 +342,18 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings) {
   return true;
 }
 
-bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
+bool add_dynamics(Replica& replica, const ReplicaSettings& settings) {
   Chain chain(settings, replica, replica.meshes);
   DynamicsChain& dynamics = replica.dynamics;
   chain.system().state = dynamics.state.value_or(replica.state);
-  if (!dynamics.state) scale_to_mean(chain, replica, from);
+  if (!dynamics.state) scale_to_mean(chain, replica);
   return extend(dynamics, chain, replica.step, moving, pairing, correlations);
 }
 
-bool add_elongated(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
+bool add_elongated(Replica& replica, const ReplicaSettings& settings) {
   DynamicsChain& elongated = replica.elongated;
   Chain chain(settings, replica, elongated.meshes);
-  if (!begin_copies(chain, replica, from, elongated.state, elongate, relaxing_elongated))
-    return false;
+  if (!begin_copies(chain, replica, elongated.state, elongate, relaxing_elongated)) return false;
   return extend(elongated, chain, replica.step, elongating, elongated_pairing, displacements);
 }
 

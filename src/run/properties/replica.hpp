@@ -33,8 +33,7 @@ inline const ModeBins& pressure_bins() {
 
 /// A segment of the run at constant temperature and pressure.
 struct AveragesSegment {
-  BlockMeans::Block sums;  ///< sums of the averages in the order of AverageOf, and the number of
-                           ///< samples
+  BlockMeans::Block sums;  ///< sums in the order of AverageOf, and the number of samples
   /// Means of U and V in parts of the segment. They determine the end of equilibration.
   std::vector<double> potentials{}, volumes{};
   StepResponse response;  ///< time-step response of the same averages, in one block
@@ -157,6 +156,9 @@ inline constexpr std::size_t first_averages = 24;
 /// One segment of dynamics in eight is repeated at half of the step, which is a quarter more work.
 inline constexpr std::size_t paired_every = 8;
 
+/// Copies of the system in the long box of OrthoBoXY.
+inline constexpr std::size_t elongated_copies = 3;
+
 /// Settings that all replicas of a state point share.
 struct ReplicaSettings {
   Config config;  ///< molecules, forces, temperature, and the seed of all replicas
@@ -185,19 +187,15 @@ bool prepare(Replica& replica, const ReplicaSettings& settings);
 /// Adds a segment of averages.
 /// @throws RunError  as prepare(), and if the molecules do not move as in a liquid
 bool add_averages(Replica& replica, const ReplicaSettings& settings);
-/// Adds a segment of dynamics.
-/// @param from  first segment of averages that is in equilibrium; the first segment of dynamics has
-///   the mean volume from this segment on
-bool add_dynamics(Replica& replica, const ReplicaSettings& settings, std::size_t from);
-
+/// Adds a segment of dynamics. The first one has the mean volume of the averages in equilibrium.
+bool add_dynamics(Replica& replica, const ReplicaSettings& settings);
 /// Adds a segment of dynamics in the long box. The first segment begins with three copies of the
 /// system at its mean volume, one above the other, which are scaled to the shape of the box and
 /// relaxed.
-/// @param from  first segment of averages that is in equilibrium
-bool add_elongated(Replica& replica, const ReplicaSettings& settings, std::size_t from);
+bool add_elongated(Replica& replica, const ReplicaSettings& settings);
 /// Adds a segment of dynamics with its heat flux, from the same start as the first segment of
 /// dynamics.
-bool add_conduction(Replica& replica, const ReplicaSettings& settings, std::size_t from);
+bool add_conduction(Replica& replica, const ReplicaSettings& settings);
 /// The chain of a kind of dynamics; nothing for other kinds of run.
 DynamicsChain* chain_of(Replica& replica, MeasuredIn kind);
 inline const DynamicsChain* chain_of(const Replica& replica, MeasuredIn kind) {
@@ -211,7 +209,7 @@ void shorten(Replica& replica, MeasuredIn kind, std::size_t segments);
 /// equilibrium.
 std::size_t equilibrated(const Replica& replica);
 /// The first segment in equilibrium, from a quantity in parts of segments.
-std::size_t equilibrium_of(const std::vector<double>& parts, std::size_t parts_of_segment);
+std::size_t equilibrium_of(const std::vector<double>& parts);
 
 /// The interval between lags of correlation functions of dynamics [ps].
 inline double lag_interval(const Replica& replica) {

@@ -1,36 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "run/properties/replica_task.hpp"
-
+// The next pieces of work of a replica.
 #include <algorithm>
 
-#include "run/properties/coupling.hpp"
 #include "run/properties/point_system.hpp"
 #include "run/properties/replica_file.hpp"
-#include "run/properties/slab.hpp"
+#include "run/properties/target.hpp"
 
 namespace polhode {
 
 bool extend_by_one(Replica& replica, const Target& target, const ReplicaSettings& settings) {
+  using AddSegment = bool (*)(Replica&, const ReplicaSettings&);
+  constexpr PerKind<AddSegment> add{
+      {add_averages, add_dynamics, add_elongated, add_coupling, add_slab, add_conduction}};
   if (!replica.prepared()) return prepare(replica, settings);
   const auto lacking = std::ranges::find_if(
       kinds_of_run, [&](auto kind) { return length_of(replica, kind) < target[kind]; });
-  switch (*lacking) {
-    case MeasuredIn::averages:
-      return add_averages(replica, settings);
-    case MeasuredIn::dynamics:
-      return add_dynamics(replica, settings, equilibrated(replica));
-    case MeasuredIn::elongated:
-      return add_elongated(replica, settings, equilibrated(replica));
-    case MeasuredIn::coupling:
-      return add_coupling(replica, settings);
-    case MeasuredIn::slab:
-      return add_slab(replica, settings, equilibrated(replica));
-    case MeasuredIn::conduction:
-      return add_conduction(replica, settings, equilibrated(replica));
-    case MeasuredIn::pair:
-      break;
-  }
-  return false;
+  return add[*lacking](replica, settings);
 }
 
 ReplicaTask next_task(const Replica& replica, const Target& target, const ReplicaSettings& settings,

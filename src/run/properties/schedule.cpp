@@ -17,12 +17,6 @@ constexpr std::size_t max_equilibration = 600;
 /// Growth of the first length after which a property without a value is not continued.
 constexpr std::size_t max_without_value = 64;
 
-/// Whether the volume of the averages is kept in a run, so that its error is one of the property.
-bool keeps_volume(MeasuredIn kind) {
-  return kind == MeasuredIn::dynamics || kind == MeasuredIn::elongated ||
-         kind == MeasuredIn::conduction;
-}
-
 /// Whether an error comes from the means of three or more replicas alone.
 bool are_means_alone(const SeriesEstimate& value, std::uint64_t replicas) {
   constexpr double min_modes = 2;
@@ -67,7 +61,7 @@ bool Schedule::continues(const MeasuredProperty& m, const Target& target) const 
   const bool known = m.value.known == Known::yes && m.obstacle.empty();
   if (known && m.value.error <= required_error(m)) return false;
   // An error from the means of replicas alone does not fall.
-  const bool falls = known && !(keeps_volume(kind) && are_means_alone(m.value, settings_.replicas));
+  const bool falls = known && !(is_dynamics(kind) && are_means_alone(m.value, settings_.replicas));
   return falls || target[kind] < max_without_value * first_segments[kind];
 }
 
@@ -98,7 +92,7 @@ std::string Schedule::why_not_yet(const Target& target, const PointData& data) c
   if (data.at.constant_volume() || averages >= max_without_value * first_averages) return "";
   double allowed = 1;
   for (const RequestedProperty& p : settings_.properties)
-    if (keeps_volume(p.property->measured_in))
+    if (is_dynamics(p.property->measured_in))
       allowed =
           std::min(allowed, share() * part / sensitivity * (p.relative ? p.error : usual_error));
   if (allowed == 1) return "";

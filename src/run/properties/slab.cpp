@@ -14,7 +14,6 @@
 #include "polhode/base/units.hpp"
 #include "polhode/forces/molecular_virials.hpp"
 #include "run/properties/chain.hpp"
-#include "run/properties/elongate.hpp"
 
 namespace polhode {
 namespace {
@@ -117,10 +116,10 @@ void make_slab(System& system) {
   forces.dispersion_correction = false;
 }
 
-bool add_slab(Replica& replica, const ReplicaSettings& settings, std::size_t from) {
+bool add_slab(Replica& replica, const ReplicaSettings& settings) {
   SlabChain& slab = replica.slab;
   Chain chain(settings, replica, slab.meshes);
-  if (!begin_copies(chain, replica, from, slab.state, make_slab, relaxing_slab)) return false;
+  if (!begin_copies(chain, replica, slab.state, make_slab, relaxing_slab)) return false;
   System& system = chain.system();
   TrajectorySettings t = sampling_of(chain, replica.compressibility, replica.step,
                                      steps_of_averages, slab_averaging + slab.segments.size());

@@ -14,10 +14,9 @@ inline constexpr std::size_t slab_copies = 2;
 void make_slab(System& system);
 
 /// Adds a segment of a slab. The first segment begins with the relaxed liquid at its mean volume.
-/// @param from  first segment of averages that is in equilibrium
 /// @return  false if it was stopped; the replica is then unchanged
 /// @throws RunError  if the system blows up, or the slab evaporates
-bool add_slab(Replica& replica, const ReplicaSettings& settings, std::size_t from);
+bool add_slab(Replica& replica, const ReplicaSettings& settings);
 
 /// The height of a bin of the profile [nm].
 inline double height_of_bin(const State& state) {

@@ -18,30 +18,25 @@ constexpr double mN_per_m = units::avogadro * 1e-24;  // 1 mN/m [kJ/mol/nm²]
 const double bar = unit("bar", Dimension::pressure), kg_per_m3 = unit("kg/m3", Dimension::density);
 
 /// The segments of a slab in equilibrium, which its potential energy shows.
-std::span<const SlabSegment> slab_in_equilibrium(const Replica& replica) {
-  const std::span<const SlabSegment> segments = replica.slab.segments;
+std::span<const SlabSegment> slab_in_equilibrium(const Contribution& c) {
+  const std::span<const SlabSegment> segments = c.replica->slab.segments;
   std::vector<double> all;
   for (const SlabSegment& segment : segments)
     all.insert(all.end(), segment.potentials.begin(), segment.potentials.end());
-  return all.empty() ? segments : segments.subspan(equilibrium_of(all, parts_of_averages));
+  return all.empty() ? segments : segments.subspan(equilibrium_of(all));
 }
 
 /// Segments in equilibrium, with a run for each replica, or as one run if they are too short.
 std::vector<BlockMeans> runs_of_slab(const Contributions& contributions) {
-  std::vector<std::vector<BlockMeans::Block>> runs;
-  for (const auto& [replica, from] : contributions.all) {
-    std::vector<BlockMeans::Block>& run = runs.emplace_back();
-    for (const SlabSegment& segment : slab_in_equilibrium(*replica)) run.push_back(segment.sums);
-  }
-  return separate_or_joined(std::move(runs));
+  return separate_or_joined(runs_of(contributions, slab_in_equilibrium, &SlabSegment::sums));
 }
 
 /// Runs of the normal pressure, followed by the tangential pressure in each bin.
 std::vector<BlockMeans> pressure_runs_of(const Contributions& contributions) {
-  std::vector<std::vector<BlockMeans::Block>> runs;
-  for (const auto& [replica, from] : contributions.all) {
+  std::vector<BlockMeans> runs;
+  for (const Contribution& contribution : contributions.all) {
     std::vector<BlockMeans::Block> run;
-    for (const SlabSegment& segment : slab_in_equilibrium(*replica)) {
+    for (const SlabSegment& segment : slab_in_equilibrium(contribution)) {
       const auto& [weight, tangential] = segment.tangential;
       if (weight == 0) continue;
       const BlockMeans::Block& sums = segment.sums;
@@ -49,18 +44,9 @@ std::vector<BlockMeans> pressure_runs_of(const Contributions& contributions) {
       block.sum.insert(block.sum.end(), tangential.begin(), tangential.end());
       run.push_back(std::move(block));
     }
-    if (!run.empty()) runs.push_back(std::move(run));
+    if (!run.empty()) runs.emplace_back(std::move(run));
   }
   return separate_or_joined(std::move(runs));
-}
-
-std::vector<StepResponse> responses_of_slab(const Contributions& contributions) {
-  return responses_of(contributions, [](const Contribution& c) {
-    std::vector<const StepResponse*> responses;
-    for (const SlabSegment& segment : slab_in_equilibrium(*c.replica))
-      responses.push_back(&segment.response);
-    return responses;
-  });
 }
 
 double degrees_of_freedom_of_slab(Topology topology) {
@@ -134,8 +120,8 @@ void estimate_slab(MeasuredProperty& m, const Contributions& contributions, cons
   }
   if (m.value.known == Known::yes)
     subtract_bias(
-        m, step_bias(responses_of_slab(contributions), degrees_of_freedom_of_slab(data.topology),
-                     FixedMeans::kinetic_energy, value));
+        m, step_bias(responses_of(contributions, slab_in_equilibrium, &SlabSegment::response),
+                     degrees_of_freedom_of_slab(data.topology), FixedMeans::kinetic_energy, value));
 }
 
 std::vector<MeasuredCurve> slab_profiles(const PointData& data) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The lengths of the chains of a replica, and the work for them.
+// The lengths of the chains of a replica, the work for them, and its next pieces.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <string>
 
 #include "run/properties/coupling.hpp"
-#include "run/properties/elongate.hpp"
 #include "run/properties/replica.hpp"
 #include "run/properties/slab.hpp"
 
@@ -57,30 +57,18 @@ inline bool has(const Replica& replica, const Target& target) {
 /// @param stages  stages of a coupling
 inline double steps_of(MeasuredIn kind, std::size_t segments, std::size_t paired,
                        std::size_t stages) {
-  const auto n = static_cast<double>(segments), repeated = static_cast<double>(2 * paired);
-  switch (kind) {
-    case MeasuredIn::averages:
-      return n * steps_of_averages;
-    case MeasuredIn::dynamics:
-      return (n + repeated) * steps_of_dynamics;
-    case MeasuredIn::elongated:
-      return (n + repeated) * steps_of_dynamics * elongated_copies;
-    case MeasuredIn::coupling:
-      return n * static_cast<double>(stages * steps_of_coupling);
-    case MeasuredIn::slab:
-      return n * steps_of_averages * slab_copies;
-    case MeasuredIn::conduction:
-      return (n + repeated) * steps_of_dynamics * work_of_heat_flux;
-    case MeasuredIn::pair:
-      break;
-  }
-  return 0;
+  constexpr PerKind<double> of_segment{
+      {steps_of_averages, steps_of_dynamics, steps_of_dynamics * elongated_copies,
+       steps_of_coupling, steps_of_averages * slab_copies, steps_of_dynamics * work_of_heat_flux}};
+  const std::size_t at_once = kind == MeasuredIn::coupling ? stages : 1;
+  return of_segment[kind] * static_cast<double>((segments + 2 * paired) * at_once);
 }
 
 /// Steps of segments of a kind of run that are still to be made, with their pairs.
 inline double steps_of_kind(MeasuredIn kind, std::size_t segments,
                             const ReplicaSettings& settings) {
-  const std::size_t pairs = settings.paired_runs ? (segments + paired_every - 1) / paired_every : 0;
+  const bool is_paired = settings.paired_runs && is_dynamics(kind);
+  const std::size_t pairs = is_paired ? (segments + paired_every - 1) / paired_every : 0;
   return steps_of(kind, segments, pairs, settings.path.size());
 }
 
@@ -101,6 +89,7 @@ inline double steps_at(const Target& target, const ReplicaSettings& settings) {
   for (const MeasuredIn kind : kinds_of_run) sum += steps_of_kind(kind, target[kind], settings);
   return sum;
 }
+
 /// Steps that a replica lacks until it reaches a target.
 inline double steps_missing(const Replica& replica, const Target& target,
                             const ReplicaSettings& settings) {
@@ -109,5 +98,14 @@ inline double steps_missing(const Replica& replica, const Target& target,
     end[kind] = std::max(target[kind], length_of(replica, kind));
   return std::max(0.0, steps_at(end, settings) - steps_of(replica));
 }
+
+/// Performs the next piece of work of a replica that lacks something.
+/// @return  false if it was stopped
+bool extend_by_one(Replica& replica, const Target& target, const ReplicaSettings& settings);
+
+/// The next task of a replica that lacks something, for an executor: a few segments, so that little
+/// is lost if the executor is killed. Its state point is not set.
+ReplicaTask next_task(const Replica& replica, const Target& target, const ReplicaSettings& settings,
+                      const std::string& identity);
 
 }  // namespace polhode

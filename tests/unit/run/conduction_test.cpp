@@ -11,7 +11,6 @@
 #include "run/properties/point_system.hpp"
 #include "run/properties/property.hpp"
 #include "run/properties/replica_file.hpp"
-#include "run/properties/replica_task.hpp"
 
 using namespace polhode;
 

@@ -28,8 +28,7 @@ struct AnalysisSettings {
   /// error. If empty, all observables that the frames allow are computed.
   std::set<std::string> what;
   double from = 0;                 ///< first time to analyze; earlier frames are skipped [ps]
-  std::optional<double> interval;  ///< time between frames, which overrides the times in the file
-                                   ///< [ps]
+  std::optional<double> interval;  ///< time between frames, instead of the times in the file [ps]
   double window = 10;              ///< largest lag of correlation functions [ps]
   std::vector<SitePair> pairs;     ///< pairs of sites for g(r); if empty, all pairs of site_pairs()
   std::optional<double> cutoff;    ///< cutoff of g(r) [nm]; default: `default_rdf_cutoff`, at most
@@ -44,12 +43,10 @@ struct Analysis {
   Topology topology;
   std::size_t frames = 0;
   double first = 0, last = 0;  ///< times of the first and last frames [ps]
-  double interval = 0;         ///< time between frames [ps]; 0 if no observable needs evenly spaced
-                               ///< frames
-  Box box;                     ///< box of the first frame
+  double interval = 0;  ///< time between frames [ps]; 0 if no observable needs evenly spaced frames
+  Box box;              ///< box of the first frame
   bool has_velocities = false;
-  double deviation = 0;            ///< largest distance of atoms from the sites of the rigid models
-                                   ///< [nm]
+  double deviation = 0;            ///< largest distance of atoms from their rigid models [nm]
   bool stopped = false;            ///< whether the analysis was stopped before the end of the file
   std::vector<std::string> notes;  ///< notes on skipped observables, and warnings
 

@@ -34,8 +34,7 @@ struct AnalysisFile {
 struct FirstFrames {
   const Analysis& analysis;  ///< topology and box, and whether frames have velocities
   const AnalysisSettings& settings;
-  std::size_t lags = 0;  ///< number of time lags of correlation functions, if the frames are evenly
-                         ///< spaced
+  std::size_t lags = 0;  ///< number of time lags of correlation functions of evenly spaced frames
 };
 
 /// The data that are known after the last frame.

@@ -68,8 +68,7 @@ struct MeasureSettings {
   Sampling sampling{};          ///< of averages, stages of a coupling and slabs
   std::string scheme = "hoa2";  ///< scheme of all runs but the preparation
   double step = 0;              ///< time step [ps]; 0: a pilot chooses it
-  bool only_evaluate = false;   ///< whether to evaluate only existing records, without new
-                                ///< computations
+  bool only_evaluate = false;   ///< whether to evaluate existing records without new computations
 };
 
 /// A bound of the time-step bias from runs at the step and at half of it, which begin in the same
@@ -133,18 +132,16 @@ struct MeasuredPoint {
   std::vector<MeasuredProperty> properties;
   std::size_t molecules = 0;
   std::uint64_t replicas = 0;
-  std::string scheme{};               ///< with the sampling, in words
-  double step_min = 0, step_max = 0;  ///< smallest and largest time step of the replicas [ps]
-  double equilibration_max = 0;       ///< discarded equilibration time, maximum over all replicas
-                                      ///< [ps]
-  double length_of_averages = 0;      ///< total length of all replicas at constant pressure or
-                                      ///< volume, without equilibration [ps]
-  double length_of_dynamics = 0;      ///< total length of the dynamics of all replicas [ps]
-  double length_of_coupling = 0;      ///< total length of all stages of a coupling [ps]
-  double length_of_slab = 0;          ///< total length of the slabs of all replicas [ps]
-  double edge = 0;                    ///< box edge in the dynamics, or the mean edge at constant
-                                      ///< pressure [nm]
-  std::vector<MeasuredCurve> curves;  ///< of the dynamics
+  std::string scheme{};           ///< with the sampling, in words
+  double step_max = 0;            ///< largest time step of the replicas [ps]
+  double equilibration_max = 0;   ///< longest discarded equilibration of a replica [ps]
+  double length_of_averages = 0;  ///< total length of all replicas at constant pressure or
+                                  ///< volume, without equilibration [ps]
+  double length_of_dynamics = 0;  ///< total length of the dynamics of all replicas [ps]
+  double length_of_coupling = 0;  ///< total length of all stages of a coupling [ps]
+  double length_of_slab = 0;      ///< total length of the slabs of all replicas [ps]
+  double edge = 0;  ///< box edge in the dynamics, or the mean edge at constant pressure [nm]
+  std::vector<MeasuredCurve> curves;      ///< of the dynamics
   std::vector<MeasuredCurve> profiles{};  ///< density and pressures of the slab along its normal
   std::vector<MeasuredDistribution> distributions{};  ///< of centres, then of sites
   std::vector<EquilibrationTrace> traces;             ///< traces of all replicas
@@ -240,10 +237,9 @@ struct ReplicaTask {
   std::size_t point = 0;      ///< index of the state point in the settings
   std::uint64_t replica = 0;  ///< number of the replica
   /// Numbers of segments that the replica must have after the task: of averages, dynamics, the long
-  /// box of OrthoBoXY, a coupling, and a slab.
+  /// box of OrthoBoXY, a coupling, a slab, and dynamics with the heat flux.
   std::vector<std::size_t> segments{};
-  double step = 0;       ///< time step of all replicas [ps]; 0 for a pilot run, which chooses the
-                         ///< step
+  double step = 0;       ///< time step of all replicas [ps]; 0 for a pilot, which chooses it
   std::string record{};  ///< record of the replica so far, as bytes; empty at the start
   std::vector<CouplingStage> path{};  ///< stages of the coupling; empty without one
 };

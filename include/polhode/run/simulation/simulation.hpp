@@ -34,8 +34,7 @@ enum class RunEnd {
 
 struct RunResult {
   RunEnd end;
-  std::optional<RunReport> report;  ///< report of the trajectory; empty if the trajectory did not
-                                    ///< start
+  std::optional<RunReport> report;  ///< report of the trajectory; empty if it did not start
 };
 
 /// The simulation that a run file describes: a system, an optional equilibration, and a trajectory.
@@ -150,10 +149,8 @@ class Simulation {
   System system_;
   ForceField forces_;
   std::string identity_;
-  bool settings_changed_ = false;               // whether settings have changed since the system
-                                                // was built
-  ForceNoise noise_;                            // noise of the forces at the start of the
-                                                // trajectory
+  bool settings_changed_ = false;               // since the system was built
+  ForceNoise noise_;                            // at the start of the trajectory
   std::uint64_t minimisation_evaluations_ = 0;  // number of force evaluations
   std::optional<RunState> at_;                  // current state, until the propagator is created
   std::optional<Propagator> propagator_;

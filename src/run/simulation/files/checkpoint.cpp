@@ -29,6 +29,20 @@ void counter(Archive& archive, Counter& n) {
   if constexpr (!std::is_const_v<Counter>) n = static_cast<Counter>(value);
 }
 
+/// Visits fields one after the other. Integers and enumerations have 64 bits in the file.
+template <class Archive, class... Fields>
+void each(Archive& archive, Fields&... fields) {
+  const auto visit = [&](auto& field) {
+    using Field = std::remove_cvref_t<decltype(field)>;
+    if constexpr (std::is_enum_v<Field> ||
+                  (std::is_integral_v<Field> && !std::is_same_v<Field, bool>))
+      counter(archive, field);
+    else
+      archive(field);
+  };
+  (visit(fields), ...);
+}
+
 template <class Archive, class Optional, class Fields>
 void optional(Archive& archive, Optional& value, const Fields& fields) {
   bool there = value.has_value();
@@ -53,23 +67,15 @@ void list(Archive& archive, List& values, const Fields& fields) {
 
 template <class Archive, class Of>
 void state(Archive& archive, Of& s) {
-  archive(s.q);
-  archive(s.p);
-  archive(s.orientation);
-  archive(s.ell);
-  archive(s.box.edge);
-  archive(s.time);
+  each(archive, s.q, s.p, s.orientation, s.ell, s.box.edge, s.time);
 }
 
 template <class Archive, class Of>
 void memory(Archive& archive, Of& m) {
-  archive(m.load.f);
-  archive(m.load.tau);
-  archive(m.load.van_der_waals), archive(m.load.coulomb), archive(m.load.mesh);
-  archive(m.load.external);
-  for (std::size_t k = 0; k < 3; ++k) archive(m.load.virial[k]);
-  archive(m.current), archive(m.complete);
-  archive(m.steps), archive(m.evaluations), archive(m.derivatives), archive(m.measurements);
+  auto& load = m.load;
+  each(archive, load.f, load.tau, load.van_der_waals, load.coulomb, load.mesh, load.external,
+       load.virial[0], load.virial[1], load.virial[2]);
+  each(archive, m.current, m.complete, m.steps, m.evaluations, m.derivatives, m.measurements);
 }
 
 template <class Archive, class Of>
@@ -83,10 +89,8 @@ void blocks(Archive& archive, Of& of) {
 
 template <class Archive, class Of>
 void energies(Archive& archive, Of& e) {
-  for (auto* x :
-       {&e.time, &e.van_der_waals, &e.coulomb, &e.translation, &e.rotation[0], &e.rotation[1],
-        &e.rotation[2], &e.pressure, &e.volume, &e.exchanged, &e.external})
-    archive(*x);
+  each(archive, e.time, e.van_der_waals, e.coulomb, e.translation, e.rotation[0], e.rotation[1],
+       e.rotation[2], e.pressure, e.volume, e.exchanged, e.external);
 }
 
 template <class Archive, class Of>
@@ -96,28 +100,25 @@ void statistics(Archive& archive, Of& s) {
     energies(archive, sums->first);
     blocks(archive, sums->blocks);
   }
-  counter(archive, s.shadow.samples);
-  archive(s.shadow.first), archive(s.shadow.start);
+  each(archive, s.shadow.samples, s.shadow.first, s.shadow.start);
   blocks(archive, s.shadow.blocks);
   blocks(archive, s.configurational.blocks);
   for (auto* response : {&s.step_bias.response, &s.configurational.response}) {
     list(archive, response->first, [&](auto& x) { archive(x); });
     blocks(archive, response->blocks);
   }
-  counter(archive, s.stretches.samples), counter(archive, s.stretches.stretches);
+  each(archive, s.stretches.samples, s.stretches.stretches);
   for (auto& x : s.stretches.sums) archive(x);
-  archive(s.stretches.mean), archive(s.stretches.squares);
+  each(archive, s.stretches.mean, s.stretches.squares);
 }
 
 template <class Archive, class Of>
 void ensemble(Archive& archive, Of& e) {
-  archive(e.heat);
-  archive(e.barostat.work), archive(e.barostat.edges), counter(archive, e.barostat.moves);
-  counter(archive, e.barostat.accepted), counter(archive, e.barostat.evaluations);
-  blocks(archive, e.barostat.decisions);
-  counter(archive, e.barostat.beyond_shape);
-  archive(e.hybrid.work), counter(archive, e.hybrid.trajectories);
-  counter(archive, e.hybrid.accepted);
+  auto& barostat = e.barostat;
+  each(archive, e.heat, barostat.work, barostat.edges, barostat.moves, barostat.accepted,
+       barostat.evaluations);
+  blocks(archive, barostat.decisions);
+  each(archive, barostat.beyond_shape, e.hybrid.work, e.hybrid.trajectories, e.hybrid.accepted);
   blocks(archive, e.hybrid.weights);
 }
 
@@ -125,26 +126,20 @@ template <class Archive, class Of>
 void run_state(Archive& archive, Of& at) {
   state(archive, at.state);
   optional(archive, at.equilibrated, [&](auto& time) { archive(time); });
-  counter(archive, at.steps);
-  archive(at.start);
+  each(archive, at.steps, at.start);
   memory(archive, at.integrator);
   list(archive, at.integrator.inner, [&](auto& within) { memory(archive, within); });
-  for (auto* neighbours : {&at.list, &at.near_list}) {
-    archive(neighbours->built_at);
-    counter(archive, neighbours->rebuilds);
-  }
+  each(archive, at.list.built_at, at.list.rebuilds, at.near_list.built_at, at.near_list.rebuilds);
   statistics(archive, at.statistics);
-  for (auto* part : {&at.timings.forces, &at.timings.list, &at.timings.motion,
-                     &at.timings.measurement, &at.timings.near})
-    archive(*part);
+  each(archive, at.timings.forces, at.timings.list, at.timings.motion, at.timings.measurement,
+       at.timings.near);
   ensemble(archive, at.ensemble);
-  counter(archive, at.segment.number), counter(archive, at.segment.first_step);
-  archive(at.segment.earlier), archive(at.segment.changes);
+  each(archive, at.segment.number, at.segment.first_step, at.segment.earlier, at.segment.changes);
 }
 
 template <class Archive, class Of>
 void mark(Archive& archive, Of& m) {
-  archive(m.frames), archive(m.bytes), archive(m.checksum);
+  each(archive, m.frames, m.bytes, m.checksum);
 }
 
 template <class Archive, class Of>
@@ -156,24 +151,21 @@ void output_marks(Archive& archive, Of& marks) {
 
 template <class Archive, class Of>
 void steepness(Archive& archive, Of& s) {
-  archive(s.potential), archive(s.force), archive(s.torque);
+  each(archive, s.potential, s.force, s.torque);
 }
 
 template <class Archive, class Of>
 void preparation(Archive& archive, Of& p) {
-  counter(archive, p.stage);
-  archive(p.step), archive(p.compressibility);
+  each(archive, p.stage, p.step, p.compressibility);
   steepness(archive, p.minimisation.before), steepness(archive, p.minimisation.after);
-  counter(archive, p.minimisation.steps), counter(archive, p.minimisation.end);
+  each(archive, p.minimisation.steps, p.minimisation.end);
 }
 
 template <class Archive, class Of>
 void fields(Archive& archive, Of& c) {
-  archive(c.identity);
-  archive(c.command);
+  each(archive, c.identity, c.command);
   run_state(archive, c.at);
-  archive(c.noise.power), archive(c.noise.energy);
-  counter(archive, c.minimisation_evaluations);
+  each(archive, c.noise.power, c.noise.energy, c.minimisation_evaluations);
   optional(archive, c.outputs, [&](auto& marks) { output_marks(archive, marks); });
   optional(archive, c.preparation, [&](auto& progress) { preparation(archive, progress); });
 }

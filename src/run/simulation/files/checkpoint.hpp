@@ -25,8 +25,7 @@ struct OutputMarks {
 
 /// The progress of a preparation, in addition to the RunState of its current stage.
 struct PreparationProgress {
-  std::size_t stage = 0;       ///< index of the current stage; the number of stages once all are
-                               ///< done
+  std::size_t stage = 0;       ///< index of the current stage; the number of stages at the end
   double step = 0;             ///< time step of this stage [ps]
   double compressibility = 0;  ///< estimated compressibility for the barostat, or 0
                                ///< [nm³ mol/kJ]
@@ -38,10 +37,8 @@ struct Checkpoint {
   std::string command;   ///< command with which the run began
   RunState at;
   ForceNoise noise;
-  std::uint64_t minimisation_evaluations = 0;      ///< number of force evaluations before the
-                                                   ///< trajectory
-  std::optional<OutputMarks> outputs;              ///< positions in the outputs; empty before the
-                                                   ///< outputs begin
+  std::uint64_t minimisation_evaluations = 0;  ///< force evaluations before the trajectory
+  std::optional<OutputMarks> outputs;  ///< positions in the outputs; empty before they begin
   std::optional<PreparationProgress> preparation;  ///< progress of a preparation; empty for a run
 };
 
@@ -81,7 +78,6 @@ Checkpoint read_checkpoint_of(const std::string& path, const std::string& identi
 struct FoundCheckpoint {
   Checkpoint checkpoint;
   std::string note;  ///< reason why the previous checkpoint is used; empty for the newest
-                     ///< checkpoint
 };
 
 /// Finds the newest checkpoint of a run, or the previous checkpoint if the newest checkpoint is

@@ -327,8 +327,7 @@ std::optional<Warning> velocities_of_file(const System& system, const Config& co
 std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
                                            Workers& workers) {
   if (system.temperature == 0)
-    return std::nullopt;  // the Einstein frequency is meaningful only in
-                          // a liquid
+    return std::nullopt;  // the Einstein frequency is meaningful only in a liquid
   const double max_step = max_stable_step(system, system.state, settings, workers);
   if (!(settings.step > max_step)) return std::nullopt;
   const double bound = near_stability * stability_limit(settings.scheme);

@@ -38,20 +38,17 @@ struct RunSummary {
   /// Random walk of the conserved energy, as a variance per time [(kJ/mol)²/ps], without
   /// mixed-precision round-off. The random walk is 0 unless there is clear evidence for it.
   double walk = 0;
-  std::optional<ShadowSummary> shadow;  ///< results from the shadow energy, if
-                                        ///< requested
+  std::optional<ShadowSummary> shadow;  ///< results from the shadow energy, if requested
   std::optional<StepBias> step_bias;    ///< time-step bias; empty if it is not known
   ByMotion<std::optional<SeriesEstimate>> configurational;  ///< configurational temperatures [K],
                                                             ///< if requested
   ByMotion<std::optional<SeriesEstimate>>
       configurational_bias;           ///< time-step bias of configurational
                                       ///< temperatures [K]
-  SeriesEstimate potential;           ///< mean potential energy per molecule
-                                      ///< [kJ/mol]
+  SeriesEstimate potential;           ///< mean potential energy per molecule [kJ/mol]
   SeriesEstimate total;               ///< mean total energy per molecule [kJ/mol]
   SeriesEstimate pressure;            ///< mean pressure [kJ/mol/nm³]
-  double momentum = 0;                ///< total momentum |Σ p| at the end
-                                      ///< [u nm/ps]
+  double momentum = 0;                ///< total momentum |Σ p| at the end [u nm/ps]
   TemperatureEstimates temperatures;  ///< mean temperatures over the run [K]
   /// Temperatures of the momenta at the bath, if a scheme has the bath within its steps [K];
   /// otherwise empty.
@@ -62,8 +59,7 @@ struct RunSummary {
   DegreesOfFreedom degrees_of_freedom;
   EnsembleSummary ensemble;
   std::uint64_t force_evaluations = 0, derivatives = 0, measurements = 0;
-  std::uint64_t minimisation_evaluations = 0;  ///< number of force evaluations before the
-                                               ///< run
+  std::uint64_t minimisation_evaluations = 0;                ///< force evaluations before the run
   std::uint64_t near_evaluations = 0, near_derivatives = 0;  ///< numbers of evaluations and
                                                              ///< derivatives of near forces
   std::size_t list_rebuilds = 0;

@@ -96,10 +96,9 @@ struct Trajectory {
   std::uint64_t near_derivatives = 0;
   std::uint64_t measurements = 0;  ///< number of force evaluations that only measure energies
   EnsembleMemory ensemble;
-  bool stopped = false;           ///< whether `stop` ended the trajectory
-  std::string failure;            ///< message with cause, time and remedy if the trajectory blew
-                                  ///< up; otherwise empty
-  std::string cause;              ///< cause of the failure, with the two molecules that collided
+  bool stopped = false;  ///< whether `stop` ended the trajectory
+  std::string failure;   ///< message with cause, time and remedy of a blow-up; otherwise empty
+  std::string cause;     ///< cause of the failure, with the two molecules that collided
   std::size_t list_rebuilds = 0;  ///< number of rebuilds of the neighbour list, including rebuilds
                                   ///< before the first step
   Timings timings;

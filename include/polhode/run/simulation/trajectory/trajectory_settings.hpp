@@ -26,8 +26,7 @@ struct TrajectorySettings {
   double configurational_sample = 0;   ///< time between samples of configurational temperatures
                                        ///< [ps]; 0: none
   std::uint64_t seed = 0;              ///< seed of the random signs of configurational temperatures
-  double stretch = 0;           ///< length of the parts for which R is also computed [ps]; 0 for no
-                                ///< parts
+  double stretch = 0;           ///< length of the parts for which R is also computed [ps]; 0: none
   EnsembleSettings ensemble{};  ///< settings of the ensemble; the default is constant energy
   bool processed = false;       ///< whether samples are read through a postprocessor
 
@@ -35,8 +34,7 @@ struct TrajectorySettings {
   /// The number of steps in a time [ps], rounded to the nearest integer. With hybrid Monte Carlo,
   /// the number is rounded up to whole trajectories.
   std::size_t steps_in(double time) const;
-  std::size_t steps_per_trajectory() const;  ///< steps per trajectory of hybrid Monte Carlo; 1
-                                             ///< without hybrid Monte Carlo
+  std::size_t steps_per_trajectory() const;  ///< steps per trajectory of hybrid Monte Carlo, or 1
   std::size_t steps_per_move() const;        ///< number of steps per move of a barostat
   double move_interval() const;              ///< time of steps_per_move() [ps]
   std::size_t steps_per_sample() const;
