@@ -45,6 +45,7 @@ static void to_json(json& j, const Vec3Column& column) {
 }
 static void from_json(const json& j, Vec3Column& column) {
   const auto x = j.get<std::vector<double>>();
+  if (x.size() % 3 != 0) throw Error("its columns have different lengths");
   column = Vec3Column(x.size() / 3);
   for (std::size_t i = 0; i < column.size(); ++i)
     column.set(i, {x[3 * i], x[3 * i + 1], x[3 * i + 2]});
