@@ -23,10 +23,23 @@ bool begins_with(std::string_view word, std::string_view start) {
   return std::equal(start.begin(), start.end(), word.begin(), same);
 }
 
+// Whether a file states that an atom is of an element, in any case of letters ("Mg", "MG").
+bool has_element(const AtomKind& kind) {
+  std::string symbol = kind.element;
+  for (std::size_t k = 0; k < symbol.size(); ++k) {
+    const auto letter = static_cast<unsigned char>(symbol[k]);
+    symbol[k] = static_cast<char>(k == 0 ? std::toupper(letter) : std::tolower(letter));
+  }
+  return is_element(symbol);
+}
+
 // The element at the beginning of an atom name. Names differ between programs ("OW", "O", "OH2"),
-// but all contain the element at the beginning, sometimes preceded by digits ("1HW").
-bool matches(std::string_view atom, const Site& site) {
+// but all contain the element at the beginning, sometimes preceded by digits ("1HW"). An atom of a
+// known element is no massless site: magnesium ("Mg") is not the site "MW".
+bool matches(const AtomKind& kind, const Site& site) {
+  std::string_view atom = kind.name;
   if (atom == site.name) return true;
+  if (site.mass == 0 && has_element(kind)) return false;
   // massless sites: "X" in XYZ files, which have only elements, and "X1" in LAMMPS data files,
   // which have only masses
   if (site.mass == 0 && atom.substr(0, 1) == "X" &&
@@ -56,7 +69,7 @@ Match take_molecule(std::span<const Atom>& atoms, const Molecule& molecule, cons
                              atoms.front().residue, frame.kind(atoms.front()).residue_name);
   };
   for (const Site& site : molecule.sites) {
-    const bool here = !atoms.empty() && matches(frame.kind(atoms.front()).name, site);
+    const bool here = !atoms.empty() && matches(frame.kind(atoms.front()), site);
     const bool massless = site.mass == 0;
     if (massless && !(here && atoms.front().residue == first->residue)) {
       match.push_back(nullptr);

@@ -229,6 +229,23 @@ TEST_CASE("extended XYZ of other programs is read, with any order of columns") {
   CHECK(!reader->next(frame));
 }
 
+TEST_CASE("an atom of an element is not taken for a massless site with the same first letter") {
+  // Water without its massless site MW, followed by magnesium.
+  const auto fitted = [](const std::string& magnesium) {
+    std::istringstream in(
+        "4\nLattice=\"20 0 0 0 20 0 0 0 20\"\nO 1 1 1\nH 1.7569503 1.5858823 1\n"
+        "H 0.2430497 1.5858823 1\n" +
+        magnesium + " 5 5 5\n");
+    Frame frame;
+    read_frames(in, "xyz", "a.xyz")->next(frame);
+    const Molecule ion = rigid_molecule("mg", {{"MG", "Mg", {}, 24.305, 2}});
+    return fit_state(frame, {{{read_molecule("tip4p"), 1}, {ion, 1}}}).state;
+  };
+  for (const char* magnesium : {"Mg", "MG"})
+    CHECK(norm(fitted(magnesium).q[1] - Vec3<double>{0.5, 0.5, 0.5}) < 1e-12);
+  check_error([&] { fitted("M"); }, {"the 4 atoms form only 1 of 2 molecules"});
+}
+
 TEST_CASE("a truncated or changed file gives an error or frames, nothing else") {
   const Folder folder;
   const Topology topology{
