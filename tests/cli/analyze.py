@@ -229,6 +229,8 @@ class Analyze(Sandbox):
                               (("--molecules", "tip4p 27", "--pairs", "OW"), "two site names"),
                               (("--molecules", "tip4p 27", "--pairs", "OW-OX"), "no site is named 'OX'"),
                               (("--molecules", "tip4p 27", "--cutoff", "1.3 nm"), "half of the shortest box edge"),
+                              (("--molecules", "tip4p 27", "--bin", "1.1 nm"), "bins of 1.1 nm are wider than the maximum distance of g(r), 1 nm by default; give narrower bins"),
+                              (("--molecules", "tip4p 27", "--what", "rdf", "--bin", "5 nm"), "bins of 5 nm are wider"),
                               (("--molecules", "tip4p 27", "--fit", "3 ps"), "must be two lags"),
                               (("--molecules", "tip4p 27", "--window", "10"), "has no unit"),
                               (("--molecules", "tip4p 27", "--from", "9 ps"), "no frame at 9 ps"),
