@@ -56,7 +56,7 @@ TEST_CASE("bounds of the adviser's options") {
     CAPTURE(name);
     const std::string said = refusal([&] {
       if (!request.is_canonical() && name != "evaluations") request.settings(config);
-      request.hybrid_settings(config, false);
+      if (name == "evaluations") request.hybrid_settings(config, false, {});
     });
     CHECK(said.find(words) != said.npos);
   }
@@ -64,6 +64,32 @@ TEST_CASE("bounds of the adviser's options") {
   CHECK(refusal([&] {
           filled<AdviceRequest>({{"accuracy", "1 %"}, {"bias", "0.1 K"}}).settings(config);
         }).find("accuracy excludes bias") != std::string::npos);
+}
+
+TEST_CASE("options of the adviser that do not apply to the ensemble are refused") {
+  const Config config = default_config();
+  for (const auto& [name, text, words] :
+       {Case{"accuracy", "1 %", "hybrid Monte Carlo is exact at any step"},
+        {"drift", "1 kJ/mol/ns", "exact at any step"},
+        {"temperature_bias", "1 %", "exact at any step"},
+        {"bias", "0.1 K", "exact at any step"},
+        {"time", "10", "number of force evaluations determines the length"},
+        {"output", "mine", "no file is written"}}) {
+    CAPTURE(name);
+    const auto request = filled<AdviceRequest>({{"ensemble", "nvt"}, {name, text}});
+    const std::string said = refusal([&] { request.hybrid_settings(config, false, {}); });
+    CHECK(said.find(name + " = \"" + text + "\" has no meaning with ensemble \"nvt\"") == 0);
+    CHECK(said.find(words) != said.npos);
+  }
+  const auto nvt = filled<AdviceRequest>({{"ensemble", "nvt"}, {"evaluations", "1000"}});
+  CHECK(refusal([&] {
+          nvt.hybrid_settings(config, false, {"5 ps", "length"});
+        }).find("length = \"5 ps\" has no meaning") == 0);
+  CHECK(nvt.hybrid_settings(config, false, {}).evaluations == 1000);
+  const auto nve = filled<AdviceRequest>({{"accuracy", "1 %"}, {"evaluations", "1000"}});
+  CHECK(refusal([&] {
+          nve.settings(config);
+        }).find("evaluations = \"1000\" applies only to hybrid Monte Carlo") == 0);
 }
 
 TEST_CASE("bounds of the options of an analysis") {
