@@ -79,7 +79,11 @@ class Bias(Sandbox):
         self.refused(("bias", "absent.csv"), ["absent.csv"])
         self.write("b.csv", "time,total [kJ/mol],potential [kJ/mol]\n" + "".join(f"{k},{k % 3},{k % 7}\n" for k in range(12)))
         self.refused(("bias", "b.csv"), ["no temperature", "298 K"])
-        self.refused(("bias", "b.csv", "--temperature", "298 K", "--start", "50"), ["no row has a time from 50"])
+        self.refused(("bias", "b.csv", "--temperature", "298 K", "--start", "50"), ["no row has a time from 50; the times are 0 to 11"])
+        self.refused(("bias", "b.csv", "--temperature", "298 K", "--start", "50", "--stop", "40"), ["no row has a time from 50 up to 40; the"])
+        self.refused(("bias", "b.csv", "--temperature", "298 K", "--start", "10 ps"), ['--start = "10 ps" must be a number without a unit', "unit of the log; write for example 0"])
+        self.write("c.csv", "time [ps],total [kJ/mol],potential [kJ/mol]\n" + "".join(f"{k},{k % 3},{k % 7}\n" for k in range(12)))
+        self.refused(("bias", "c.csv", "--temperature", "298 K", "--stop", "late"), ['--stop = "late" must be a number without a unit', "unit of the log, ps; write"])
         self.refused(("bias", "b.csv", "--temperature", "-1 K"), ["--temperature", "-1 K"])
 
 
