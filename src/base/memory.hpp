@@ -11,6 +11,12 @@ namespace polhode {
 /// the process (ulimit -v) or of its control group.
 double memory_limit();
 
+/// The lowest memory limit of the control groups of a process [bytes]; infinite if there is none.
+/// Versions 1 and 2 of control groups are supported.
+/// @param groups  file with the groups of the process: "/proc/self/cgroup"
+/// @param root    folder of all groups: "/sys/fs/cgroup"
+double group_memory_limit(const std::string& groups, const std::string& root);
+
 /// Throws an Error if a request exceeds the memory limit.
 /// @param bytes   lower estimate of the required memory
 /// @param what    objects that need the memory, in the plural: "100000000 molecules"

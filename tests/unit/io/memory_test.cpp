@@ -3,7 +3,12 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
 #include "../errors.hpp"
+#include "../folder.hpp"
 #include "forces/system_size.hpp"
 #include "model/cell_list.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
@@ -19,6 +24,38 @@ TEST_CASE("requests beyond the memory are refused with their amount and a remedy
   check_error([&] { require_memory(1.1 * limit, "5 things", "use fewer of them"); },
               {"5 things need at least", "GB of memory", "may use", "use fewer of them"});
   check_error([] { require_memory(1e300, "things", "use fewer"); }, {"1e+291 GB"});
+}
+
+TEST_CASE("the memory limit is the lowest limit of the control groups of the process") {
+  const Folder folder;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    const std::filesystem::path path = folder / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path) << text << '\n';
+  };
+  const auto limit = [&] { return group_memory_limit(folder / "self", folder / "root"); };
+  CHECK(std::isinf(limit()));
+  write("self", "0::/user/job/step");
+  CHECK(std::isinf(limit()));
+  write("root/user/job/step/memory.max", "max");
+  CHECK(std::isinf(limit()));
+  write("root/user/job/memory.max", "3000000000");
+  write("root/user/other/memory.max", "1000");
+  CHECK(limit() == 3e9);
+  write("root/user/memory.max", "4000000000");
+  CHECK(limit() == 3e9);
+  write("root/user/job/step/memory.max", "2000000000");
+  CHECK(limit() == 2e9);
+  write("root/memory.max", "1000000000");
+  CHECK(limit() == 1e9);
+  write("self", "12:cpu,cpuacct:/slow\n4:blkio,memory:/batch/job\n0::/");
+  write("root/memory/batch/memory.limit_in_bytes", "600000000");
+  CHECK(limit() == 6e8);
+  write("root/memory/batch/job/memory.limit_in_bytes", "500000000");
+  write("root/memory/slow/memory.limit_in_bytes", "1000");
+  CHECK(limit() == 5e8);
+  write("self", "without colons\n:\n4:memory:");
+  CHECK(limit() == 1e9);
 }
 
 TEST_CASE("counts beyond what the list can index are refused, also if their sum overflows") {
