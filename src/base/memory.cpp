@@ -9,6 +9,7 @@
 #include <fstream>
 #include <limits>
 
+#include "base/control_groups.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {
@@ -16,43 +17,19 @@ namespace {
 
 /// The number in a file; infinite if there is no such file, or if the file contains a word, which
 /// means that there is no limit.
-double limit_in(const std::string& path) {
+double limit_in(const std::filesystem::path& path) {
   double limit = 0;
   std::ifstream file(path);
   return file >> limit && limit > 0 ? limit : std::numeric_limits<double>::infinity();
 }
 
-/// The lowest limit of a group and of the groups that contain it, "/a/b", "/a" and "".
-double limit_of_groups(const std::string& root, std::string group, const char* file) {
-  double limit = limit_in(root + '/' + file);
-  while (!group.empty()) {
-    limit = std::min(limit, limit_in(root + group + '/' + file));
-    group.resize(std::min(group.rfind('/'), group.size() - 1));
-  }
-  return limit;
-}
-
-/// Whether a list such as "cpu,memory" has the controller of memory.
-bool has_memory(const std::string& controllers) {
-  return (',' + controllers + ',').find(",memory,") != std::string::npos;
-}
-
 }  // namespace
 
-double group_memory_limit(const std::string& groups, const std::string& root) {
-  double limit = limit_in(root + "/memory.max");
-  std::ifstream file(groups);
-  for (std::string line; std::getline(file, line);) {
-    // "0::/group" in version 2, "4:memory:/group" in version 1
-    const auto first = line.find(':'), second = line.find(':', first + 1);
-    if (first == line.npos || second == line.npos) continue;
-    const std::string controllers = line.substr(first + 1, second - first - 1),
-                      group = line.substr(second + 1);
-    if (controllers.empty())
-      limit = std::min(limit, limit_of_groups(root, group, "memory.max"));
-    else if (has_memory(controllers))
-      limit = std::min(limit, limit_of_groups(root + "/memory", group, "memory.limit_in_bytes"));
-  }
+double group_memory_limit(const std::string& membership, const std::filesystem::path& mount) {
+  double limit = std::numeric_limits<double>::infinity();
+  for (const std::filesystem::path& group : control_groups("memory", membership, mount))
+    for (const char* file : {"memory.max", "memory.limit_in_bytes"})  // of versions 2 and 1
+      limit = std::min(limit, limit_in(group / file));
   return limit;
 }
 
@@ -64,7 +41,7 @@ double memory_limit() {
     if (getrlimit(resource, &own) == 0 && own.rlim_cur != RLIM_INFINITY)
       limit = std::min(limit, static_cast<double>(own.rlim_cur));
   }
-  return std::min(limit, group_memory_limit("/proc/self/cgroup", "/sys/fs/cgroup"));
+  return std::min(limit, group_memory_limit(control_group_membership(), "/sys/fs/cgroup"));
 }
 
 void require_memory(double bytes, const std::string& what, const std::string& remedy) {

@@ -3,6 +3,7 @@
 // without a message.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace polhode {
@@ -11,11 +12,10 @@ namespace polhode {
 /// the process (ulimit -v) or of its control group.
 double memory_limit();
 
-/// The lowest memory limit of the control groups of a process [bytes]; infinite if there is none.
-/// Versions 1 and 2 of control groups are supported.
-/// @param groups  file with the groups of the process: "/proc/self/cgroup"
-/// @param root    folder of all groups: "/sys/fs/cgroup"
-double group_memory_limit(const std::string& groups, const std::string& root);
+/// The lowest memory limit of control groups [bytes]; infinite if there is none.
+/// @param membership  contents of /proc/self/cgroup
+/// @param mount       folder where the control groups are mounted
+double group_memory_limit(const std::string& membership, const std::filesystem::path& mount);
 
 /// Throws an Error if a request exceeds the memory limit.
 /// @param bytes   lower estimate of the required memory

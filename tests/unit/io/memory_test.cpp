@@ -33,29 +33,32 @@ TEST_CASE("the memory limit is the lowest limit of the control groups of the pro
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path) << text << '\n';
   };
-  const auto limit = [&] { return group_memory_limit(folder / "self", folder / "root"); };
-  CHECK(std::isinf(limit()));
-  write("self", "0::/user/job/step");
-  CHECK(std::isinf(limit()));
-  write("root/user/job/step/memory.max", "max");
-  CHECK(std::isinf(limit()));
-  write("root/user/job/memory.max", "3000000000");
-  write("root/user/other/memory.max", "1000");
-  CHECK(limit() == 3e9);
-  write("root/user/memory.max", "4000000000");
-  CHECK(limit() == 3e9);
-  write("root/user/job/step/memory.max", "2000000000");
-  CHECK(limit() == 2e9);
-  write("root/memory.max", "1000000000");
-  CHECK(limit() == 1e9);
-  write("self", "12:cpu,cpuacct:/slow\n4:blkio,memory:/batch/job\n0::/");
-  write("root/memory/batch/memory.limit_in_bytes", "600000000");
-  CHECK(limit() == 6e8);
-  write("root/memory/batch/job/memory.limit_in_bytes", "500000000");
-  write("root/memory/slow/memory.limit_in_bytes", "1000");
-  CHECK(limit() == 5e8);
-  write("self", "without colons\n:\n4:memory:");
-  CHECK(limit() == 1e9);
+  const auto limit = [&](const std::string& groups) {
+    return group_memory_limit(groups, folder.path);
+  };
+  const std::string version2 = "0::/user/job/step\n";
+  CHECK(std::isinf(limit("")));
+  CHECK(std::isinf(limit(version2)));
+  write("user/job/step/memory.max", "max");
+  CHECK(std::isinf(limit(version2)));
+  write("user/job/memory.max", "3000000000");
+  write("user/other/memory.max", "1000");
+  CHECK(limit(version2) == 3e9);
+  write("user/memory.max", "4000000000");
+  CHECK(limit(version2) == 3e9);
+  write("user/job/step/memory.max", "2000000000");
+  CHECK(limit(version2) == 2e9);
+  write("memory.max", "1000000000");
+  CHECK(limit(version2) == 1e9);
+  CHECK(limit("0::/\n") == 1e9);
+
+  const std::string version1 = "12:cpu,cpuacct:/slow\n4:blkio,memory:/batch/job\n0::/\n";
+  write("blkio,memory/batch/memory.limit_in_bytes", "600000000");
+  CHECK(limit(version1) == 6e8);
+  write("memory/batch/job/memory.limit_in_bytes", "500000000");
+  write("memory/slow/memory.limit_in_bytes", "1000");
+  CHECK(limit(version1) == 5e8);
+  CHECK(std::isinf(limit("without colons\n:\n4:memory:/absent\n")));
 }
 
 TEST_CASE("counts beyond what the list can index are refused, also if their sum overflows") {
