@@ -28,8 +28,10 @@ struct Convergence {
                             ///< actual length if that multiple does not suffice
   const char* unit = "ps";  ///< unit of the length and times; "frames" if the frames have no times
   Obstacle obstacle = Obstacle::none;
-  double interval = 0;  ///< sufficient interval between frames, if the interval is the obstacle
-                        ///< [ps]
+  double interval = 0;    ///< sufficient interval between frames, if the interval is the obstacle
+                          ///< [ps]
+  double min_window = 0;  ///< shortest window of lags from which the result follows: two intervals
+                          ///< between frames [ps]
 
   bool converged() const { return obstacle == Obstacle::none; }
 };

@@ -112,10 +112,12 @@ Convergence diffusion_convergence(const BlockMeans& squared, double interval,
   const SeriesEstimate D = estimate(squared, interval, window);
   const SeriesEstimate rise = series_estimate(
       squared, [&](auto means) { return rise_between_halves(within(means, interval, window)); });
-  return convergence(squared.sum().weight * interval, window.to, windows_of_lags,
-                     D.known != Known::yes    ? Obstacle::no_error
-                     : differs(rise, D.value) ? Obstacle::slope_changes
-                                              : Obstacle::none);
+  Convergence c = convergence(squared.sum().weight * interval, window.to, windows_of_lags,
+                              D.known != Known::yes    ? Obstacle::no_error
+                              : differs(rise, D.value) ? Obstacle::slope_changes
+                                                       : Obstacle::none);
+  c.min_window = 2 * interval;
+  return c;
 }
 
 }  // namespace polhode

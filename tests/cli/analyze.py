@@ -219,6 +219,15 @@ class Analyze(Sandbox):
         self.assertEqual(process.returncode, 2)
         self.assertIn("so the run had a thermostat", process.err)
 
+    def test_a_run_without_a_sufficient_window_needs_more_time(self):
+        """The time between frames is 8 fs, and a fit needs two lags."""
+        for start, window in (("0.05", "0.019 ps"), ("0.1", None)):
+            report = json.loads(self.done_analysis("out-trajectory.gro", "--run", "run.toml", "--start", f"{start} ps", "--what", "msd,velocity",
+                                                   "--plot", "none", "--json", "--force").out)
+            for name in ("D", "D_green_kubo"):
+                reason = report["parts"][0][f"{name}_1e-9_m2_per_s"]["reason"]
+                self.assertRegex(reason, r"a run of at least \S+ ps is needed" + (f", or a window of at most {window}$" if window else "$"))
+
     def test_wrong_input(self):
         before = self.contents()
         for options, said in (((), "--run water.toml"),
