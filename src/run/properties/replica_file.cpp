@@ -20,6 +20,9 @@ using nlohmann::json;
 constexpr std::string_view mark = "polhode replica 2\n", earlier_mark = "polhode replica 1\n";
 constexpr std::size_t max_bytes = std::size_t{1} << 31;
 
+/// Columns of a state have different lengths.
+struct DifferentLengths {};
+
 json block_json(const BlockMeans::Block& block) { return {block.weight, block.sum}; }
 BlockMeans::Block block_of(const json& j) {
   return {j.at(0).get<double>(), j.at(1).get<std::vector<double>>()};
@@ -58,7 +61,7 @@ json state_json(const State& state) {
 State state_of(const json& j) {
   const auto numbers = [&](const char* key, std::size_t size) {
     auto x = j.at(key).get<std::vector<double>>();
-    if (size > 0 && x.size() != size) throw Error("its columns have different lengths");
+    if (size > 0 && x.size() != size) throw DifferentLengths();
     return x;
   };
   const auto edge = numbers("box", 3), q = numbers("q", 0);
@@ -238,6 +241,8 @@ Replica parse_replica(const std::string& bytes, const std::string& path, std::ui
     return replica;
   } catch (const json::exception&) {
     throw damaged("is damaged");
+  } catch (const DifferentLengths&) {
+    throw damaged("is damaged: its columns have different lengths");
   }
 }
 
