@@ -130,10 +130,11 @@ class Analyze(Sandbox):
         self.assertIn("not converged: the correlation is still above 1/e³", text)
 
     def test_a_window_that_is_longer_than_half_of_the_trajectory(self):
-        for window, lags in (("50 ps", 14), ("0.104 ps", 14), ("0.05 ps", 7)):  # 26 frames every 8 fs
-            process = self.analyze("--run", "run.toml", "--what", "msd", "--window", window, "--plot", "none", "--force", "--json")
+        # 26 frames every 8 fs; 10 ps is the default
+        for window, lags in (("50 ps", 14), ("10 ps", 14), (None, 14), ("0.104 ps", 14), ("0.05 ps", 7)):
+            process = self.analyze("--run", "run.toml", "--what", "msd", *(("--window", window) if window else ()), "--plot", "none", "--force", "--json")
             is_cut = any("is longer than half of the trajectory, so the lags end at 0.104 ps" in note for note in json.loads(process.out)["notes"])
-            self.assertEqual(is_cut, window == "50 ps", window)
+            self.assertEqual(is_cut, window in ("50 ps", "10 ps"), window)
             rows = [line for line in (self.folder / "polhode-analysis-msd.csv").read_text().splitlines() if line[:1].isdigit()]
             self.assertEqual(len(rows), lags)
 

@@ -118,19 +118,20 @@ class Assembly {
     if (timed_ && !settings_.interval)  // the mean interval has a smaller round-off error than the
                                         // first interval
       result_.interval = (result_.last - result_.first) / static_cast<double>(result_.frames - 1);
-    if (timed_ && settings_.window != AnalysisSettings{}.window) check_window();
+    if (timed_ && settings_.window) check_window(*settings_.window);
   }
 
  private:
-  // Lags are limited to half of the frames, which serve as time origins.
-  void check_window() {
+  // Lags are limited to half of the frames, which serve as time origins. The default window gets no
+  // note, because nobody asked for it.
+  void check_window(double window) {
     const std::size_t lags = result_.frames / 2;
     const double longest = static_cast<double>(lags) * result_.interval;
-    if (settings_.window > longest + result_.interval / 2)
+    if (window > longest + result_.interval / 2)
       result_.notes.push_back(
           fmt::format("the window of {:g} ps is longer than half of the trajectory, so the lags "
                       "end at {:.4g} ps",
-                      settings_.window, longest));
+                      window, longest));
   }
 
   void leave_out(const std::string& name, const std::string& why) {
@@ -140,12 +141,13 @@ class Assembly {
   }
 
   std::size_t lags() const {
-    const double window = settings_.window / result_.interval;
+    const double longest = settings_.window.value_or(default_window),
+                 window = longest / result_.interval;
     if (!(window <= max_lags))
       throw Error(
           fmt::format("the window of {:g} ps has {:g} lags of {:g} ps; the maximum is {:g} lags, "
                       "so give a shorter window",
-                      settings_.window, window, result_.interval, max_lags));
+                      longest, window, result_.interval, max_lags));
     const auto lags = static_cast<std::size_t>(std::max(1.0, window + 1e-6)) + 1;
     const auto bodies = static_cast<double>(result_.topology.size());
     require_memory(bytes_of_lag * bodies * static_cast<double>(lags),
