@@ -261,6 +261,11 @@ Ensemble ensemble_of(const EngineLog& log, const LogColumn& total, const LogColu
   const LogColumn* conserved = log.find(conserved_names);
   if (conserved && fluctuation(*conserved) < bath_ratio * fluctuation(total))
     return {conserved, true};
+  if (potential && variance_of(potential->values) == 0)
+    throw Error(fmt::format("'{}' has the value {:g} in every row; give the log of a run whose "
+                            "molecules move, with more digits",
+                            potential->name, potential->values.front()),
+                log.file);
   if (!potential || fluctuation(total) < bath_ratio * std::sqrt(variance_of(potential->values)))
     return {&total, false};
   throw Error(
