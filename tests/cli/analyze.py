@@ -138,6 +138,12 @@ class Analyze(Sandbox):
             rows = [line for line in (self.folder / "polhode-analysis-msd.csv").read_text().splitlines() if line[:1].isdigit()]
             self.assertEqual(len(rows), lags)
 
+    def test_one_frame_and_one_lag(self):
+        options = ("--run", "run.toml", "--plot", "none", "--force")
+        self.assertIn("1 frame at 0.2 ps, 27 molecules", self.done_analysis("out-trajectory.gro", *options, "--what", "density", "--start", "0.2 ps").out)
+        process = self.done_analysis("out-trajectory.gro", *options, "--what", "msd", "--window", "2 fs")
+        self.assertIn("window of 0.002 ps is shorter than the interval between frames, so the only lag is 0.008 ps", process.err)
+
     def test_sites_of_equal_names(self):
         """Those of two kinds of molecules are separate, unless they are asked for together."""
         self.write("run.toml", edited(WATERS, ("count = 27 }", "count = 14 }, { model = \"spce\", count = 13 }")))
@@ -238,6 +244,7 @@ class Analyze(Sandbox):
                               (("--molecules", "tip4p 27", "--what", "rdf,msf"), "did you mean 'msd'"),
                               (("--molecules", "tip4p 27", "--pairs", "OW"), "two site names"),
                               (("--molecules", "tip4p 27", "--pairs", "OW-OX"), "no site is named 'OX'"),
+                              (("--molecules", "tip4p 27", "--pairs", "OW-HW, HW-OW"), "has the pair 'HW-OW' twice"),
                               (("--molecules", "tip4p 27", "--cutoff", "1.3 nm"), "half of the shortest box edge"),
                               (("--molecules", "tip4p 27", "--bin", "1.1 nm"), "bins of 1.1 nm are wider than the maximum distance of g(r), 1 nm by default; give narrower bins"),
                               (("--molecules", "tip4p 27", "--what", "rdf", "--bin", "5 nm"), "bins of 5 nm are wider"),

@@ -55,6 +55,12 @@ bool matches(const AtomKind& kind, const Site& site) {
                                          : std::string_view(site.name).substr(0, 1));
 }
 
+// The residue of an atom, " (3 SOL)"; empty if the file has no names of residues.
+std::string residue_text(const Frame& frame, const Atom& atom) {
+  const std::string& name = frame.kind(atom).residue_name;
+  return name.empty() ? "" : fmt::format(" ({} {})", atom.residue, name);
+}
+
 // The atom of each site of one molecule; null for a massless site without an atom.
 using Match = std::vector<const Atom*>;
 
@@ -63,10 +69,9 @@ Match take_molecule(std::span<const Atom>& atoms, const Molecule& molecule, cons
   Match match;
   const Atom* first = atoms.empty() ? nullptr : &atoms.front();
   const auto place = [&] {
-    return atoms.empty()
-               ? std::string("the end of the atoms")
-               : fmt::format("atom {} ({} {})", &atoms.front() - frame.atoms.data() + 1,
-                             atoms.front().residue, frame.kind(atoms.front()).residue_name);
+    return atoms.empty() ? std::string("the end of the atoms")
+                         : fmt::format("atom {}{}", &atoms.front() - frame.atoms.data() + 1,
+                                       residue_text(frame, atoms.front()));
   };
   for (const Site& site : molecule.sites) {
     const bool here = !atoms.empty() && matches(frame.kind(atoms.front()), site);
@@ -134,10 +139,10 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
     if (!(off <= fit_tolerance))
       throw Error(
           fmt::format(
-              "atom '{}' of molecule {} ({} {}) is {:.4f} nm from its site in the rigid model "
+              "atom '{}' of molecule {}{} is {:.4f} nm from its site in the rigid model "
               "'{}'; this distance must be at most {} nm: check the model and the order of atoms",
-              frame.kind(*match[k]).name, i + 1, match[k]->residue,
-              frame.kind(*match[k]).residue_name, off, molecule.name, fit_tolerance),
+              frame.kind(*match[k]).name, i + 1, residue_text(frame, *match[k]), off, molecule.name,
+              fit_tolerance),
           frame.source);
   }
   state.q.set(i, q);

@@ -127,6 +127,11 @@ class Assembly {
   void check_window(double window) {
     const std::size_t lags = result_.frames / 2;
     const double longest = static_cast<double>(lags) * result_.interval;
+    if (window < 0.99 * result_.interval)
+      result_.notes.push_back(
+          fmt::format("the window of {:g} ps is shorter than the interval between frames, so the "
+                      "only lag is {:.4g} ps",
+                      window, result_.interval));
     if (window > longest + result_.interval / 2)
       result_.notes.push_back(
           fmt::format("the window of {:g} ps is longer than half of the trajectory, so the lags "

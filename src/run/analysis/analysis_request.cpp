@@ -72,8 +72,13 @@ AnalysisSettings settings_of(const Request& r, const Topology& topology) {
   if (r.window) s.window = given_positive(r.window, Dimension::time);
   if (r.cutoff) s.cutoff = given_positive(r.cutoff, Dimension::length);
   take_positive(s.bin, r.bin, Dimension::length);
-  for (const std::string& word : given_words(r.pairs))
-    s.pairs.push_back(pair_of(r.pairs, word, topology));
+  for (const std::string& word : given_words(r.pairs)) {
+    const SitePair pair = pair_of(r.pairs, word, topology);
+    for (const SitePair& same : {pair, SitePair{pair[1], pair[0]}})
+      if (std::find(s.pairs.begin(), s.pairs.end(), same) != s.pairs.end())
+        refuse(r.pairs, fmt::format("has the pair '{}' twice; delete one of the two", word));
+    s.pairs.push_back(pair);
+  }
   if (s.cutoff && *s.cutoff < s.bin)
     refuse(r.cutoff,
            fmt::format("is shorter than a bin of {:g} nm; give a longer distance", s.bin));

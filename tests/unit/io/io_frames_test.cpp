@@ -244,6 +244,7 @@ TEST_CASE("an atom of an element is not taken for a massless site with the same 
   for (const char* magnesium : {"Mg", "MG"})
     CHECK(norm(fitted(magnesium).q[1] - Vec3<double>{0.5, 0.5, 0.5}) < 1e-12);
   check_error([&] { fitted("M"); }, {"the 4 atoms form only 1 of 2 molecules"});
+  check_error([&] { fitted("C"); }, {"atom 4 is 'C' instead of site 'MG' of molecule 'mg'"});
 }
 
 TEST_CASE("a truncated or changed file gives an error or frames, nothing else") {
