@@ -106,6 +106,11 @@ TEST_CASE("properties are requested with errors in percent or in their unit") {
   CHECK(list[2].error == 0.01);
   check_error([] { requested_properties({"densty"}); }, {"no property 'densty'", "'density'"});
   check_error([] { requested_properties({"0.1 %"}); }, {"must follow the name of a property"});
+  check_error(
+      [] {
+        requested_properties({"density", "5 %", "6 %"});
+      },
+      {"'6 %' must follow the name of a property"});
   check_error([] { requested_properties({"density", "1 g"}); }, {"must be in % or in kg/m3"});
   check_error([] { requested_properties({"density", "0 %"}); }, {"the error of density"});
   check_error([] { requested_properties({"density", "density"}); }, {"requested twice"});
