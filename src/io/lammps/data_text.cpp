@@ -183,6 +183,9 @@ void Parser::edge(const FieldLine& line, std::size_t axis) {
 }
 
 int Parser::type(const FieldLine& line, std::size_t k) const {
+  if (types_ == 0)
+    line.refuse(
+        "the header does not contain the number of atom types; write for example '2 atom types'");
   return static_cast<int>(line.integer(k, "atom type", 1, types_));
 }
 

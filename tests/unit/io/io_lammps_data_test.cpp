@@ -116,6 +116,12 @@ TEST_CASE("pair styles buck and mie/cut have their laws") {
   refused(replaced(mie, "1 0.1553 3.166 14 6", "1 0.1553 3.166 14 2"), {"14 and 2", "a.data:18"});
 }
 
+TEST_CASE("a data file without the number of atom types is refused with this reason") {
+  for (const char* header : {"", "0 atom types\n"})
+    refused(replaced(good_data, "3 atom types\n", header),
+            {"the header does not contain the number of atom types", "a.data"});
+}
+
 TEST_CASE("a data file with an unsupported pair style still has coordinates") {
   for (const char* style : {"hybrid", "hybrid/overlay", "morse"}) {
     CAPTURE(style);
