@@ -95,10 +95,28 @@ Match take_molecule(std::span<const Atom>& atoms, const Molecule& molecule, cons
   return match;
 }
 
+// Checks that an atom is near enough to the origin for precise distances, and not faster than
+// light.
+void check_range(const Atom& atom, const Frame& frame) {
+  constexpr double max_distance = 1e6, max_speed = 299792.458;  // [nm], [nm/ps]
+  const auto refuse = [&](const char* quantity, double value, double bound, const char* unit) {
+    throw Error(fmt::format("the {} of atom {} ('{}') is {:.3g} {}; it must be at most {:.6g} {}: "
+                            "correct the file",
+                            quantity, &atom - frame.atoms.data() + 1, frame.kind(atom).name, value,
+                            unit, bound, unit),
+                frame.source);
+  };
+  if (const double r = norm(atom.r); !(r <= max_distance))
+    refuse("distance from the origin", r, max_distance, "nm");
+  if (const double v = norm(atom.v); !(v <= max_speed)) refuse("speed", v, max_speed, "nm/ps");
+}
+
 // Fits body i of `fitted` to the atoms of one molecule.
 void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Match& match,
          const Frame& frame) {
   State& state = fitted.state;
+  for (const Atom* atom : match)
+    if (atom != nullptr) check_range(*atom, frame);
   const auto& sites = molecule.sites;
   const auto anchor =
       std::find_if(sites.begin(), sites.end(), [](const Site& s) { return s.mass > 0; });
