@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """polhode analyze on the command line: its files, its errors, and that the number of threads changes nothing."""
 
+import csv
 import json
 import math
 import unittest
@@ -137,6 +138,25 @@ class Analyze(Sandbox):
             self.assertEqual(is_cut, window in ("50 ps", "10 ps"), window)
             rows = [line for line in (self.folder / "polhode-analysis-msd.csv").read_text().splitlines() if line[:1].isdigit()]
             self.assertEqual(len(rows), lags)
+
+    def test_velocities_in_some_frames(self):
+        """Velocities may be written less often than positions; frames without them have no temperature."""
+        self.assertEqual(self.polhode("convert", "out-trajectory.gro", "all.xyz").returncode, 0)
+        lines = (self.folder / "all.xyz").read_text(encoding="utf-8").splitlines()
+        half = 13 * 110  # lines of half of the frames, of 108 atoms each
+        self.write("half.xyz", "\n".join(lines[:half]) + "\n")
+        rest = [line.replace(":velo:R:3", "") if "Lattice" in line else " ".join(line.split()[:4]) for line in lines[half:]]
+        self.write("some.xyz", "\n".join(lines[:half] + rest) + "\n")
+        options = ("--run", "run.toml", "--plot", "none", "--force", "--json")
+        expected = json.loads(self.done_analysis("half.xyz", *options, "--what", "density").out)
+        some = json.loads(self.done_analysis("some.xyz", *options, "--what", "density,msd").out)
+        self.assertEqual(some["frames"], 26)
+        self.assertAlmostEqual(some["temperature_K"]["value"], expected["temperature_K"]["value"], 6)
+        self.assertIn("the temperature is the mean of the 13 frames with velocities", some["notes"])
+        table = (self.folder / "polhode-analysis-density.csv").read_text(encoding="utf-8")
+        temperatures = [row["temperature [K]"] for row in csv.DictReader(line for line in table.splitlines() if not line.startswith("#"))]
+        self.assertTrue(all(not temperature or float(temperature) > 100 for temperature in temperatures), temperatures)
+        self.refused(("analyze", "some.xyz", *options), ["frame 14 has no velocities, but the first frame has them", "choose other observables"])
 
     def test_one_frame_and_one_lag(self):
         options = ("--run", "run.toml", "--plot", "none", "--force")

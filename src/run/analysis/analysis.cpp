@@ -96,6 +96,7 @@ class Assembly {
         continue;
       }
       timed_ = timed_ || kind.correlates_times;
+      moving_ = moving_ || kind.needs_velocities;
       result_.observables.push_back(kind.begin(frames));
     }
   }
@@ -104,7 +105,8 @@ class Assembly {
     const State& state = fitted.state;
     if (timed_) check_time(state.time);
     result_.deviation = std::max(result_.deviation, fitted.deviation);
-    result_.conditions->add(state, result_.has_velocities);
+    check_velocities(fitted.has_velocities);
+    result_.conditions->add(state, result_.has_velocities && fitted.has_velocities);
     std::optional<StepError> error;
     if (errors_) error = errors_->at(state, fitted.has_velocities);
     if (error) ++result_.frames_with_step_error;
@@ -114,6 +116,10 @@ class Assembly {
   }
 
   void end() {
+    if (frames_without_velocities_ > 0)
+      result_.notes.push_back(
+          fmt::format("the temperature is the mean of the {} frames with velocities",
+                      result_.frames - frames_without_velocities_));
     if (errors_) check_step_errors();
     if (timed_ && !settings_.interval)  // the mean interval has a smaller round-off error than the
                                         // first interval
@@ -186,6 +192,17 @@ class Assembly {
         states[0].state.time, states[1].state.time);
   }
 
+  // Velocities may be written less often than positions, as with nstvout of GROMACS.
+  void check_velocities(bool has_velocities) {
+    if (!result_.has_velocities || has_velocities) return;
+    ++frames_without_velocities_;
+    if (moving_)
+      throw Error(
+          fmt::format("frame {} has no velocities, but the first frame has them; correlations of "
+                      "velocities need all of them, so choose other observables",
+                      result_.frames + 1));
+  }
+
   // In the worst case, files store times as floats, with a relative round-off error of 2⁻²⁴.
   void check_time(double time) const {
     if (settings_.interval) return;
@@ -202,7 +219,8 @@ class Assembly {
   Analysis& result_;
   const AnalysisSettings& settings_;
   std::optional<StepErrors> errors_;
-  bool timed_ = false;
+  bool timed_ = false, moving_ = false;
+  std::size_t frames_without_velocities_ = 0;
 };
 
 }  // namespace

@@ -132,7 +132,8 @@ ObservableKind velocity() {
           [](const FirstFrames& f) {
             return f.analysis.has_velocities ? "" : "the frames have no velocities";
           },
-          [](const FirstFrames& f) { return std::make_unique<Velocity>(f); }};
+          [](const FirstFrames& f) { return std::make_unique<Velocity>(f); },
+          true};
 }
 
 }  // namespace polhode
