@@ -18,8 +18,11 @@ namespace {
 using AdviseOptions = RequestOptions<AdviceRequest>;
 
 /// Advises on hybrid Monte Carlo, whose averages have no time-step bias to bound.
-int advise_canonical(const AdviseOptions& o, const Config& config, bool schemes_given) {
-  const HybridAdviserSettings settings = o.request.hybrid_settings(config, schemes_given);
+int advise_canonical(const AdviseOptions& o, const Config& config, const Overlay& given) {
+  const Override* length = given.find("run.length");
+  const HybridAdviserSettings settings = o.request.hybrid_settings(
+      config, given.find("integrator.candidates") != nullptr,
+      length != nullptr ? Given{length->values.front(), length->place} : Given{});
   Workers workers = o.workers();
   const HybridAdvice advice = advise_hybrid(config, settings, console(), workers);
   if (advice.stopped) return interrupted(" before the search ended");
@@ -28,9 +31,9 @@ int advise_canonical(const AdviseOptions& o, const Config& config, bool schemes_
   return 0;
 }
 
-int advise(const AdviseOptions& o, bool schemes_given) {
+int advise(const AdviseOptions& o, const Overlay& given) {
   const Config config = o.config();
-  if (o.request.is_canonical()) return advise_canonical(o, config, schemes_given);
+  if (o.request.is_canonical()) return advise_canonical(o, config, given);
   Workers workers = o.workers();
   const AdviserSettings settings = o.request.settings(config);
   const AdviceReport report =
@@ -50,9 +53,7 @@ Action advise_verb(Command& command) {
   command.add_request(o->request);
   command.add_settings();
   o->declare_force(command);
-  return [o, command] {
-    return advise(*o, command.overlay().find("integrator.candidates") != nullptr);
-  };
+  return [o, command] { return advise(*o, command.overlay()); };
 }
 
 }  // namespace polhode::cli

@@ -22,7 +22,7 @@ def _words(properties):
         return [properties]
     if isinstance(properties, Mapping):
         pairs = properties.items()
-        return [word for name, error in pairs for word in ((name,) if error is None else (name, text_of(error)))]
+        return [word for name, error in pairs for word in ((name,) if error is None else (name, str(text_of(error))))]
     return [str(word) for word in properties]
 
 

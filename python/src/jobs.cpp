@@ -113,7 +113,9 @@ nb::tuple advise(const Config& config, const Options& given, bool schemes_given,
                  const JobOptions& options) {
   const auto request = request_of<AdviceRequest>(given);
   if (request.is_canonical()) {
-    const HybridAdviserSettings settings = request.hybrid_settings(config, schemes_given);
+    const auto length = given.find("length");
+    const HybridAdviserSettings settings = request.hybrid_settings(
+        config, schemes_given, length != given.end() ? Given{length->second, "length"} : Given{});
     const HybridAdvice advice = options.run([&](const Callbacks& callbacks, Workers& workers) {
       return advise_hybrid(config, settings, callbacks, workers);
     });

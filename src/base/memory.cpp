@@ -7,10 +7,31 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 
+#include "base/control_groups.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {
+namespace {
+
+/// The number in a file; infinite if there is no such file, or if the file contains a word, which
+/// means that there is no limit.
+double limit_in(const std::filesystem::path& path) {
+  double limit = 0;
+  std::ifstream file(path);
+  return file >> limit && limit > 0 ? limit : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+double group_memory_limit(const std::string& membership, const std::filesystem::path& mount) {
+  double limit = std::numeric_limits<double>::infinity();
+  for (const std::filesystem::path& group : control_groups("memory", membership, mount))
+    for (const char* file : {"memory.max", "memory.limit_in_bytes"})  // of versions 2 and 1
+      limit = std::min(limit, limit_in(group / file));
+  return limit;
+}
 
 double memory_limit() {
   double limit =
@@ -20,12 +41,7 @@ double memory_limit() {
     if (getrlimit(resource, &own) == 0 && own.rlim_cur != RLIM_INFINITY)
       limit = std::min(limit, static_cast<double>(own.rlim_cur));
   }
-  // The memory limit of a control group. If there is no limit, the file of the limit contains a
-  // word instead of a number.
-  double group = 0;
-  if (std::ifstream file("/sys/fs/cgroup/memory.max"); file >> group && group > 0)
-    limit = std::min(limit, group);
-  return limit;
+  return std::min(limit, group_memory_limit(control_group_membership(), "/sys/fs/cgroup"));
 }
 
 void require_memory(double bytes, const std::string& what, const std::string& remedy) {

@@ -3,6 +3,7 @@
 // without a message.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace polhode {
@@ -10,6 +11,11 @@ namespace polhode {
 /// Total memory that the process may use [bytes]: the memory of the computer, or a lower limit of
 /// the process (ulimit -v) or of its control group.
 double memory_limit();
+
+/// The lowest memory limit of control groups [bytes]; infinite if there is none.
+/// @param membership  contents of /proc/self/cgroup
+/// @param mount       folder where the control groups are mounted
+double group_memory_limit(const std::string& membership, const std::filesystem::path& mount);
 
 /// Throws an Error if a request exceeds the memory limit.
 /// @param bytes   lower estimate of the required memory

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "base/control_groups.hpp"
 #include "base/from_chars.hpp"
 #include "polhode/base/error.hpp"
 
@@ -65,15 +66,6 @@ std::optional<int> bound_of(const fs::path& group) {
                                              first_line(group / "cpu.cfs_period_us")));
 }
 
-/// The lowest CPU limit of a control group and its ancestors. In a container the group may be
-/// mounted as the root, so folders that do not exist are skipped.
-std::optional<int> bound_up_to_root(const fs::path& mount, fs::path group) {
-  std::optional<int> bound = bound_of(mount);
-  for (group = group.relative_path(); !group.empty(); group = group.parent_path())
-    bound = smaller(bound, bound_of(mount / group));
-  return bound;
-}
-
 /// Parses and checks a number of threads.
 int parse_thread_count(const std::string& text, const std::string& place) {
   const int allowed = allowed_threads();
@@ -88,29 +80,15 @@ int parse_thread_count(const std::string& text, const std::string& place) {
 }  // namespace
 
 std::optional<int> group_bandwidth(const std::string& membership, const fs::path& mount) {
-  // A line has the form "number:controllers:/group"; version 2 has the number 0 and no controllers.
-  std::istringstream lines(membership);
   std::optional<int> bound;
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
-    if (first == std::string::npos || second == std::string::npos) continue;
-    const std::string controllers = line.substr(first + 1, second - first - 1);
-    const fs::path group = line.substr(second + 1);
-    if (controllers.empty())
-      for (const fs::path& root : {mount, mount / "unified"})
-        bound = smaller(bound, bound_up_to_root(root, group));
-    else if (("," + controllers + ",").find(",cpu,") != std::string::npos)
-      for (const std::string& folder : {controllers, std::string("cpu")})
-        bound = smaller(bound, bound_up_to_root(mount / folder, group));
-  }
+  for (const fs::path& group : control_groups("cpu", membership, mount))
+    bound = smaller(bound, bound_of(group));
   return bound;
 }
 
 int allowed_threads() {
-  std::ifstream in("/proc/self/cgroup");
-  std::ostringstream membership;
-  membership << in.rdbuf();
-  const std::optional<int> bandwidth = group_bandwidth(membership.str(), "/sys/fs/cgroup");
+  const std::optional<int> bandwidth =
+      group_bandwidth(control_group_membership(), "/sys/fs/cgroup");
   return std::min(bound_cores(), bandwidth.value_or(bound_cores()));
 }
 

@@ -28,7 +28,9 @@ struct Convergence {
                             ///< actual length if that multiple does not suffice
   const char* unit = "ps";  ///< unit of the length and times; "frames" if the frames have no times
   Obstacle obstacle = Obstacle::none;
-  double interval = 0;  ///< sufficient interval between frames [ps], if it is the obstacle
+  double interval = 0;    ///< sufficient interval between frames [ps], if it is the obstacle
+  double min_window = 0;  ///< shortest window of lags from which the result follows: two intervals
+                          ///< between frames [ps]
 
   bool converged() const { return obstacle == Obstacle::none; }
 };

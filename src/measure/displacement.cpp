@@ -58,25 +58,36 @@ struct Points {
 };
 
 Points within(std::span<const double> means, double interval, const FitWindow& window) {
+  // The rounding of times in files changes a lag by less than this tolerance.
+  const double tolerance = 0.01 * interval;
   Points points;
   for (std::size_t lag = 0; lag < means.size(); ++lag) {
     const double time = static_cast<double>(lag) * interval;
-    if (time < window.from - interval / 2 || time > window.to + interval / 2) continue;
+    if (time < window.from - tolerance || time > window.to + tolerance) continue;
     points.t.push_back(time);
     points.y.push_back(means[lag]);
   }
   return points;
 }
 
-double sixth_of_slope(std::span<const double> means, double interval, const FitWindow& window) {
-  const auto [t, y] = within(means, interval, window);
+double sixth_of_slope(std::span<const double> t, std::span<const double> y) {
   return t.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : slope(t, y).value / 6;
+}
+
+/// The difference of D between the halves of a window, which share the lag in the middle of an odd
+/// number of lags.
+double rise_between_halves(const Points& points) {
+  const std::span<const double> t = points.t, y = points.y;
+  const std::size_t half = (t.size() + 1) / 2;
+  return sixth_of_slope(t.last(half), y.last(half)) - sixth_of_slope(t.first(half), y.first(half));
 }
 
 /// The diffusion coefficient D with its error, whether or not the run is long enough.
 SeriesEstimate estimate(const BlockMeans& squared, double interval, const FitWindow& window) {
-  return series_estimate(squared,
-                         [&](auto means) { return sixth_of_slope(means, interval, window); });
+  return series_estimate(squared, [&](auto means) {
+    const Points points = within(means, interval, window);
+    return sixth_of_slope(points.t, points.y);
+  });
 }
 
 }  // namespace
@@ -99,15 +110,14 @@ double fitted_displacement(const BlockMeans& squared, double interval, const Fit
 Convergence diffusion_convergence(const BlockMeans& squared, double interval,
                                   const FitWindow& window) {
   const SeriesEstimate D = estimate(squared, interval, window);
-  const double middle = (window.from + window.to) / 2;
-  const SeriesEstimate rise = series_estimate(squared, [&](auto means) {
-    return sixth_of_slope(means, interval, {middle, window.to}) -
-           sixth_of_slope(means, interval, {window.from, middle});
-  });
-  return convergence(squared.sum().weight * interval, window.to, windows_of_lags,
-                     D.known != Known::yes    ? Obstacle::no_error
-                     : differs(rise, D.value) ? Obstacle::slope_changes
-                                              : Obstacle::none);
+  const SeriesEstimate rise = series_estimate(
+      squared, [&](auto means) { return rise_between_halves(within(means, interval, window)); });
+  Convergence c = convergence(squared.sum().weight * interval, window.to, windows_of_lags,
+                              D.known != Known::yes    ? Obstacle::no_error
+                              : differs(rise, D.value) ? Obstacle::slope_changes
+                                                       : Obstacle::none);
+  c.min_window = 2 * interval;
+  return c;
 }
 
 }  // namespace polhode

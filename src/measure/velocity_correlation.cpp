@@ -105,6 +105,7 @@ Convergence integral_convergence(const BlockMeans& correlation, double interval)
                               : differs(rise, whole.value) ? Obstacle::integral_changes
                                                            : Obstacle::none);
   c.interval = interval / 2;
+  c.min_window = 2 * interval;
   return c;
 }
 

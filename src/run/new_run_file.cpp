@@ -16,10 +16,18 @@
 namespace polhode {
 namespace {
 
+/// A run file whose comments, such as "polhode run nvt.toml", have another name of the file.
+std::string with_name(std::string text, const std::string& name, const std::string& file) {
+  const std::string before = " " + name, after = " " + file;
+  for (auto at = text.find(before); at != text.npos; at = text.find(before, at + after.size()))
+    text.replace(at, before.size(), after);
+  return text;
+}
+
 std::string text_of(const std::string& kind, const std::string& file,
                     const NewRunFileRequest& request, const Callbacks& callbacks) {
   const Given& mdp = request.mdp;
-  if (!mdp) return run_file_template(kind, request.ensemble.text);
+  if (!mdp) return with_name(run_file_template(kind, request.ensemble.text), kind + ".toml", file);
   if (kind != "gromacs")
     throw Error(
         fmt::format("{0} is a file of GROMACS parameters, but the kind is '{1}'; give the kind "

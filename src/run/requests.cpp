@@ -100,6 +100,10 @@ bool AdviceRequest::is_canonical() const {
 }
 
 AdviserSettings AdviceRequest::settings(const Config& config) const {
+  if (evaluations)
+    refuse(evaluations, fmt::format("applies only to hybrid Monte Carlo; leave it out, or give {} "
+                                    "\"nvt\"",
+                                    ensemble.name));
   const Given* requirement = nullptr;
   for (const Given* one : {&accuracy, &drift, &temperature_bias, &bias}) {
     if (!*one) continue;
@@ -127,8 +131,18 @@ AdviserSettings AdviceRequest::settings(const Config& config) const {
   return s;
 }
 
-HybridAdviserSettings AdviceRequest::hybrid_settings(const Config& config,
-                                                     bool schemes_given) const {
+HybridAdviserSettings AdviceRequest::hybrid_settings(const Config& config, bool schemes_given,
+                                                     const Given& length) const {
+  const auto exclude = [&](const Given& given, const char* reason) {
+    if (given)
+      refuse(given, fmt::format("has no meaning with {} \"nvt\", because {}; leave it out",
+                                ensemble.name, reason));
+  };
+  for (const Given& bound : {accuracy, drift, temperature_bias, bias})
+    exclude(bound, "hybrid Monte Carlo is exact at any step");
+  for (const Given& effort : {time, length})
+    exclude(effort, "the number of force evaluations determines the length of all runs");
+  exclude(output, "no file is written");
   HybridAdviserSettings s;
   if (evaluations) s.evaluations = given_whole_number(evaluations, 100, max_count);
   if (!schemes_given) return s;

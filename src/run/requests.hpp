@@ -45,11 +45,14 @@ struct AdviceRequest {
   /// is needed, because there is no time-step bias.
   bool is_canonical() const;
   /// @throws Error  also if the request and the run file together contain no requirement, or more
-  ///   than one
+  ///   than one, and for options that apply only to hybrid Monte Carlo
   AdviserSettings settings(const Config& config) const;
   /// @param schemes_given  whether to use the candidates of the settings, which must then be a
   ///   single scheme
-  HybridAdviserSettings hybrid_settings(const Config& config, bool schemes_given) const;
+  /// @param length  length of the run, if a front end received one
+  /// @throws Error  also for options that do not apply to hybrid Monte Carlo, such as the length
+  HybridAdviserSettings hybrid_settings(const Config& config, bool schemes_given,
+                                        const Given& length) const;
 };
 
 struct StudyRequest {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """polhode analyze on the command line: its files, its errors, and that the number of threads changes nothing."""
 
+import csv
 import json
 import math
 import unittest
@@ -130,12 +131,38 @@ class Analyze(Sandbox):
         self.assertIn("not converged: the correlation is still above 1/e³", text)
 
     def test_a_window_that_is_longer_than_half_of_the_trajectory(self):
-        for window, lags in (("50 ps", 14), ("0.104 ps", 14), ("0.05 ps", 7)):  # 26 frames every 8 fs
-            process = self.analyze("--run", "run.toml", "--what", "msd", "--window", window, "--plot", "none", "--force", "--json")
+        # 26 frames every 8 fs; 10 ps is the default
+        for window, lags in (("50 ps", 14), ("10 ps", 14), (None, 14), ("0.104 ps", 14), ("0.05 ps", 7)):
+            process = self.analyze("--run", "run.toml", "--what", "msd", *(("--window", window) if window else ()), "--plot", "none", "--force", "--json")
             is_cut = any("is longer than half of the trajectory, so the lags end at 0.104 ps" in note for note in json.loads(process.out)["notes"])
-            self.assertEqual(is_cut, window == "50 ps", window)
+            self.assertEqual(is_cut, window in ("50 ps", "10 ps"), window)
             rows = [line for line in (self.folder / "polhode-analysis-msd.csv").read_text().splitlines() if line[:1].isdigit()]
             self.assertEqual(len(rows), lags)
+
+    def test_velocities_in_some_frames(self):
+        """Velocities may be written less often than positions; frames without them have no temperature."""
+        self.assertEqual(self.polhode("convert", "out-trajectory.gro", "all.xyz").returncode, 0)
+        lines = (self.folder / "all.xyz").read_text(encoding="utf-8").splitlines()
+        half = 13 * 110  # lines of half of the frames, of 108 atoms each
+        self.write("half.xyz", "\n".join(lines[:half]) + "\n")
+        rest = [line.replace(":velo:R:3", "") if "Lattice" in line else " ".join(line.split()[:4]) for line in lines[half:]]
+        self.write("some.xyz", "\n".join(lines[:half] + rest) + "\n")
+        options = ("--run", "run.toml", "--plot", "none", "--force", "--json")
+        expected = json.loads(self.done_analysis("half.xyz", *options, "--what", "density").out)
+        some = json.loads(self.done_analysis("some.xyz", *options, "--what", "density,msd").out)
+        self.assertEqual(some["frames"], 26)
+        self.assertAlmostEqual(some["temperature_K"]["value"], expected["temperature_K"]["value"], 6)
+        self.assertIn("the temperature is the mean of the 13 frames with velocities", some["notes"])
+        table = (self.folder / "polhode-analysis-density.csv").read_text(encoding="utf-8")
+        temperatures = [row["temperature [K]"] for row in csv.DictReader(line for line in table.splitlines() if not line.startswith("#"))]
+        self.assertTrue(all(not temperature or float(temperature) > 100 for temperature in temperatures), temperatures)
+        self.refused(("analyze", "some.xyz", *options), ["frame 14 has no velocities, but the first frame has them", "choose other observables"])
+
+    def test_one_frame_and_one_lag(self):
+        options = ("--run", "run.toml", "--plot", "none", "--force")
+        self.assertIn("1 frame at 0.2 ps, 27 molecules", self.done_analysis("out-trajectory.gro", *options, "--what", "density", "--start", "0.2 ps").out)
+        process = self.done_analysis("out-trajectory.gro", *options, "--what", "msd", "--window", "2 fs")
+        self.assertIn("window of 0.002 ps is shorter than the interval between frames, so the only lag is 0.008 ps", process.err)
 
     def test_sites_of_equal_names(self):
         """Those of two kinds of molecules are separate, unless they are asked for together."""
@@ -219,6 +246,15 @@ class Analyze(Sandbox):
         self.assertEqual(process.returncode, 2)
         self.assertIn("so the run had a thermostat", process.err)
 
+    def test_a_run_without_a_sufficient_window_needs_more_time(self):
+        """The time between frames is 8 fs, and a fit needs two lags."""
+        for start, window in (("0.05", "0.019 ps"), ("0.1", None)):
+            report = json.loads(self.done_analysis("out-trajectory.gro", "--run", "run.toml", "--start", f"{start} ps", "--what", "msd,velocity",
+                                                   "--plot", "none", "--json", "--force").out)
+            for name in ("D", "D_green_kubo"):
+                reason = report["parts"][0][f"{name}_1e-9_m2_per_s"]["reason"]
+                self.assertRegex(reason, r"a run of at least \S+ ps is needed" + (f", or a window of at most {window}$" if window else "$"))
+
     def test_wrong_input(self):
         before = self.contents()
         for options, said in (((), "--run water.toml"),
@@ -228,7 +264,10 @@ class Analyze(Sandbox):
                               (("--molecules", "tip4p 27", "--what", "rdf,msf"), "did you mean 'msd'"),
                               (("--molecules", "tip4p 27", "--pairs", "OW"), "two site names"),
                               (("--molecules", "tip4p 27", "--pairs", "OW-OX"), "no site is named 'OX'"),
+                              (("--molecules", "tip4p 27", "--pairs", "OW-HW, HW-OW"), "has the pair 'HW-OW' twice"),
                               (("--molecules", "tip4p 27", "--cutoff", "1.3 nm"), "half of the shortest box edge"),
+                              (("--molecules", "tip4p 27", "--bin", "1.1 nm"), "bins of 1.1 nm are wider than the maximum distance of g(r), 1 nm by default; give narrower bins"),
+                              (("--molecules", "tip4p 27", "--what", "rdf", "--bin", "5 nm"), "bins of 5 nm are wider"),
                               (("--molecules", "tip4p 27", "--fit", "3 ps"), "must be two lags"),
                               (("--molecules", "tip4p 27", "--window", "10"), "has no unit"),
                               (("--molecules", "tip4p 27", "--from", "9 ps"), "no frame at 9 ps"),

@@ -79,7 +79,15 @@ class Bias(Sandbox):
         self.refused(("bias", "absent.csv"), ["absent.csv"])
         self.write("b.csv", "time,total [kJ/mol],potential [kJ/mol]\n" + "".join(f"{k},{k % 3},{k % 7}\n" for k in range(12)))
         self.refused(("bias", "b.csv"), ["no temperature", "298 K"])
-        self.refused(("bias", "b.csv", "--temperature", "298 K", "--start", "50"), ["no row has a time from 50"])
+        self.refused(("bias", "b.csv", "--temperature", "298 K", "--start", "50"), ["no row has a time from 50; the times are 0 to 11"])
+        self.refused(("bias", "b.csv", "--temperature", "298 K", "--start", "50", "--stop", "40"), ["no row has a time from 50 up to 40; the"])
+        self.refused(("bias", "b.csv", "--temperature", "298 K", "--start", "10 ps"), ['--start = "10 ps" must be a number without a unit', "unit of the log; write for example 0"])
+        self.write("d.csv", "time,total [kJ/mol],potential [kJ/mol]\n" + "".join(f"{k},1,-5000\n" for k in range(12)))
+        self.refused(("bias", "d.csv", "--temperature", "298 K"), ["'potential' has the value -5000 in every row", "more digits"])
+        self.write("yaml.log", "---\nkeywords: ['Step', 'PotEng', 'TotEng', ]\ndata:\n  - [0, -5000, -3000, ]\n  - [10, -5001, -3001, ]\n...\n")
+        self.refused(("bias", "yaml.log"), ["the log of LAMMPS has no rows of energies", "thermo_style custom"])
+        self.write("c.csv", "time [ps],total [kJ/mol],potential [kJ/mol]\n" + "".join(f"{k},{k % 3},{k % 7}\n" for k in range(12)))
+        self.refused(("bias", "c.csv", "--temperature", "298 K", "--stop", "late"), ['--stop = "late" must be a number without a unit', "unit of the log, ps; write"])
         self.refused(("bias", "b.csv", "--temperature", "-1 K"), ["--temperature", "-1 K"])
 
 

@@ -58,6 +58,16 @@ class Canonical(Sandbox):
         self.write("run.toml", TEXT + '[barostat]\npressure = "1 bar"\n[thermostat]\n')
         self.refused(("study", "run.toml"), ["[barostat]"])
 
+    def test_options_of_the_other_ensemble_are_refused(self):
+        self.write("run.toml", DENSE)
+        for option, value, reason in (("--accuracy", "1 %", "exact at any step"), ("--drift", "1 kJ/mol/ns", "exact at any step"),
+                                      ("--bias", "0.1 K", "exact at any step"), ("--time", "1", "number of force evaluations"),
+                                      ("--length", "1 ps", "number of force evaluations"), ("--output", "mine", "no file is written")):
+            self.refused(("advise", "run.toml", "--ensemble", "nvt", "--evaluations", "100", option, value),
+                         [f'{option} = "{value}" has no meaning with --ensemble "nvt"', reason, "leave it out"])
+        self.refused(("advise", "run.toml", "--accuracy", "1 %", "--evaluations", "100"),
+                     ['--evaluations = "100" applies only to hybrid Monte Carlo', '--ensemble "nvt"'])
+
     def test_advice(self):
         advice = json.loads(self.done("advise", DENSE, "--ensemble", "nvt", "--evaluations", "1000", "--json").out)
         self.assertEqual(advice["scheme"], "hoa2")

@@ -246,6 +246,15 @@ plot = "none"
         self.assertNotIn("script", page.tags)
         self.assertGreaterEqual(page.tags.count("svg"), 5)
 
+    def test_a_page_without_simulations_cites_no_scheme(self):
+        self.measured_before()
+        process = self.polhode("measure", "argon", "second-virial-coefficient", "5 %", "--output", "pair")
+        self.assertEqual(process.returncode, 0, process.err)
+        for name, cited in (("out.html", True), ("pair.html", False)):
+            page = (self.folder / name).read_text(encoding="utf-8")
+            self.assertEqual("128, 136102 (2008) for the scheme, and the sources that" in page, cited)
+            self.assertIn("the sources that the manual names", page)
+
     def test_names_are_not_evaluated(self):
         self.write("run.toml", """[system]
 molecules = [{ model = "own.toml", count = 64 }]

@@ -101,6 +101,14 @@ class Inputs(Sandbox):
         self.assertIn("note: vdw-modifier = Potential-shift: discontinuous or shifted forces", messages)
         self.assertNotIn("nstcalclr", messages)
 
+    def test_steps_that_are_too_short_for_a_decision_are_said(self):
+        """30,000 steps, in which the atoms of a liquid do not yet leave their places."""
+        process = self.polhode("measure", "argon", "density", "--molecules", "64", "--at", "160 K, 500 bar", "--step", "0.01 fs", "--output", "out")
+        self.assertEqual(process.returncode, 1, process.err)
+        self.assertRegex(process.err, r"the molecules have moved by only \S+ nm \(rms\) in 0\.\d+ ps, which is too short to distinguish a liquid from a solid")
+        self.assertNotIn("is a solid", process.err)
+        self.assertRegex(process.err, r"plan at .*; first 0\.\d+ ps of each at constant pressure")
+
     def test_what_cannot_be_measured_is_refused(self):
         self.gromacs(4, 2.1)
         pair = "1 Ar 1 AR Ar 1 0 39.948\n2 Ar 1 AR Ar2 1 0 39.948\n[ bonds ]\n1 2 1 0.2 1000"

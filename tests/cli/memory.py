@@ -2,6 +2,7 @@
 """Requests beyond the memory are refused before allocation, with their amount; large, nearly empty systems fit."""
 
 import os
+import pathlib
 import resource
 import subprocess
 
@@ -37,6 +38,25 @@ class Memory(Sandbox):
         for word in ("5000000 molecules need at least 2.6", "GB of memory", "may use only 2.1", "use fewer of them",
                      "many.toml"):
             self.assertIn(word, process.stderr)
+
+    def test_the_limit_of_the_control_group_of_the_process(self):
+        """Groups with a limit of 1 GB, in a mount namespace of the process. The group of all processes has none."""
+        self.write("many.toml", argon(5_000_000, "80 nm"))
+        (self.folder / "groups").mkdir()
+        for line in pathlib.Path("/proc/self/cgroup").read_text(encoding="utf-8").splitlines():
+            _, controllers, group = line.split(":", 2)
+            if group != "/" and (not controllers or "memory" in controllers.split(",")):
+                folder = self.folder / "groups" / ("memory" if controllers else "") / group.lstrip("/")
+                folder.mkdir(parents=True, exist_ok=True)
+                (folder / ("memory.limit_in_bytes" if controllers else "memory.max")).write_text("1000000000\n", encoding="utf-8")
+        if not any((self.folder / "groups").iterdir()):
+            self.skipTest("the process is in no control group of its own")
+        process = subprocess.run(["unshare", "--mount", "--map-root-user", "sh", "-c", 'mount --bind groups /sys/fs/cgroup || exit 77; exec "$@"', "sh",
+                                  sandbox.PROGRAM, "energy", "many.toml"], cwd=self.folder, text=True, capture_output=True, timeout=sandbox.LONGEST)
+        if process.returncode == 77 or "unshare" in process.stderr:
+            self.skipTest(process.stderr)
+        self.assertEqual(process.returncode, 2, process.stderr)
+        self.assertIn("may use only 1 GB", process.stderr)
 
     def test_frames_of_h5md_need_no_memory(self):
         """The caches of the library, 6 MB of chunks and more of their index, once grew by 200 bytes a frame here."""

@@ -103,6 +103,8 @@ class Measure(unittest.TestCase):
     def test_wrong_input(self):
         with self.assertRaisesRegex(polhode.Error, "did you mean 'density'"):
             polhode.measure("argon", "densty")
+        with self.assertRaisesRegex(polhode.Error, "the error '0.05' of density must be in % or in kg/m3"):
+            polhode.measure("argon", {"density": 0.05})
         with self.assertRaisesRegex(polhode.Error, "no molecule has a dipole"):
             polhode.measure("argon", ["dielectric-constant"])
         with self.assertRaisesRegex(polhode.Error, "no record"):

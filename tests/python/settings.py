@@ -364,6 +364,7 @@ class AsOnTheCommandLine(unittest.TestCase):
     def test_bounds_of_the_adviser(self):
         self.assertIn("200 %", message(polhode.advise, WATER, accuracy="200 %"))
         self.assertIn("accuracy excludes bias", message(polhode.advise, WATER, accuracy="1 %", bias="0.1 K"))
+        self.assertIn('length = "1 ps" has no meaning with ensemble "nvt"', message(polhode.advise, WATER, ensemble="nvt", length="1 ps"))
 
     def test_one_bound_through_all_doors(self):
         """An option of the command line, the keyword, and where it is a setting the run file say the same."""

@@ -17,10 +17,10 @@ class Conditions {
   void add(const State& state, bool has_velocities);
 
   SeriesEstimate density() const;      ///< Mean density [u/nm³] with its standard error.
-  SeriesEstimate temperature() const;  ///< Mean temperature of translation and rotation [K]; 0 if
-                                       ///< frames have no velocities.
+  SeriesEstimate temperature() const;  ///< Mean temperature of translation and rotation [K], over
+                                       ///< frames with velocities; 0 if there are none.
   SeriesEstimate volume() const;       ///< Mean volume [nm³] with its standard error.
-  /// Block averages of density, temperature and volume, in blocks of time.
+  /// Sums of density, temperature, volume and number of frames with velocities, in blocks of time.
   BlockMeans blocks() const { return blocks_.means(); }
 
  private:

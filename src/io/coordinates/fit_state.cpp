@@ -23,10 +23,23 @@ bool begins_with(std::string_view word, std::string_view start) {
   return std::equal(start.begin(), start.end(), word.begin(), same);
 }
 
+// Whether a file states that an atom is of an element, in any case of letters ("Mg", "MG").
+bool has_element(const AtomKind& kind) {
+  std::string symbol = kind.element;
+  for (std::size_t k = 0; k < symbol.size(); ++k) {
+    const auto letter = static_cast<unsigned char>(symbol[k]);
+    symbol[k] = static_cast<char>(k == 0 ? std::toupper(letter) : std::tolower(letter));
+  }
+  return is_element(symbol);
+}
+
 // The element at the beginning of an atom name. Names differ between programs ("OW", "O", "OH2"),
-// but all contain the element at the beginning, sometimes preceded by digits ("1HW").
-bool matches(std::string_view atom, const Site& site) {
+// but all contain the element at the beginning, sometimes preceded by digits ("1HW"). An atom of a
+// known element is no massless site: magnesium ("Mg") is not the site "MW".
+bool matches(const AtomKind& kind, const Site& site) {
+  std::string_view atom = kind.name;
   if (atom == site.name) return true;
+  if (site.mass == 0 && has_element(kind)) return false;
   // massless sites: "X" in XYZ files, which have only elements, and "X1" in LAMMPS data files,
   // which have only masses
   if (site.mass == 0 && atom.substr(0, 1) == "X" &&
@@ -42,6 +55,12 @@ bool matches(std::string_view atom, const Site& site) {
                                          : std::string_view(site.name).substr(0, 1));
 }
 
+// The residue of an atom, " (3 SOL)"; empty if the file has no names of residues.
+std::string residue_text(const Frame& frame, const Atom& atom) {
+  const std::string& name = frame.kind(atom).residue_name;
+  return name.empty() ? "" : fmt::format(" ({} {})", atom.residue, name);
+}
+
 // The atom of each site of one molecule; null for a massless site without an atom.
 using Match = std::vector<const Atom*>;
 
@@ -50,13 +69,12 @@ Match take_molecule(std::span<const Atom>& atoms, const Molecule& molecule, cons
   Match match;
   const Atom* first = atoms.empty() ? nullptr : &atoms.front();
   const auto place = [&] {
-    return atoms.empty()
-               ? std::string("the end of the atoms")
-               : fmt::format("atom {} ({} {})", &atoms.front() - frame.atoms.data() + 1,
-                             atoms.front().residue, frame.kind(atoms.front()).residue_name);
+    return atoms.empty() ? std::string("the end of the atoms")
+                         : fmt::format("atom {}{}", &atoms.front() - frame.atoms.data() + 1,
+                                       residue_text(frame, atoms.front()));
   };
   for (const Site& site : molecule.sites) {
-    const bool here = !atoms.empty() && matches(frame.kind(atoms.front()).name, site);
+    const bool here = !atoms.empty() && matches(frame.kind(atoms.front()), site);
     const bool massless = site.mass == 0;
     if (massless && !(here && atoms.front().residue == first->residue)) {
       match.push_back(nullptr);
@@ -77,10 +95,28 @@ Match take_molecule(std::span<const Atom>& atoms, const Molecule& molecule, cons
   return match;
 }
 
+// Checks that an atom is near enough to the origin for precise distances, and not faster than
+// light.
+void check_range(const Atom& atom, const Frame& frame) {
+  constexpr double max_distance = 1e6, max_speed = 299792.458;  // [nm], [nm/ps]
+  const auto refuse = [&](const char* quantity, double value, double bound, const char* unit) {
+    throw Error(fmt::format("the {} of atom {} ('{}') is {:.3g} {}; it must be at most {:.6g} {}: "
+                            "correct the file",
+                            quantity, &atom - frame.atoms.data() + 1, frame.kind(atom).name, value,
+                            unit, bound, unit),
+                frame.source);
+  };
+  if (const double r = norm(atom.r); !(r <= max_distance))
+    refuse("distance from the origin", r, max_distance, "nm");
+  if (const double v = norm(atom.v); !(v <= max_speed)) refuse("speed", v, max_speed, "nm/ps");
+}
+
 // Fits body i of `fitted` to the atoms of one molecule.
 void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Match& match,
          const Frame& frame) {
   State& state = fitted.state;
+  for (const Atom* atom : match)
+    if (atom != nullptr) check_range(*atom, frame);
   const auto& sites = molecule.sites;
   const auto anchor =
       std::find_if(sites.begin(), sites.end(), [](const Site& s) { return s.mass > 0; });
@@ -121,10 +157,10 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
     if (!(off <= fit_tolerance))
       throw Error(
           fmt::format(
-              "atom '{}' of molecule {} ({} {}) is {:.4f} nm from its site in the rigid model "
+              "atom '{}' of molecule {}{} is {:.4f} nm from its site in the rigid model "
               "'{}'; this distance must be at most {} nm: check the model and the order of atoms",
-              frame.kind(*match[k]).name, i + 1, match[k]->residue,
-              frame.kind(*match[k]).residue_name, off, molecule.name, fit_tolerance),
+              frame.kind(*match[k]).name, i + 1, residue_text(frame, *match[k]), off, molecule.name,
+              fit_tolerance),
           frame.source);
   }
   state.q.set(i, q);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -212,7 +213,13 @@ class GroReader : public FrameReader {
 }  // namespace
 
 double title_time(std::string_view title) {
-  const auto at = title.rfind("t=");
+  // "t=" must be a word, because "count=500" is no time.
+  const auto within_word = [&](std::size_t at) {
+    return at > 0 && (std::isalnum(static_cast<unsigned char>(title[at - 1])) ||
+                      title[at - 1] == '_' || title[at - 1] == '-');
+  };
+  auto at = title.rfind("t=");
+  while (at != title.npos && within_word(at)) at = title.rfind("t=", at - 1);
   if (at == title.npos) return 0;
   std::string_view rest = title.substr(at + 2);
   const auto time = parsed<double>(take_word(rest));

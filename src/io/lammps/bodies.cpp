@@ -28,6 +28,14 @@ void check_forces(const LammpsData& data) {
             "molecules = [{{ model = \"tip4p\", count = {} }}] next to this initial_configuration",
             style, data.kinds.front().count),
         data.file);
+  if (style.starts_with("hybrid"))
+    throw Error(
+        fmt::format(
+            "the pair style is '{}', and pairs of atoms with different styles are not supported; "
+            "use one of mie/cut, lj/cut and buck for all pairs, or add for example molecules = [{{ "
+            "model = \"spce\", count = {} }}] next to this initial_configuration",
+            style, data.kinds.front().count),
+        data.file);
   const auto law = law_of_pair_style(style);
   if (!law)
     throw Error(fmt::format("the pair style '{}' is not supported; use mie/cut, lj/cut or buck; "

@@ -119,13 +119,16 @@ void Parser::begin(std::string_view name, std::string_view comment) {
     here.refuse(
         fmt::format("the atom style is '{}'; it must be full, which has molecule, type and charge",
                     comment.substr(0, 40)));
-  if (name == "Pair Coeffs" || name == "PairIJ Coeffs") data_.pair_style = comment;
   if (name == "Atoms" && !(edges_[0] && edges_[1] && edges_[2]))
     here.refuse(
         "the atoms precede the box; its edges 'xlo xhi', 'ylo yhi' and 'zlo zhi' must be in the "
         "header");
   section_ = name;
   reader_ = known->second;
+  if (name != "Pair Coeffs" && name != "PairIJ Coeffs") return;
+  data_.pair_style = comment;
+  // Parameters of a style that is not supported have another meaning. Coordinates need none.
+  if (!law_of_pair_style(data_.pair_style)) reader_ = &Parser::ignore;
 }
 
 // Reads a number and its meaning in the header; only the numbers of atoms and atom types, and the
@@ -180,6 +183,9 @@ void Parser::edge(const FieldLine& line, std::size_t axis) {
 }
 
 int Parser::type(const FieldLine& line, std::size_t k) const {
+  if (types_ == 0)
+    line.refuse(
+        "the header does not contain the number of atom types; write for example '2 atom types'");
   return static_cast<int>(line.integer(k, "atom type", 1, types_));
 }
 

@@ -96,6 +96,7 @@ class Assembly {
         continue;
       }
       timed_ = timed_ || kind.correlates_times;
+      moving_ = moving_ || kind.needs_velocities;
       result_.observables.push_back(kind.begin(frames));
     }
   }
@@ -104,7 +105,8 @@ class Assembly {
     const State& state = fitted.state;
     if (timed_) check_time(state.time);
     result_.deviation = std::max(result_.deviation, fitted.deviation);
-    result_.conditions->add(state, result_.has_velocities);
+    check_velocities(fitted.has_velocities);
+    result_.conditions->add(state, result_.has_velocities && fitted.has_velocities);
     std::optional<StepError> error;
     if (errors_) error = errors_->at(state, fitted.has_velocities);
     if (error) ++result_.frames_with_step_error;
@@ -114,23 +116,33 @@ class Assembly {
   }
 
   void end() {
+    if (frames_without_velocities_ > 0)
+      result_.notes.push_back(
+          fmt::format("the temperature is the mean of the {} frames with velocities",
+                      result_.frames - frames_without_velocities_));
     if (errors_) check_step_errors();
     if (timed_ && !settings_.interval)  // the mean interval has a smaller round-off error than the
                                         // first interval
       result_.interval = (result_.last - result_.first) / static_cast<double>(result_.frames - 1);
-    if (timed_ && settings_.window != AnalysisSettings{}.window) check_window();
+    if (timed_ && settings_.window) check_window(*settings_.window);
   }
 
  private:
-  // Lags are limited to half of the frames, which serve as time origins.
-  void check_window() {
+  // Lags are limited to half of the frames, which serve as time origins. The default window gets no
+  // note, because nobody asked for it.
+  void check_window(double window) {
     const std::size_t lags = result_.frames / 2;
     const double longest = static_cast<double>(lags) * result_.interval;
-    if (settings_.window > longest + result_.interval / 2)
+    if (window < 0.99 * result_.interval)
+      result_.notes.push_back(
+          fmt::format("the window of {:g} ps is shorter than the interval between frames, so the "
+                      "only lag is {:.4g} ps",
+                      window, result_.interval));
+    if (window > longest + result_.interval / 2)
       result_.notes.push_back(
           fmt::format("the window of {:g} ps is longer than half of the trajectory, so the lags "
                       "end at {:.4g} ps",
-                      settings_.window, longest));
+                      window, longest));
   }
 
   void leave_out(const std::string& name, const std::string& why) {
@@ -140,12 +152,13 @@ class Assembly {
   }
 
   std::size_t lags() const {
-    const double window = settings_.window / result_.interval;
+    const double longest = settings_.window.value_or(default_window),
+                 window = longest / result_.interval;
     if (!(window <= max_lags))
       throw Error(
           fmt::format("the window of {:g} ps has {:g} lags of {:g} ps; the maximum is {:g} lags, "
                       "so give a shorter window",
-                      settings_.window, window, result_.interval, max_lags));
+                      longest, window, result_.interval, max_lags));
     const auto lags = static_cast<std::size_t>(std::max(1.0, window + 1e-6)) + 1;
     const auto bodies = static_cast<double>(result_.topology.size());
     require_memory(bytes_of_lag * bodies * static_cast<double>(lags),
@@ -179,6 +192,17 @@ class Assembly {
         states[0].state.time, states[1].state.time);
   }
 
+  // Velocities may be written less often than positions, as with nstvout of GROMACS.
+  void check_velocities(bool has_velocities) {
+    if (!result_.has_velocities || has_velocities) return;
+    ++frames_without_velocities_;
+    if (moving_)
+      throw Error(
+          fmt::format("frame {} has no velocities, but the first frame has them; correlations of "
+                      "velocities need all of them, so choose other observables",
+                      result_.frames + 1));
+  }
+
   // In the worst case, files store times as floats, with a relative round-off error of 2⁻²⁴.
   void check_time(double time) const {
     if (settings_.interval) return;
@@ -195,7 +219,8 @@ class Assembly {
   Analysis& result_;
   const AnalysisSettings& settings_;
   std::optional<StepErrors> errors_;
-  bool timed_ = false;
+  bool timed_ = false, moving_ = false;
+  std::size_t frames_without_velocities_ = 0;
 };
 
 }  // namespace

@@ -120,9 +120,12 @@ std::string analysis_json(const AnalysisReport& report) {
 
 std::string analysis_text(const AnalysisReport& report) {
   const Analysis& a = report.analysis;
-  return fmt::format("{} frames from {:g} to {:g} ps{}, {} molecules\n\n", a.frames, a.first,
-                     a.last, a.interval > 0 ? fmt::format(", {:.6g} ps apart", a.interval) : "",
-                     a.topology.size()) +
+  const std::string frames =
+      a.frames == 1
+          ? fmt::format("1 frame at {:g} ps", a.first)
+          : fmt::format("{} frames from {:g} to {:g} ps{}", a.frames, a.first, a.last,
+                        a.interval > 0 ? fmt::format(", {:.6g} ps apart", a.interval) : "");
+  return fmt::format("{}, {} molecules\n\n", frames, a.topology.size()) +
          text_of(analysis_quantities(report));
 }
 

@@ -69,11 +69,16 @@ AnalysisSettings settings_of(const Request& r, const Topology& topology) {
   s.from =
       r.start ? given_quantity(r.start, Dimension::time) : -std::numeric_limits<double>::infinity();
   if (r.interval) s.interval = given_positive(r.interval, Dimension::time);
-  take_positive(s.window, r.window, Dimension::time);
+  if (r.window) s.window = given_positive(r.window, Dimension::time);
   if (r.cutoff) s.cutoff = given_positive(r.cutoff, Dimension::length);
   take_positive(s.bin, r.bin, Dimension::length);
-  for (const std::string& word : given_words(r.pairs))
-    s.pairs.push_back(pair_of(r.pairs, word, topology));
+  for (const std::string& word : given_words(r.pairs)) {
+    const SitePair pair = pair_of(r.pairs, word, topology);
+    for (const SitePair& same : {pair, SitePair{pair[1], pair[0]}})
+      if (std::find(s.pairs.begin(), s.pairs.end(), same) != s.pairs.end())
+        refuse(r.pairs, fmt::format("has the pair '{}' twice; delete one of the two", word));
+    s.pairs.push_back(pair);
+  }
   if (s.cutoff && *s.cutoff < s.bin)
     refuse(r.cutoff,
            fmt::format("is shorter than a bin of {:g} nm; give a longer distance", s.bin));
@@ -112,7 +117,6 @@ SummarySettings summary_settings(const Request& r, const Config* run) {
 
 std::vector<RequestOption<Request>> Request::options() {
   const AnalysisSettings defaults;
-  const std::string in_ps = fmt::format("{:g} ps", defaults.window);
   return {
       {"run", &Request::run,
        "run file of the trajectory, which gives molecules and electrostatics"},
@@ -132,7 +136,7 @@ std::vector<RequestOption<Request>> Request::options() {
       {"interval", &Request::interval,
        "time between frames, instead of the times in the file: \"0.1 ps\""},
       {"window", &Request::window,
-       fmt::format("maximum lag of correlations; default: \"{}\"", in_ps)},
+       fmt::format("maximum lag of correlations; default: \"{:g} ps\"", default_window)},
       {"fit", &Request::fit,
        "range of lags for the straight-line fit that gives D: \"2 ps, 10 ps\"; default: from a "
        "fifth of the maximum lag to the maximum lag"},

@@ -50,12 +50,13 @@ std::string not_converged(const Convergence& c, const RelaxationName& relaxation
     case Obstacle::still_moving:
       break;
   }
-  const bool shorter = relaxation.window && c.obstacle == Obstacle::length;
+  // Without the margin, round-off would decide whether two intervals are enough.
+  const double window = rounded_down(c.length / windows_of_lags);
+  const bool shorter =
+      relaxation.window && c.obstacle == Obstacle::length && window * (1 + 1e-6) >= c.min_window;
   return fmt::format("not converged: length {:.3g} {}, {} {:.2g} {}; {} is needed{}", c.length,
                      c.unit, relaxation.text, c.relaxation, c.unit, longer,
-                     shorter ? fmt::format(", or a window of at most {:g} ps",
-                                           rounded_down(c.length / windows_of_lags))
-                             : "");
+                     shorter ? fmt::format(", or a window of at most {:g} ps", window) : "");
 }
 
 Quantities converging(const SeriesEstimate& e, const Convergence& c,

@@ -34,7 +34,7 @@ ObservableResults Density::results(const AllFrames& all) {
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const auto& [weight, sum] = means.blocks()[k];
     file.table.rows[k].emplace_back(densities[k].value);
-    file.table.rows[k].emplace_back(a.has_velocities ? sum[1] / weight : std::nan(""));
+    file.table.rows[k].emplace_back(sum[3] > 0 ? sum[1] / sum[3] : std::nan(""));
   }
   const SeriesEstimate mean = a.conditions->density();
   const double value = mean.value / kg_per_m3;

@@ -47,6 +47,11 @@ RadialSettings settings_of(const FirstFrames& f) {
   const double cutoff = f.settings.cutoff.value_or(std::min(default_rdf_cutoff, half));
   RadialSettings settings{pairs_of(f), cutoff, bin};
   for (const SitePair& pair : settings.pairs) check_pair(pair, f.analysis.topology);
+  if (bin > cutoff)
+    throw Error(fmt::format(
+        "bins of {:g} nm are wider than the maximum distance of g(r), {:.4g} nm{}; give narrower "
+        "bins, or a longer cutoff of at most half of the shortest box edge ({:.4g} nm)",
+        bin, cutoff, f.settings.cutoff ? "" : " by default", half));
   if (!(cutoff / bin <= max_bins))
     throw Error(
         fmt::format("with a width of {:g} nm there are {:g} bins up to {:g} nm; the maximum is "

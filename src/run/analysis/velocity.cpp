@@ -117,8 +117,10 @@ ObservableResults velocity_results(VelocityCorrelation& velocity, const AllFrame
 }  // namespace
 
 ObservableKind velocity() {
-  return correlated<VelocityCorrelation>("velocity", {"velocity", "spectrum"}, why_no_velocities,
-                                         velocity_results);
+  ObservableKind kind = correlated<VelocityCorrelation>("velocity", {"velocity", "spectrum"},
+                                                        why_no_velocities, velocity_results);
+  kind.needs_velocities = true;
+  return kind;
 }
 
 }  // namespace polhode

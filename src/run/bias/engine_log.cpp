@@ -239,7 +239,7 @@ EngineLog parse_engine_log(const std::string& text, const std::string& file) {
     log = read_xvg(lines);
   else if (has_line_starting(text, "Step "))
     log = read_lammps(lines);
-  else if (has_line_starting(text, "LAMMPS ("))
+  else if (has_line_starting(text, "LAMMPS (") || has_line_starting(text, "keywords: ["))
     throw Error(
         "the log of LAMMPS has no rows of energies; print them with the step first, as in "
         "'thermo_style custom step temp pe etotal'",

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -145,14 +146,29 @@ double variance_of(std::span<const double> values) {
   return sum / static_cast<double>(values.size());
 }
 
+/// A time in the unit of the log, or a default.
+double time_of(const Given& given, const LogColumn& column, double otherwise) {
+  if (!given) return otherwise;
+  constexpr double unbounded = std::numeric_limits<double>::max();
+  try {
+    return given_number(given, -unbounded, unbounded);
+  } catch (const Error&) {
+    refuse(given,
+           fmt::format("must be a number without a unit, because times have the unit of "
+                       "the log{}; write for example {:g}",
+                       column.unit.empty() ? "" : ", " + column.unit, column.values.front()));
+  }
+}
+
 /// The rows of the log between two times.
 EngineLog within(EngineLog log, const LogColumn* time, const BiasRequest& request) {
   if (!request.start && !request.stop) return log;
   if (!time)
     throw Error("the log has no column of times, so start and stop have no meaning; leave them out",
                 log.file);
-  const double from = request.start ? given_number(request.start, -1e300, 1e300) : -1e300;
-  const double to = request.stop ? given_number(request.stop, -1e300, 1e300) : 1e300;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double from = time_of(request.start, *time, -infinity);
+  const double to = time_of(request.stop, *time, infinity);
   const std::vector<double> times = time->values;
   for (LogColumn& column : log.columns) {
     std::vector<double> kept;
@@ -161,8 +177,10 @@ EngineLog within(EngineLog log, const LogColumn* time, const BiasRequest& reques
     column.values = std::move(kept);
   }
   if (log.samples() == 0)
-    throw Error(fmt::format("no row has a time from {:g} to {:g}; the times are {:g} to {:g}", from,
-                            to, times.front(), times.back()),
+    throw Error(fmt::format("no row has a time{}{}; the times are {:g} to {:g}",
+                            request.start ? fmt::format(" from {:g}", from) : "",
+                            request.stop ? fmt::format(" up to {:g}", to) : "", times.front(),
+                            times.back()),
                 log.file);
   return log;
 }
@@ -243,6 +261,11 @@ Ensemble ensemble_of(const EngineLog& log, const LogColumn& total, const LogColu
   const LogColumn* conserved = log.find(conserved_names);
   if (conserved && fluctuation(*conserved) < bath_ratio * fluctuation(total))
     return {conserved, true};
+  if (potential && variance_of(potential->values) == 0)
+    throw Error(fmt::format("'{}' has the value {:g} in every row; give the log of a run whose "
+                            "molecules move, with more digits",
+                            potential->name, potential->values.front()),
+                log.file);
   if (!potential || fluctuation(total) < bath_ratio * std::sqrt(variance_of(potential->values)))
     return {&total, false};
   throw Error(

@@ -240,7 +240,7 @@ HybridAdvice advise_hybrid(const Config& config, const HybridAdviserSettings& se
 std::string answer(const HybridAdvice& advice) {
   if (advice.finalists.empty())
     return "all runs are too short to determine the autocorrelation time of the potential energy "
-           "U; use longer runs";
+           "U; give a larger number of evaluations";
   const HybridChoice& best = advice.finalists.front();
   const Estimate& cost = *best.evaluations_per_sample;
   std::string text = fmt::format(

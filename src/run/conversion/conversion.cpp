@@ -96,7 +96,8 @@ ConversionResult convert(const Conversion& c, const OutputOptions& options,
   draft.finish();
   if (written.velocities_lost)
     callbacks.note(fmt::format(
-        "note: velocities are not written, because the format {} cannot store velocities", c.to));
+        "note: velocities are not written, because the format of '{}' cannot store velocities",
+        c.to));
   return written.result;
 }
 

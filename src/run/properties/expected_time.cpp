@@ -26,6 +26,11 @@ std::string error_text(const MeasuredProperty& m, double error) {
   return fmt::format("{:.2g}{}{}", error, unit.empty() ? "" : " ", unit);
 }
 
+/// A length in whole ps, or with two digits if it is short.
+std::string ps_text(double length) {
+  return length < 10 ? fmt::format("{:.2g} ps", length) : fmt::format("{:.0f} ps", length);
+}
+
 }  // namespace
 
 std::string duration_text(double seconds) {
@@ -49,23 +54,23 @@ std::string plan_text(const ReplicaSettings& settings, const Target& target, std
                            segments(MeasuredIn::conduction)) *
                           steps_of_dynamics;
   std::string text = fmt::format(
-      "plan at {}: {} replicas of {} molecules, {} at {:g} fs; first {:.0f} ps of each at "
+      "plan at {}: {} replicas of {} molecules, {} at {:g} fs; first {} of each at "
       "constant {}",
       settings.at.text(), replicas, molecules, text_of(settings.sampling, settings.scheme),
-      step * units::fs_per_ps, segments(MeasuredIn::averages) * steps_of_averages * step,
+      step * units::fs_per_ps, ps_text(segments(MeasuredIn::averages) * steps_of_averages * step),
       settings.at.constant_volume() ? "volume" : "pressure");
   if (dynamics > 0)
     text += fmt::format(
-        " and {:.0f} ps for dynamics{}", dynamics * step,
+        " and {} for dynamics{}", ps_text(dynamics * step),
         settings.paired_runs ? ", of which an eighth is repeated at half of the step" : "");
   if (target[MeasuredIn::coupling] > 0)
-    text += fmt::format(" and {:.0f} ps at each of {} stages of the coupling of a molecule",
-                        segments(MeasuredIn::coupling) * steps_of_coupling * step,
+    text += fmt::format(" and {} at each of {} stages of the coupling of a molecule",
+                        ps_text(segments(MeasuredIn::coupling) * steps_of_coupling * step),
                         settings.path.size());
   if (target[MeasuredIn::slab] > 0)
-    text +=
-        fmt::format(" and {:.0f} ps of a slab of {} molecules",
-                    segments(MeasuredIn::slab) * steps_of_averages * step, slab_copies * molecules);
+    text += fmt::format(" and {} of a slab of {} molecules",
+                        ps_text(segments(MeasuredIn::slab) * steps_of_averages * step),
+                        slab_copies * molecules);
   if (seconds > 0) text += fmt::format(", about {}", duration_text(seconds));
   return text + "; longer where an error is not reached";
 }

@@ -354,6 +354,16 @@ std::string not_measured(const std::vector<MissingPoint>& points) {
   return text + "</ul>\n";
 }
 
+// Second virial coefficients need no simulation, and thus no scheme.
+std::string source_of_scheme(const MeasureReport& report) {
+  const bool simulated =
+      std::any_of(report.points.begin(), report.points.end(),
+                  [](const MeasuredPoint& point) { return !point.conditions().empty(); });
+  return simulated ? "van Zon, Omelyan, Schofield, J. Chem. Phys. 128, 136102 (2008) for the "
+                     "scheme, and "
+                   : "";
+}
+
 constexpr std::string_view title = "Properties of ";
 
 }  // namespace
@@ -377,10 +387,9 @@ std::string measure_page(const MeasureReport& report, const std::string& command
   for (const MeasuredPoint& point : report.points) body += section_of(point);
   body += not_measured(report.missing);
   body += fmt::format(
-      "<footer>polhode {}. Errors are standard errors; intervals are by Student's t. Cite van Zon, "
-      "Omelyan, Schofield, J. Chem. Phys. 128, 136102 (2008) for the scheme, and the sources that "
-      "the manual names for each property.</footer>",
-      version());
+      "<footer>polhode {}. Errors are standard errors; intervals are by Student's t. Cite {}the "
+      "sources that the manual names for each property.</footer>",
+      version(), source_of_scheme(report));
   std::string page(embedded_text("pages/measure.html").value());
   replace(page, "@title@", std::string(title) + html(report.system));
   replace(page, "@body@", body);

@@ -212,16 +212,18 @@ Sampling sampling_of(const Given& sampling) {
 
 std::vector<RequestedProperty> requested_properties(const std::vector<std::string>& words) {
   std::vector<RequestedProperty> list;
+  bool has_error = true;  // whether the last property has an error, so that no other may follow
   for (const std::string& word : words) {
     const bool is_error =
         !word.empty() && (std::isdigit(static_cast<unsigned char>(word[0])) != 0 || word[0] == '.');
-    if (is_error && list.empty())
+    if (is_error && has_error)
       throw Error(fmt::format(
           "'{}' must follow the name of a property; write for example density \"0.1 %\"", word));
     if (is_error)
       list.back() = with_error(*list.back().property, word);
     else
       list.push_back({&property(word)});
+    has_error = is_error;
   }
   for (std::size_t k = 0; k < list.size(); ++k)
     for (std::size_t l = 0; l < k; ++l)

@@ -17,6 +17,13 @@ constexpr double evaporated = 0.3;
 /// Largest density that can be a liquid, relative to the same density.
 constexpr double compressed = 2;
 
+/// The rms speed of molecules at a temperature [nm/ps].
+double rms_speed(const Bodies& bodies, double temperature) {
+  double sum = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) sum += bodies.inverse_m[i];
+  return std::sqrt(3 * units::boltzmann * temperature * sum / static_cast<double>(bodies.size()));
+}
+
 }  // namespace
 
 void LongestWaves::add(const State& state) {
@@ -77,11 +84,15 @@ Vec3Column in_fractions(const State& state) {
   return fractions;
 }
 
-void check_motion(const State& state, const Vec3Column& start, double time, const StatePoint& at) {
+void check_motion(const State& state, const Bodies& bodies, const Vec3Column& start, double time,
+                  const StatePoint& at) {
   // In a crystal at its melting point, displacements between two times are 0.2 spacings; in a
   // colder crystal or a glass they are smaller. A liquid that moves by less has a relaxation time
   // of many times the length of the runs.
   constexpr double min_displacement = 0.25;
+  // Without collisions, molecules would move by this many spacings in a run that is long enough. In
+  // ordinary liquids they leave their places after about one spacing.
+  constexpr double min_path = 10;
   if (start.size() != state.size()) return;
   double squares = 0;
   const Vec3Column now = in_fractions(state);
@@ -92,6 +103,13 @@ void check_motion(const State& state, const Vec3Column& start, double time, cons
   const auto n = static_cast<double>(state.size());
   const double moved = std::sqrt(squares / n), spacing = std::cbrt(state.box.volume() / n);
   if (moved >= min_displacement * spacing) return;
+  const double path = time * rms_speed(bodies, at.temperature);
+  if (path < min_path * spacing)
+    throw RunError(fmt::format(
+        "at {} the molecules have moved by only {:.2g} nm (rms) in {:.2g} ps, which is too short "
+        "to distinguish a liquid from a solid: without collisions they would move by {:.2g} nm, "
+        "and {:.2g} nm are needed; give a longer time step",
+        at.text(), moved, time, path, min_path * spacing));
   throw RunError(fmt::format(
       "at {} the molecules have moved by only {:.2g} nm (rms) in {:.0f} ps, less than a quarter of "
       "their spacing of {:.2g} nm: the system is a solid, a crystal or a glass; give a higher "

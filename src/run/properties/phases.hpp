@@ -35,8 +35,10 @@ void check_one_phase(const LongestWaves& waves, std::size_t molecules, const Sta
 /// Checks that the molecules move as in a liquid.
 /// @param start  positions at an earlier time, in fractions of the edges
 /// @param time   time since then [ps]
-/// @throws RunError  if they have moved by less than a quarter of their spacing
-void check_motion(const State& state, const Vec3Column& start, double time, const StatePoint& at);
+/// @throws RunError  if they have moved by less than a quarter of their spacing. The message says
+///   whether the system is a solid, or the time too short to tell
+void check_motion(const State& state, const Bodies& bodies, const Vec3Column& start, double time,
+                  const StatePoint& at);
 
 /// Positions in fractions of the edges.
 Vec3Column in_fractions(const State& state);

@@ -335,7 +335,7 @@ bool add_averages(Replica& replica, const ReplicaSettings& settings) {
   check_one_phase(waves, system.state.size(), settings.at);
   const std::size_t segments = replica.averages.size() + 1;
   if (segments >= first_averages)
-    check_motion(system.state, replica.start,
+    check_motion(system.state, system.bodies, replica.start,
                  replica.step * static_cast<double>(segments * steps_of_averages), settings.at);
   replica.state = system.state;
   replica.averages.push_back(std::move(segment));

@@ -20,6 +20,9 @@ using nlohmann::json;
 constexpr std::string_view mark = "polhode replica 2\n", earlier_mark = "polhode replica 1\n";
 constexpr std::size_t max_bytes = std::size_t{1} << 31;
 
+/// Columns of a state have different lengths.
+struct DifferentLengths {};
+
 }  // namespace
 
 // nlohmann::json finds these functions by the types of their arguments.
@@ -45,7 +48,7 @@ static void to_json(json& j, const Vec3Column& column) {
 }
 static void from_json(const json& j, Vec3Column& column) {
   const auto x = j.get<std::vector<double>>();
-  if (x.size() % 3 != 0) throw Error("its columns have different lengths");
+  if (x.size() % 3 != 0) throw DifferentLengths();
   column = Vec3Column(x.size() / 3);
   for (std::size_t i = 0; i < column.size(); ++i)
     column.set(i, {x[3 * i], x[3 * i + 1], x[3 * i + 2]});
@@ -71,7 +74,7 @@ static void from_json(const json& j, State& state) {
              ell = j.at("ell").get<Vec3Column>();
   const std::size_t n = q.size();
   if (edge.size() != 3 || p.size() != n || ell.size() != n || a.size() != 4 * n)
-    throw Error("its columns have different lengths");
+    throw DifferentLengths();
   state = State(n, Box{{edge[0], edge[1], edge[2]}});
   state.q = q, state.p = p, state.ell = ell;
   for (std::size_t i = 0; i < n; ++i)
@@ -205,6 +208,8 @@ Replica parse_replica(const std::string& bytes, const std::string& path, std::ui
     return replica;
   } catch (const json::exception&) {
     throw damaged("is damaged");
+  } catch (const DifferentLengths&) {
+    throw damaged("is damaged: its columns have different lengths");
   }
 }
 

@@ -359,6 +359,7 @@ RunResult Simulation::run(const OutputOptions& options, const Callbacks& callbac
                  provenance(command_of(options.command), config_.text, config_.system.seed),
                  identity(), found ? &*found : nullptr);
   if (found) resume(std::move(found->checkpoint));
+  files.keep(minimisation_evaluations_);
   note_begin(callbacks);
 
   if (!equilibrate(callbacks, &files)) return {RunEnd::interrupted_equilibrating, {}};

@@ -124,6 +124,24 @@ TEST_CASE("D has converged if the slope is constant, and not while walkers keep 
   CHECK(share_converged([](auto seed) { return of_walkers(seed, 1500, 20, 20); }) < 0.05);
 }
 
+TEST_CASE("D is fitted to the lags within the window, up to the rounding of their times") {
+  // The slope is 6 at all lags up to 4, and 600 beyond.
+  std::vector<BlockMeans::Block> blocks(64, {1000, {}});
+  for (BlockMeans::Block& block : blocks)
+    for (int lag = 0; lag <= 8; ++lag)
+      block.sum.push_back(1000 * (lag <= 4 ? 6.0 * lag : 600.0 * lag));
+  const auto D = [&](double from, double to) {
+    return diffusion(BlockMeans(blocks), 1, {from, to}).value;
+  };
+  CHECK(D(0, 4) == doctest::Approx(1));
+  CHECK(D(1, 4.4) == doctest::Approx(1));
+  CHECK(D(1, 4.6) == doctest::Approx(1));
+  CHECK(D(4.6, 8) == doctest::Approx(100));
+  CHECK(D(5.001, 8) == doctest::Approx(100));
+  CHECK(D(5.001, 6.999) == doctest::Approx(100));
+  CHECK(std::isnan(D(5.1, 6.9)));
+}
+
 TEST_CASE("a result with an obstacle needs a longer run than there was") {
   CHECK(convergence(100, 2, 30).converged());
   CHECK(!convergence(100, 2, 30, Obstacle::still_moving).converged());

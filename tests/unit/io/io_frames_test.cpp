@@ -229,6 +229,44 @@ TEST_CASE("extended XYZ of other programs is read, with any order of columns") {
   CHECK(!reader->next(frame));
 }
 
+TEST_CASE("an atom of an element is not taken for a massless site with the same first letter") {
+  // Water without its massless site MW, followed by magnesium.
+  const auto fitted = [](const std::string& magnesium) {
+    std::istringstream in(
+        "4\nLattice=\"20 0 0 0 20 0 0 0 20\"\nO 1 1 1\nH 1.7569503 1.5858823 1\n"
+        "H 0.2430497 1.5858823 1\n" +
+        magnesium + " 5 5 5\n");
+    Frame frame;
+    read_frames(in, "xyz", "a.xyz")->next(frame);
+    const Molecule ion = rigid_molecule("mg", {{"MG", "Mg", {}, 24.305, 2}});
+    return fit_state(frame, {{{read_molecule("tip4p"), 1}, {ion, 1}}}).state;
+  };
+  for (const char* magnesium : {"Mg", "MG"})
+    CHECK(norm(fitted(magnesium).q[1] - Vec3<double>{0.5, 0.5, 0.5}) < 1e-12);
+  check_error([&] { fitted("M"); }, {"the 4 atoms form only 1 of 2 molecules"});
+  check_error([&] { fitted("C"); }, {"atom 4 is 'C' instead of site 'MG' of molecule 'mg'"});
+}
+
+TEST_CASE(
+    "atoms too far from the origin for precise distances, or faster than light, are refused") {
+  const auto fitted = [](const std::string& numbers) {
+    std::istringstream in(
+        "1\nLattice=\"20 0 0 0 20 0 0 0 20\" Properties=species:S:1:pos:R:3:velo:R:3\nAr " +
+        numbers);
+    Frame frame;
+    read_frames(in, "xyz", "a.xyz")->next(frame);
+    return fit_state(frame, {{{read_molecule("argon"), 1}}}).state;
+  };
+  CHECK(fitted("9e6 0 0 2e6 0 0\n").q[0].x == doctest::Approx(9e5));
+  check_error(
+      [&] { fitted("0 1.1e7 0 0 0 0\n"); },
+      {"the distance from the origin of atom 1 ('Ar') is 1.1e+06 nm", "at most 1e+06 nm", "a.xyz"});
+  check_error([&] { fitted("1e300 0 0 0 0 0\n"); }, {"at most 1e+06 nm"});
+  check_error([&] { fitted("0 0 0 0 0 3e6\n"); },
+              {"the speed of atom 1 ('Ar') is 3e+05 nm/ps", "at most 299792 nm/ps"});
+  check_error([&] { fitted("0 0 0 0 0 1e200\n"); }, {"the speed of atom 1"});
+}
+
 TEST_CASE("a truncated or changed file gives an error or frames, nothing else") {
   const Folder folder;
   const Topology topology{

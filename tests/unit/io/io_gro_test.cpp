@@ -61,6 +61,17 @@ TEST_CASE("GRO files with any number of decimals are read") {
   CHECK(wide.atoms[0].v == Vec3<double>{0.1, -0.2, 0.3});
 }
 
+TEST_CASE("the time in the title follows the last word t=") {
+  const auto time = [](const std::string& title) {
+    return parse_gro(replaced(water, "water", title), "x").time;
+  };
+  CHECK(time("count=500") == 0);
+  CHECK(time("seed_t=3 dt=0.5 Set=7") == 0);
+  CHECK(time("t= 1.5 count=500") == 1.5);
+  CHECK(time("t=1 water, t=2.5 step=500 weight=18") == 2.5);
+  CHECK(time("water (t= 4 )") == 4);
+}
+
 TEST_CASE("errors in GRO files give the line, what was found and what was expected") {
   check_gro("", {"the file ends before its title", "a.gro:1"});
   check_gro("water\n", {"the file ends before the number of atoms", "a.gro:2"});

@@ -116,6 +116,27 @@ TEST_CASE("pair styles buck and mie/cut have their laws") {
   refused(replaced(mie, "1 0.1553 3.166 14 6", "1 0.1553 3.166 14 2"), {"14 and 2", "a.data:18"});
 }
 
+TEST_CASE("a data file without the number of atom types is refused with this reason") {
+  for (const char* header : {"", "0 atom types\n"})
+    refused(replaced(good_data, "3 atom types\n", header),
+            {"the header does not contain the number of atom types", "a.data"});
+}
+
+TEST_CASE("a data file with an unsupported pair style still has coordinates") {
+  for (const char* style : {"hybrid", "hybrid/overlay", "morse"}) {
+    CAPTURE(style);
+    std::string text = replaced(good_data, "lj/cut/coul/long", style);
+    text = replaced(text, "1 0.1553 3.166", "1 lj/cut 0.1553 3.166");
+    text = replaced(text, "2 0 0", "2 morse 100 2 1.5");
+    check_error([&] { rigid_topology(parse_lammps_data(text, "a.data")); },
+                {style, "not supported", "mie/cut", "a.data"});
+    CHECK(parse_lammps_data(text, "a.data").atoms.size() == 7);
+  }
+  refused(replaced(good_data, "lj/cut/coul/long", "hybrid"),
+          {"the pair style is 'hybrid', and pairs of atoms with different styles are not supported",
+           "molecules = [{ model = \"spce\", count ="});
+}
+
 TEST_CASE("errors in LAMMPS data files give the line, what was found and what was expected") {
   refused("", {"the header does not contain the number of atoms"});
   refused(replaced(good_data, "real", "metal"),

@@ -3,7 +3,12 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
 #include "../errors.hpp"
+#include "../folder.hpp"
 #include "forces/pairs/neighbours.hpp"
 #include "model/cell_list.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
@@ -19,6 +24,41 @@ TEST_CASE("requests beyond the memory are refused with their amount and a remedy
   check_error([&] { require_memory(1.1 * limit, "5 things", "use fewer of them"); },
               {"5 things need at least", "GB of memory", "may use", "use fewer of them"});
   check_error([] { require_memory(1e300, "things", "use fewer"); }, {"1e+291 GB"});
+}
+
+TEST_CASE("the memory limit is the lowest limit of the control groups of the process") {
+  const Folder folder;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    const std::filesystem::path path = folder / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path) << text << '\n';
+  };
+  const auto limit = [&](const std::string& groups) {
+    return group_memory_limit(groups, folder.path);
+  };
+  const std::string version2 = "0::/user/job/step\n";
+  CHECK(std::isinf(limit("")));
+  CHECK(std::isinf(limit(version2)));
+  write("user/job/step/memory.max", "max");
+  CHECK(std::isinf(limit(version2)));
+  write("user/job/memory.max", "3000000000");
+  write("user/other/memory.max", "1000");
+  CHECK(limit(version2) == 3e9);
+  write("user/memory.max", "4000000000");
+  CHECK(limit(version2) == 3e9);
+  write("user/job/step/memory.max", "2000000000");
+  CHECK(limit(version2) == 2e9);
+  write("memory.max", "1000000000");
+  CHECK(limit(version2) == 1e9);
+  CHECK(limit("0::/\n") == 1e9);
+
+  const std::string version1 = "12:cpu,cpuacct:/slow\n4:blkio,memory:/batch/job\n0::/\n";
+  write("blkio,memory/batch/memory.limit_in_bytes", "600000000");
+  CHECK(limit(version1) == 6e8);
+  write("memory/batch/job/memory.limit_in_bytes", "500000000");
+  write("memory/slow/memory.limit_in_bytes", "1000");
+  CHECK(limit(version1) == 5e8);
+  CHECK(std::isinf(limit("without colons\n:\n4:memory:/absent\n")));
 }
 
 TEST_CASE("counts beyond what the list can index are refused, also if their sum overflows") {

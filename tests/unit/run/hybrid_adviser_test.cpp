@@ -53,6 +53,10 @@ TEST_CASE("choices that differ by less than two standard errors are not distingu
   CHECK(answer(advice).find("longer runs") != std::string::npos);
 }
 
+TEST_CASE("advice without a cost asks for more evaluations, which determine the length of runs") {
+  CHECK(answer({}).find("give a larger number of evaluations") != std::string::npos);
+}
+
 TEST_CASE("schemes that are no palindromes are refused for hybrid Monte Carlo") {
   check_error([] { advise_hybrid(argon(), {.scheme = "B(1) A(1)"}); }, {"palindrome"});
 }

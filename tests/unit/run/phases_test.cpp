@@ -8,6 +8,7 @@
 #include <string>
 
 #include "polhode/base/error.hpp"
+#include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/math/random.hpp"
 #include "run/properties/measure_request.hpp"
 
@@ -69,7 +70,8 @@ TEST_CASE("a slab of liquid has a large structure factor at the longest waveleng
 TEST_CASE("molecules that stay where they are, are a solid") {
   const State first = random_state(1);
   const double spacing = edge / std::cbrt(molecules);
-  const auto moved_by = [&](double displacement) {
+  const Bodies argon(Topology{{{read_molecule("argon"), molecules}}});
+  const auto moved_by = [&](double displacement, double time = 100) {
     State later = first;
     later.box = Box{Vec3<double>{1.1 * edge, 1.1 * edge, 1.1 * edge}};  // scaling is no motion
     Random random(5, 2);
@@ -78,12 +80,21 @@ TEST_CASE("molecules that stay where they are, are a solid") {
       // Images are the same molecule.
       later.q.set(i, 1.1 * first.q[i] + Vec3<double>{sign * displacement, 1.1 * edge, 0});
     }
-    check_motion(later, in_fractions(first), 100, point());
+    check_motion(later, argon, in_fractions(first), time, point());
   };
   moved_by(1.1 * spacing * 0.26);
   const std::string text = message([&] { moved_by(1.1 * spacing * 0.24); });
   for (const char* part :
        {"have moved by only", "in 100 ps", "the system is a solid", "higher temperature"})
     CHECK(text.find(part) != text.npos);
-  check_motion(first, {}, 100, point());  // a record of an earlier version
+  check_motion(first, argon, {}, 100, point());  // a record of an earlier version
+
+  // At 100 K argon has an rms speed of √(3 · 0.8314/39.948) = 0.25 nm/ps: 4.1 nm, ten spacings, in
+  // 17 ps.
+  const std::string brief = message([&] { moved_by(1.1 * spacing * 0.24, 1); });
+  for (const char* part : {"in 1 ps, which is too short to distinguish a liquid from a solid",
+                           "would move by 0.25 nm, and 4.1 nm are needed", "longer time step"})
+    CHECK(brief.find(part) != brief.npos);
+  CHECK(message([&] { moved_by(1.1 * spacing * 0.24, 16); }).find("too short") != text.npos);
+  CHECK(message([&] { moved_by(1.1 * spacing * 0.24, 17); }).find("is a solid") != text.npos);
 }

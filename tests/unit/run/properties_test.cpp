@@ -106,6 +106,11 @@ TEST_CASE("properties are requested with errors in percent or in their unit") {
   CHECK(list[2].error == 0.01);
   check_error([] { requested_properties({"densty"}); }, {"no property 'densty'", "'density'"});
   check_error([] { requested_properties({"0.1 %"}); }, {"must follow the name of a property"});
+  check_error(
+      [] {
+        requested_properties({"density", "5 %", "6 %"});
+      },
+      {"'6 %' must follow the name of a property"});
   check_error([] { requested_properties({"density", "1 g"}); }, {"must be in % or in kg/m3"});
   check_error([] { requested_properties({"density", "0 %"}); }, {"the error of density"});
   check_error([] { requested_properties({"density", "density"}); }, {"requested twice"});
@@ -281,6 +286,11 @@ TEST_CASE("a record that is damaged or of something else is refused") {
   bytes.back() = static_cast<char>(bytes.back() ^ 1);
   check_error([&] { parse_replica(bytes, path, 2, "this"); }, {"checksum", path.c_str()});
   check_error([&] { parse_replica("polhode", path, 2, "this"); }, {"not a replica file"});
+  Replica uneven{.index = 2};
+  uneven.dynamics.state = State(3, Box{{1, 1, 1}});
+  uneven.dynamics.state->p = Vec3Column(2);
+  check_error([&] { parse_replica(replica_bytes(uneven, "this"), path, 2, "this"); },
+              {"columns have different lengths", "remove it", path.c_str()});
 }
 
 TEST_CASE("the second virial coefficient of Lennard-Jones atoms is that of its series") {

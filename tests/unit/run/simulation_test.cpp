@@ -351,6 +351,22 @@ TEST_CASE("a summary counts the force evaluations of moves of the box and of the
 // Velocity Verlet cannot follow a collision of argon atoms in so long a step: the energy it makes
 // is finite, and beyond all that dynamics at constant energy, or a bath between two samples, can
 // give.
+TEST_CASE("a resumed run knows the minimisation that came before it in memory") {
+  const Folder folder;
+  const Config config = config_in(folder, replaced(argon, "[run]\n", "[run]\nminimise = true\n"));
+  Simulation in_memory(config);
+  CHECK(in_memory.step(4));
+  const std::uint64_t minimisation = in_memory.summary().minimisation_evaluations;
+  CHECK(minimisation > 0);
+  std::size_t samples = 0;
+  const auto some = [&] { return ++samples > 10; };
+  CHECK(in_memory.run({ExistingFiles::refuse}, {.stop = some}).end == RunEnd::interrupted);
+  Simulation resumed(config);
+  const RunResult result = resumed.run({ExistingFiles::resume});
+  REQUIRE(result.report);
+  CHECK(result.report->summary.minimisation_evaluations == minimisation);
+}
+
 TEST_CASE("a run whose energy explodes ends at the sample that shows it") {
   std::string text = argon;
   const auto change = [&](const std::string& from, const std::string& to) {

@@ -22,6 +22,8 @@ namespace polhode {
 
 /// Default cutoff of g(r), unless half of the shortest box edge is shorter [nm].
 inline constexpr double default_rdf_cutoff = 1;
+/// Default of the largest lag of correlation functions [ps].
+inline constexpr double default_window = 10;
 
 struct AnalysisSettings {
   /// Names of the requested observables. A requested observable that the frames do not allow is an
@@ -29,7 +31,8 @@ struct AnalysisSettings {
   std::set<std::string> what;
   double from = 0;                 ///< first time to analyze; earlier frames are skipped [ps]
   std::optional<double> interval;  ///< time between frames, instead of the times in the file [ps]
-  double window = 10;              ///< largest lag of correlation functions [ps]
+  std::optional<double> window;    ///< largest lag of correlation functions [ps]; default:
+                                   ///< `default_window`
   std::vector<SitePair> pairs;     ///< pairs of sites for g(r); if empty, all pairs of site_pairs()
   std::optional<double> cutoff;    ///< cutoff of g(r) [nm]; default: `default_rdf_cutoff`, at most
                                    ///< half of the shortest edge

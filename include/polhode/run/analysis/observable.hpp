@@ -71,6 +71,7 @@ struct ObservableKind {
   /// Returns the reason why the frames do not allow this observable; empty if they allow it.
   std::function<std::string(const FirstFrames&)> why_not;
   std::function<std::unique_ptr<Observable>(const FirstFrames&)> begin;
+  bool needs_velocities = false;  ///< whether every frame must have velocities
 };
 
 /// All observables, in the order of their results.
