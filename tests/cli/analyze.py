@@ -158,6 +158,12 @@ class Analyze(Sandbox):
         self.assertTrue(all(not temperature or float(temperature) > 100 for temperature in temperatures), temperatures)
         self.refused(("analyze", "some.xyz", *options), ["frame 14 has no velocities, but the first frame has them", "choose other observables"])
 
+    def test_a_frame_with_other_atoms_is_named(self):
+        text = (self.folder / "out-trajectory.gro").read_text(encoding="utf-8").splitlines()
+        text[3 * 111 + 2] = text[3 * 111 + 2].replace("OW", "CW")
+        self.write("other.gro", "\n".join(text) + "\n")
+        self.refused(("analyze", "other.gro", "--run", "run.toml"), ["in frame 4: atom 1 (1 tip4p) is 'CW' instead of site 'OW'", "other.gro"])
+
     def test_one_frame_and_one_lag(self):
         options = ("--run", "run.toml", "--plot", "none", "--force")
         self.assertIn("1 frame at 0.2 ps, 27 molecules", self.done_analysis("out-trajectory.gro", *options, "--what", "density", "--start", "0.2 ps").out)

@@ -247,6 +247,21 @@ double Analysis::mean_interval() const {
   return frames < 2 ? 0 : std::max(0.0, (last - first) / static_cast<double>(frames - 1));
 }
 
+namespace {
+
+/// Fits bodies to a frame. Errors in frames after the first give the number of the frame.
+FittedState fitted_frame(Frame& frame, const Topology& topology, std::size_t number) try {
+  name_atoms(frame, topology);
+  FittedState fitted = fit_state(frame, topology);
+  fitted.state.time = frame.time;
+  return fitted;
+} catch (const Error& e) {
+  if (number == 1) throw;
+  throw Error(fmt::format("in frame {}: {}", number, e.what()), e.where());
+}
+
+}  // namespace
+
 Analysis analyze(FrameReader& reader, Topology topology, const AnalysisSettings& settings,
                  const Callbacks& callbacks, Workers& workers) {
   Analysis result;
@@ -258,9 +273,7 @@ Analysis analyze(FrameReader& reader, Topology topology, const AnalysisSettings&
     if (result.frames == 0) result.topology = complete_topology(result.topology, batch.front());
     states.resize(count);
     workers.each(count, [&](std::size_t k) {
-      name_atoms(batch[k], result.topology);
-      states[k] = fit_state(batch[k], result.topology);
-      states[k].state.time = batch[k].time;
+      states[k] = fitted_frame(batch[k], result.topology, result.frames + k + 1);
     });
     if (result.frames == 0) assembly.begin(states);
     for (const FittedState& fitted : states) assembly.add(fitted, workers);
