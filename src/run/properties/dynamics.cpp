@@ -68,10 +68,11 @@ FitWindow fit_window(double interval) {
 }
 
 double slope_between(Means correlation, double interval, const FitWindow& window) {
+  const double tolerance = 0.01 * interval;  // more than the rounding of lags
   std::vector<double> t, y;
   for (std::size_t k = 0; k < correlation.size(); ++k) {
     const double lag = static_cast<double>(k) * interval;
-    if (lag < window.from || lag > window.to) continue;
+    if (lag < window.from - tolerance || lag > window.to + tolerance) continue;
     t.push_back(lag);
     y.push_back(correlation[k]);
   }
