@@ -74,8 +74,9 @@ void check(double sigma, double epsilon, const ShortRangeLaw& law) {
     throw Error(fmt::format(
         "sigma is {} nm and epsilon {} kJ/mol; both must be finite and 0 or more", sigma, epsilon));
   if (epsilon > 0 && sigma == 0)
-    throw Error(fmt::format(
-        "epsilon is {} kJ/mol, but sigma is 0 nm; Lennard-Jones needs both parameters", epsilon));
+    throw Error(
+        fmt::format("epsilon is {} kJ/mol, but sigma is 0 nm; the law '{}' needs both parameters",
+                    epsilon, name(law)));
   if (const auto* mie = std::get_if<MieLaw>(&law))
     if (!(mie->m > 3 && mie->n > mie->m && mie->n <= 100))
       throw Error(fmt::format(

@@ -60,6 +60,10 @@ bool all_numbers(const std::vector<std::string>& fields) {
   return std::ranges::all_of(fields, [](const auto& field) { return !!parsed<double>(field); });
 }
 
+bool no_numbers(const std::vector<std::string>& fields) {
+  return std::ranges::none_of(fields, [](const auto& field) { return !!parsed<double>(field); });
+}
+
 /// Appends a row to the columns.
 void add_row(EngineLog& log, const Lines& lines, const std::vector<std::string>& fields) {
   if (fields.size() != log.columns.size())
@@ -107,17 +111,22 @@ EngineLog read_xvg(Lines& lines) {
 EngineLog read_csv(Lines& lines) {
   EngineLog log{lines.file(), "CSV file", {}, 1, {}};
   char separator = ',';
+  bool marked_head = false;  // whether the head begins with '#', as in files of OpenMM
   while (const auto line = lines.next()) {
     if (trimmed(*line).empty()) continue;
-    const bool is_comment = line->starts_with('#') && line->find_first_of(",;\t") == line->npos;
+    const bool marked = line->starts_with('#');
+    const bool is_comment = marked && line->find_first_of(",;\t") == line->npos;
+    if (marked_head && !marked && log.samples() == 0 && no_numbers(fields_of(*line, separator)))
+      log.columns.clear();  // the marked line was a comment, and this line is the head
     if (log.columns.empty() && !is_comment) {
+      marked_head = marked;
       const auto start = line->find_first_not_of("# ");
       const std::string_view head = line->substr(std::min(start, line->size()));
       separator = *std::ranges::max_element(std::string_view(",;\t"), {},
                                             [&](char c) { return std::ranges::count(head, c); });
       for (const std::string& title : fields_of(head, separator))
         log.columns.push_back(titled_column(title));
-    } else if (!line->starts_with('#')) {
+    } else if (!marked) {
       add_row(log, lines, fields_of(*line, separator));
     }
   }

@@ -180,6 +180,10 @@ TEST_CASE("logs of other programs give the same bias in their units") {
     const LogBias b = log_bias(parse_engine_log(text, "openmm.csv"), {});
     CHECK(column(b, "Potential Energy").bias.value ==
           doctest::Approx(expected.value).epsilon(1e-9));
+    const LogBias commented =
+        log_bias(parse_engine_log("# written by me, 2024\n" + text.substr(1), "mine.csv"), {});
+    CHECK(column(commented, "Potential Energy").bias.value ==
+          doctest::Approx(expected.value).epsilon(1e-9));
   }
 }
 
