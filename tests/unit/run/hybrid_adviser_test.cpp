@@ -50,7 +50,7 @@ TEST_CASE("choices that differ by less than two standard errors are not distingu
   CHECK(answer(advice).find("longer steps were not tried") != std::string::npos);
   advice.finalists.clear();
   rank(advice);
-  CHECK(answer(advice).find("longer runs") != std::string::npos);
+  CHECK(answer(advice).find("larger number of evaluations") != std::string::npos);
 }
 
 TEST_CASE("advice without a cost asks for more evaluations, which determine the length of runs") {

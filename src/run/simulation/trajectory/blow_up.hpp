@@ -19,8 +19,8 @@ struct BlowUp : RunError {
 };
 
 /// Stores the positions that a report of a blow-up needs. From the initial positions, the report
-/// computes a step that would have been short enough to avoid the blow-up. The positions a few steps
-/// earlier show the molecules that collided.
+/// computes a step that would have been short enough to avoid the blow-up. The positions a few
+/// steps earlier show the molecules that collided.
 class BlowUpReport {
  public:
   /// Constructs the report; all arguments are kept by reference.
