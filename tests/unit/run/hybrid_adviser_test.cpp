@@ -18,7 +18,7 @@ HybridChoice choice(double step, double value, double error) {
 }
 
 /// 27 atoms of argon.
-Config argon() {
+Config argon_run() {
   Config config;
   config.system.molecules = {{.model = "argon", .count = 27}};
   config.system.temperature = 150;
@@ -58,5 +58,5 @@ TEST_CASE("advice without a cost asks for more evaluations, which determine the 
 }
 
 TEST_CASE("schemes that are no palindromes are refused for hybrid Monte Carlo") {
-  check_error([] { advise_hybrid(argon(), {.scheme = "B(1) A(1)"}); }, {"palindrome"});
+  check_error([] { advise_hybrid(argon_run(), {.scheme = "B(1) A(1)"}); }, {"palindrome"});
 }
