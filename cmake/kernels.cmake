@@ -109,10 +109,14 @@ target_include_directories(polhode_pocketfft SYSTEM INTERFACE ${PROJECT_SOURCE_D
 
 function(polhode_compile_kernels library)
   # The loops over pairs unroll into several hundred operations, more than a processor looks ahead; by itself g++ orders
-  # them only after it has assigned registers.
+  # them only after it has assigned registers. The other options, which concern registers, were chosen by measurements on
+  # a Zen 4 (bench/results/2026-11-28-compiler-options.md).
+  set(of_set "STREQUAL:$<TARGET_PROPERTY:POLHODE_SET>,")
   foreach(source IN LISTS ARGN)
     if(source MATCHES "/pair_loops_" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      set_property(SOURCE ${source} PROPERTY COMPILE_OPTIONS -fschedule-insns -fsched-pressure)
+      set_property(SOURCE ${source} PROPERTY COMPILE_OPTIONS -fschedule-insns -fsched-pressure
+                   "$<$<${of_set}avx512>:-fweb;-frename-registers;-fno-ivopts>"
+                   "$<$<${of_set}avx2>:-fira-loop-pressure;-frename-registers;-fno-sched-dep-count-heuristic>")
     endif()
     if(source MATCHES "/pair_(loops|derivative)_")  # nothing in them throws; they compile in 8 % less time
       set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -fno-exceptions)
@@ -121,6 +125,7 @@ function(polhode_compile_kernels library)
   foreach(name IN LISTS compiled_sets)
     set(objects ${library}_${name})
     add_library(${objects} OBJECT ${ARGN})
+    set_target_properties(${objects} PROPERTIES POLHODE_SET ${name})
     target_link_libraries(${objects} PRIVATE polhode_headers polhode_flags polhode_pocketfft hwy::hwy)
     target_compile_options(${objects} PRIVATE ${POLHODE_FLAGS_${name}} -ffp-contract=fast
                            -fno-tree-vectorize)  # vectorization is explicit in packs
