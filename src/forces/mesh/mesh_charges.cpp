@@ -2,7 +2,7 @@
 #include "forces/mesh/mesh_charges.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include "base/blocks.hpp"
 #include "forces/pairs/pair_table.hpp"
@@ -26,17 +26,15 @@ std::size_t number_of_slabs(const MeshSettings& settings) {
 
 template <class T>
 MeshCharges<T>::MeshCharges(const Topology& topology, const MeshSettings& settings)
-    : settings_(settings),
-      slabs_(number_of_slabs(settings)),
-      tiles_(settings.points[1] / mesh_multiple),
-      slab_ends_(slabs_) {
+    : settings_(settings), slabs_(number_of_slabs(settings)), slab_end_(slabs_) {
   for (const auto& part : topology.parts) {
     const InteractionSites sites(part.molecule);
     parts_.emplace_back();
     for (std::size_t k = 0; k < sites.charged; ++k) parts_.back().push_back(sites.sites[k].charge);
   }
+  const std::size_t tiles = settings.points[1] / mesh_multiple;
   for (std::size_t y = 0; y < settings.points[1]; ++y)
-    slab_of_.push_back(static_cast<std::uint8_t>(y / mesh_multiple * slabs_ / tiles_));
+    slab_of_.push_back(static_cast<std::uint8_t>(y / mesh_multiple * slabs_ / tiles));
 }
 
 template <class T>
@@ -54,9 +52,8 @@ void MeshCharges<T>::make_blocks(const Slots& slots) {
   }
   records_ = Column<T>(numbers_ * ChargeRecord::stride);
   row_.resize(numbers_);
-  in_blocks_.resize(numbers_);
-  block_ends_.resize(blocks_.size() * slabs_);
-  in_slabs_.resize(charges);
+  next_.resize(blocks_.size() * slabs_);
+  order_.resize(charges);
 }
 
 /// Calls visit(index) for each charge of a block.
@@ -86,47 +83,31 @@ void MeshCharges<T>::place(const Slots& slots, const SiteRecords<T>& records,
                    &row_[block.charge],
                    displacements,
                    displacements ? &moves_[block.charge * ChargeRecord::stride] : nullptr});
-    sort_block(b);
+    std::uint32_t* const count = &next_[b * slabs_];
+    std::fill_n(count, slabs_, 0);
+    each_charge(block,
+                [&](std::size_t n) { ++count[slab_of_[static_cast<std::size_t>(row_[n])]]; });
   });
-  std::fill(slab_ends_.begin(), slab_ends_.end(), 0);
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    for (std::size_t slab = 0; slab < slabs_; ++slab)
-      slab_ends_[slab] += block_ends_[b * slabs_ + slab] - begin_in_block(b, slab);
-  std::inclusive_scan(slab_ends_.begin(), slab_ends_.end(), slab_ends_.begin());
-}
-
-/// Sorts the charges of a block by slabs.
-template <class T>
-void MeshCharges<T>::sort_block(std::size_t b) {
-  const Block& block = blocks_[b];
-  std::uint32_t* const at = &block_ends_[b * slabs_];
-  const auto slab_of = [&](std::size_t n) { return slab_of_[static_cast<std::size_t>(row_[n])]; };
-  std::fill_n(at, slabs_, 0);
-  each_charge(block, [&](std::size_t n) { ++at[slab_of(n)]; });
-  std::exclusive_scan(at, at + slabs_, at, static_cast<std::uint32_t>(block.charge));
-  each_charge(block,
-              [&](std::size_t n) { in_blocks_[at[slab_of(n)]++] = static_cast<std::uint32_t>(n); });
+  std::uint32_t at = 0;
+  for (std::size_t slab = 0; slab < slabs_; ++slab) {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const std::uint32_t count = std::exchange(next_[b * slabs_ + slab], at);
+      at += count;
+    }
+    slab_end_[slab] = at;
+  }
+  workers.each(blocks_.size(), [&](std::size_t b) {
+    std::uint32_t* const next = &next_[b * slabs_];
+    each_charge(blocks_[b], [&](std::size_t n) {
+      order_[next[slab_of_[static_cast<std::size_t>(row_[n])]]++] = static_cast<std::uint32_t>(n);
+    });
+  });
 }
 
 template <class T>
-std::uint32_t MeshCharges<T>::begin_in_block(std::size_t b, std::size_t slab) const {
-  return slab == 0 ? static_cast<std::uint32_t>(blocks_[b].charge)
-                   : block_ends_[b * slabs_ + slab - 1];
-}
-
-template <class T>
-std::size_t MeshCharges<T>::begin_of(std::size_t slab) const {
-  return blocks(slab * tiles_, slabs_) * mesh_multiple;
-}
-
-template <class T>
-std::span<const std::uint32_t> MeshCharges<T>::in_slab(std::size_t slab) {
-  const auto first = in_slabs_.begin() + (slab == 0 ? 0 : slab_ends_[slab - 1]);
-  auto end = first;
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    end = std::copy(&in_blocks_[0] + begin_in_block(b, slab),
-                    &in_blocks_[0] + block_ends_[b * slabs_ + slab], end);
-  return {first, end};
+std::span<const std::uint32_t> MeshCharges<T>::in_slab(std::size_t slab) const {
+  const std::size_t first = slab == 0 ? 0 : slab_end_[slab - 1];
+  return {&order_[first], slab_end_[slab] - first};
 }
 
 template class MeshCharges<double>;

@@ -24,16 +24,14 @@ class MeshCharges {
   /// Charges of the sites of a molecule type [e]; empty if the type has no charges.
   const std::vector<double>& of_part(std::size_t part) const { return parts_[part]; }
 
-  /// Places the charges on the grid and sorts the charges of each block by slabs. If displacements
-  /// are given, the displacement record of each charge is also computed.
+  /// Places the charges on the grid and sorts them. If displacements are given, the displacement
+  /// record of each charge is also computed.
   void place(const Slots& slots, const SiteRecords<T>& records, const SiteRecords<T>* displacements,
              const Box& box, Workers& workers);
 
   std::size_t slabs() const { return slabs_; }
-  /// The first grid point of a slab along y, or the end of the grid for slab = slabs().
-  std::size_t begin_of(std::size_t slab) const;
-  /// Collects the indices of the charges in a slab. Different threads may collect different slabs.
-  std::span<const std::uint32_t> in_slab(std::size_t slab);
+  /// Indices of the charges in a slab.
+  std::span<const std::uint32_t> in_slab(std::size_t slab) const;
   const T* records() const { return records_.data(); }
   const T* moves() const { return moves_.data(); }
 
@@ -43,24 +41,20 @@ class MeshCharges {
     std::size_t part, first, end, charge;
   };
   void make_blocks(const Slots& slots);
-  void sort_block(std::size_t block);
-  std::uint32_t begin_in_block(std::size_t block, std::size_t slab) const;
   template <class Visit>
   void each_charge(const Block& block, const Visit& visit) const;
 
   MeshSettings settings_;
   std::vector<std::vector<double>> parts_;
   std::size_t slabs_;
-  std::size_t tiles_;                  // number of tiles along y
   std::vector<std::uint8_t> slab_of_;  // slab of each grid point along y
   std::vector<Block> blocks_;
   std::size_t numbers_ = 0;  // number of charges, including charges of unused slots
   Column<T> records_, moves_;
-  std::vector<std::int32_t> row_;          // for each charge, the grid point below it along y
-  std::vector<std::uint32_t> in_blocks_;   // indices sorted by [block, slab]
-  std::vector<std::uint32_t> in_slabs_;    // indices sorted by [slab, block]
-  std::vector<std::uint32_t> block_ends_;  // ends in in_blocks_, by [block, slab]
-  std::vector<std::uint32_t> slab_ends_;   // ends in in_slabs_
+  std::vector<std::int32_t> row_;    // for each charge, the grid point below it along y
+  std::vector<std::uint32_t> next_;  // place in the order, by [block, slab]
+  std::vector<std::uint32_t> slab_end_;
+  std::vector<std::uint32_t> order_;
 };
 
 }  // namespace polhode

@@ -150,18 +150,14 @@ void ParticleMesh<T>::spread_on(Field& field, const Slots& slots, const SiteReco
                                 const SiteRecords<T>* displacements) {
   charges_.place(slots, records, displacements, factors_.box, workers_);
   MeshGrid<T>& grid = field.grid;
+  workers_.each(grid.rows(),
+                [&](std::size_t y) { std::fill_n(&grid.values[y * grid.row], grid.row, T{}); });
   using Spread = void (*)(const SpreadJob<T>&);
   const auto spread = displacements ? POLHODE_CURRENT_OVERLOAD(spread_dipoles, Spread)
                                     : POLHODE_CURRENT_OVERLOAD(spread_charges, Spread);
-  const std::size_t slabs = charges_.slabs();
-  const auto row_of = [&](std::size_t slab) { return charges_.begin_of(slab) / grid.tile.rows; };
   for (const std::size_t parity : {0u, 1u})
-    workers_.each((slabs + 1 - parity) / 2, [&](std::size_t k) {
-      const std::size_t slab = 2 * k + parity;
-      if (parity == 0)  // the charges of an even slab and of the next one come first to these rows
-        std::fill(&grid.values[row_of(slab) * grid.row],
-                  grid.values.data() + row_of(std::min(slab + 2, slabs)) * grid.row, T{});
-      const auto listed = charges_.in_slab(slab);
+    workers_.each((charges_.slabs() + 1 - parity) / 2, [&](std::size_t k) {
+      const auto listed = charges_.in_slab(2 * k + parity);
       spread({charges_.records(), charges_.moves(), listed.data(), listed.data() + listed.size(),
               settings_.order, grid});
     });

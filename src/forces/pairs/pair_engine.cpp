@@ -202,15 +202,13 @@ void PairEngine<T>::collect(std::size_t p, std::uint32_t first, std::uint32_t en
                             Load& load) const {
   constexpr std::uint32_t block = slot_block;
   constexpr std::size_t stride = ChunkSums<T>::stride;
-  const auto add_sums =
-      POLHODE_CURRENT_OVERLOAD(add_sums, void (*)(const T*, std::size_t, double*));
   const Slots& slots = list_.slots();
   const Slots::Part& part = slots.parts[p];
   const bool turns = std::any_of(sites_[p].begin(), sites_[p].end(),
                                  [](const Vec3<double>& r) { return norm2(r) > 0; });
   for (; first < end; first += block) {
     const std::uint32_t n = std::min(block, end - first);
-    alignas(pack_bytes) std::array<double, block * stride> total{};
+    std::array<double, block * stride> total{};
     if (mesh_) std::copy_n(&mesh_sums_[first * stride], n * stride, total.begin());
     for (std::size_t k = 0; k < sums_.size(); ++k) {
       // Windows begin at block boundaries, so a block lies either entirely in a window or entirely
@@ -218,7 +216,8 @@ void PairEngine<T>::collect(std::size_t p, std::uint32_t first, std::uint32_t en
       const SlotWindow& window = list_.chunks()[k].windows[p];
       const std::uint32_t at = first - window.first + (first < window.first ? part.count : 0);
       if (at >= window.count) continue;
-      add_sums(&sums_[k].values[(sums_[k].first[p] + at) * stride], n * stride, total.data());
+      const T* const from = &sums_[k].values[(sums_[k].first[p] + at) * stride];
+      for (std::size_t x = 0; x < n * stride; ++x) total[x] += from[x];
     }
     for (std::uint32_t i = 0; i < n; ++i) {
       const double* const sum = &total[i * stride];

@@ -96,9 +96,6 @@ POLHODE_DECLARE_LOOPS(
     /// displacements of the job.
     void pair_derivative(const PairJob<double>& job);
     void pair_derivative(const PairJob<float>& job);
-    /// Adds n numbers to a total.
-    void add_sums(const double* from, std::size_t n, double* total);
-    void add_sums(const float* from, std::size_t n, double* total);
     /// The number of pairs in a pack.
     std::size_t pair_lanes(const PairJob<double>*); std::size_t pair_lanes(const PairJob<float>*);)
 

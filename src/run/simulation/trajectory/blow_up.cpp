@@ -42,13 +42,11 @@ BlowUpReport::BlowUpReport(const System& system, const TrajectorySettings& setti
   copy_positions(system.state, first_);
 }
 
-void BlowUpReport::before_step(std::size_t step) {
-  if (step % 4 == 0 || earlier_.size() == 0) copy_positions(system_.state, earlier_);
-}
+void BlowUpReport::before_step() { copy_positions(system_.state, before_); }
 
 void BlowUpReport::blow_up(std::size_t step, std::string cause) const {
   std::string contact = strongest_contact(system_, system_.state);
-  if (contact.empty()) contact = strongest_contact(system_, earlier_);
+  if (contact.empty()) contact = strongest_contact(system_, before_);
   if (!contact.empty()) cause += "; " + contact;
   throw BlowUp(fmt::format("the run blew up at step {} ({:.4f} ps): {}; {}", step,
                            static_cast<double>(step) * settings_.step, cause,

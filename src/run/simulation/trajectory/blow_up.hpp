@@ -19,16 +19,15 @@ struct BlowUp : RunError {
 };
 
 /// Stores the positions that a report of a blow-up needs. From the initial positions, the report
-/// computes a step that would have been short enough to avoid the blow-up. The positions a few
-/// steps earlier show the molecules that collided.
+/// computes a step that would have been short enough to avoid the blow-up. The positions before the
+/// last step show the molecules that collided.
 class BlowUpReport {
  public:
   /// Constructs the report; all arguments are kept by reference.
   BlowUpReport(const System& system, const TrajectorySettings& settings, Workers& workers);
 
-  /// Stores the positions in every fourth step; must be called before each step.
-  /// @param step  number of the step
-  void before_step(std::size_t step);
+  /// Stores the positions; must be called before each step.
+  void before_step();
 
   /// Ends the trajectory with a report.
   /// @param step   number of the step that failed
@@ -44,7 +43,7 @@ class BlowUpReport {
   const System& system_;
   const TrajectorySettings& settings_;
   Workers& workers_;
-  State first_, earlier_;
+  State first_, before_;
 };
 
 }  // namespace polhode

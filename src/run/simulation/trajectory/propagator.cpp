@@ -164,7 +164,7 @@ class Propagator::Impl {
   }
 
   void step(bool energies) {
-    report_.before_step(steps_);
+    report_.before_step();
     try {
       integrator_.apply([&](auto& integrator) {
         integrator.advance(system_.state, settings_.step, 1, energies);
